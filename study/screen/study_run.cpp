@@ -124,6 +124,10 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
     }
   }
   requireDrawable(protocol);
+  std::vector<std::unique_ptr<MarkerOutput>> markerOutputs;
+  for (const std::string& each : options.markers) {
+    markerOutputs.push_back(openMarkerOutput(each));
+  }
   const Monitor monitor = chooseMonitor(protocol, options);
   tell(options, fmt::format("monitor   {}: {}", options.monitor, textOf(monitor)));
   GlWindow window(windowOptions(protocol, options));
@@ -141,7 +145,6 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   const double hertz = pacedHertz > 0 ? pacedHertz : refreshRateOf(check);
   flowOptions.screen = {window.pixelWidth(), window.pixelHeight(), hertz};
   flowOptions.intervalNanoseconds = static_cast<int64_t>(1e9 / (pacedHertz > 0 ? pacedHertz : check.measured.hertz));
-  // Of a new subject the slot is not known; every slot has trials of each block and view.
   const CalibratedScreen stated{window.pixelWidth(), window.pixelHeight(),
                                 protocol.screen.widthMillimeters * window.pixelWidth() / monitor.width,
                                 protocol.screen.distanceMillimeters};
@@ -155,6 +158,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
       tell(options, "warning   " + deviation);
     }
   }
+  // Of a new subject the slot is not known; every slot has trials of each block and view.
   const SessionSchedule likely = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
   tryTrials(protocol, likely, flowOptions.screen);
   const std::vector<std::string> slow =
@@ -170,11 +174,6 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   check.problems.insert(check.problems.end(), slow.begin(), slow.end());
   const bool forced = !check.isGood();
   flowOptions.unstableRefresh = forced;
-
-  std::vector<std::unique_ptr<MarkerOutput>> markerOutputs;
-  for (const std::string& each : options.markers) {
-    markerOutputs.push_back(openMarkerOutput(each));
-  }
 
   if (!known) {
     known.emplace(StudyDatabase::openForSessions(options.database, protocol));
