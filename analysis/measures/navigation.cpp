@@ -112,6 +112,21 @@ void Navigation::add(size_t index) {
   addHeat(trial, block.maze, floor->second, poses);
 }
 
+/// As the protocol says; of a place that was drawn, as the trial does.
+std::optional<MazeCell> cellOfObject(const Trial& trial, const ProtocolCase& place) {
+  if (place.row && place.column) {
+    return MazeCell{*place.row, *place.column};
+  }
+  const auto number = [&](const char* measure) {
+    const auto found = trial.measures.find(measure);
+    const bool isIndex = found != trial.measures.end() && found->second >= 0 && found->second < kMaxMazeSide;
+    return isIndex ? std::optional(static_cast<int>(found->second)) : std::nullopt;
+  };
+  const std::optional<int> row = number("object_row");
+  const std::optional<int> column = number("object_column");
+  return row && column ? std::optional(MazeCell{*row, *column}) : std::nullopt;
+}
+
 SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose>& poses, const WalkMeasures& walk,
                                       const MazeFloor& floor, const ProtocolBlockFacts& block) {
   const auto first = floor.cellAt({poses.front().x, poses.front().z});
@@ -132,11 +147,15 @@ SearchNavigation Navigation::measured(const Trial& trial, const std::vector<Pose
   if (block.moving) {
     return unknown("the log does not tell where a moving object was");
   }
-  if (caseIndex >= block.cases.size() || !block.cases[caseIndex].row) {
+  if (caseIndex >= block.cases.size()) {
     return unknown("the protocol does not tell where the object stands");
   }
   const ProtocolCase& place = block.cases[caseIndex];
-  const MazeCell cell{*place.row, *place.column};
+  const std::optional<MazeCell> told = cellOfObject(trial, place);
+  if (!told) {
+    return unknown("the protocol does not tell where the object stands");
+  }
+  const MazeCell cell = *told;
   if (!floor.plan().contains(cell)) {
     return unknown("the object stands outside of the maze");
   }

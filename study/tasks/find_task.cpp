@@ -126,6 +126,8 @@ class FindRun : public TrialRun {
       : block_(block),
         view_(plan.view),
         expected_(block.answerOf(plan)),
+        isDrawn_(!block.caseOf(plan.caseIndex).cells.empty()),
+        cell_(block.objectOf(plan).cell),
         stage_(stageOf(screen)),
         place_(block.placeOf(block.objectOf(plan))),
         walker_(block_.plan(), block_.controls(), block_.options().start),
@@ -204,12 +206,18 @@ class FindRun : public TrialRun {
                         {"path_length_m", walker_.pathMeters()},
                         {"turned_degrees", walker_.turnedDegrees()},
                         {"collisions", walker_.collisions()}};
+    if (isDrawn_) {  // the protocol does not tell
+      outcome.measures["object_row"] = cell_.row;
+      outcome.measures["object_column"] = cell_.column;
+    }
     outcome_ = std::move(outcome);
   }
 
   const FindBlock& block_;
   TrialView view_;
   std::string expected_;
+  bool isDrawn_;   ///< where the object stands
+  MazeCell cell_;  ///< in which it does at first
   PixelRect stage_;
   glm::dvec2 place_;  ///< of the object, (x, z)
   Walker walker_;

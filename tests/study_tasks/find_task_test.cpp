@@ -192,6 +192,27 @@ TEST(FindTask, placesAreDrawnFromBandsOfDistanceAlikeForAllViewsAndEachOnce) {
   EXPECT_LE(*std::max_element(near.begin(), near.end()), *std::min_element(far.begin(), far.end()));
 }
 
+TEST(FindTask, theOutcomeTellsWherePlacesThatWereDrawnAre) {
+  const auto drawn = test::readBlock(
+      "find", kFromTheWest + R"("limit_seconds": 1, "distance_bands": 1, "cases": [{"distance_band": 1}])"
+                             "}");
+  const auto named = test::readBlock("find", kFromTheWest + R"("limit_seconds": 1, "cases": [{"row": 2, "column": 4}])"
+                                                            "}");
+  for (const auto& [block, isDrawn] : {std::pair(drawn, true), std::pair(named, false)}) {
+    const TrialPlan plan = test::planOf("find", 0, TrialView::kReference, 7);
+    const auto run = block->start(plan, kFindScreen);
+    while (!run->outcome()) {
+      run->advance();
+    }
+    const std::map<std::string, double>& measures = run->outcome()->measures;
+    ASSERT_EQ(measures.contains("object_row"), isDrawn);
+    if (isDrawn) {
+      const MazeCell cell{static_cast<int>(measures.at("object_row")), static_cast<int>(measures.at("object_column"))};
+      EXPECT_EQ(block->answerOf(plan), "object at " + placeNameOf(cell));
+    }
+  }
+}
+
 TEST(FindTask, namedCellsAreNotDrawn) {
   const std::string drawn = R"("distance_bands": 1, "cases": [{"distance_band": 1}])";
   const auto free = test::readBlock("find", kFromTheWest + drawn + "}");
