@@ -204,7 +204,7 @@ TEST(FindTask, theOutcomeTellsWherePlacesThatWereDrawnAre) {
     while (!run->outcome()) {
       run->advance();
     }
-    const std::map<std::string, double>& measures = run->outcome()->measures;
+    const std::map<std::string, double> measures = run->outcome()->measures;
     ASSERT_EQ(measures.contains("object_row"), isDrawn);
     if (isDrawn) {
       const MazeCell cell{static_cast<int>(measures.at("object_row")), static_cast<int>(measures.at("object_column"))};
