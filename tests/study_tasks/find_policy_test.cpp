@@ -105,14 +105,12 @@ TEST(FindPolicy, doesNotFindAnObjectThatIsLeftOutOfWhatItIsShown) {
   EXPECT_GT(found.meters, 30);
 }
 
-TEST(FindPolicy, learnsWhetherThingsMoveBySeeingThem) {
-  const HumanFactors factors;
-  MazeMemory memory;
-  MotorModel motor(factors, Controls{}, 1);
+/// The sought ball in the middle of the view, seen from (4.5, 4.5).
+Percept soughtInSight(double headingRadians) {
   Percept seen;
   seen.views = {{0, 0, 400, 300}};
   seen.grid = {{0, 0}, 3, 1};
-  seen.standing = WalkerPose{4.5, 4.5, 0};
+  seen.standing = WalkerPose{4.5, 4.5, headingRadians};
   seen.soughtShape = LandmarkShape::kSphere;
   seen.soughtColor = LandmarkColor::kOrange;
   seen.objects = {{.shape = LandmarkShape::kSphere,
@@ -123,6 +121,14 @@ TEST(FindPolicy, learnsWhetherThingsMoveBySeeingThem) {
                    .centroid = {195, 145},
                    .aim = {195, 145},
                    .place = {5, -3}}};
+  return seen;
+}
+
+TEST(FindPolicy, learnsWhetherThingsMoveBySeeingThem) {
+  const HumanFactors factors;
+  MazeMemory memory;
+  MotorModel motor(factors, Controls{}, 1);
+  Percept seen = soughtInSight(0);
   const auto watch = [&](double metersPerSecond) {
     FindPolicy policy(Vision(factors, 20), Controls{}, memory, 1);
     for (int64_t now = 0; now < 2 * kSecond; now += 3 * kSecond / 10) {
@@ -147,21 +153,9 @@ TEST(FindPolicy, turnsBackToWhatItCaughtAGlimpseOf) {
   MotorModel motor(factors, Controls{}, 1);
   constexpr int64_t kFixation = kSecond / 10;
   static_assert(kFixation < 2 * kSecond / 10);  // shorter than it takes to make something out
-  Percept glimpse;
-  glimpse.views = {{0, 0, 400, 300}};
-  glimpse.grid = {{0, 0}, 3, 1};
-  glimpse.standing = WalkerPose{4.5, 4.5, 0.2};
-  glimpse.soughtShape = LandmarkShape::kSphere;
-  glimpse.soughtColor = LandmarkColor::kOrange;
+  const Percept glimpse = soughtInSight(0.2);
   Percept gone = glimpse;
-  glimpse.objects = {{.shape = LandmarkShape::kSphere,
-                      .color = LandmarkColor::kOrange,
-                      .pixels = 900,
-                      .lower = {180, 130},
-                      .upper = {210, 160},
-                      .centroid = {195, 145},
-                      .aim = {195, 145},
-                      .place = {5, -3}}};
+  gone.objects.clear();
   gone.standing = WalkerPose{4.5, 4.5, 1.3};
   policy.think(glimpse, 0, kFixation, motor);
   policy.think(gone, kFixation, 2 * kFixation, motor);
