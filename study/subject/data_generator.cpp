@@ -7,6 +7,7 @@
 #include <map>
 #include <numbers>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/sha256.h"
 #include "study/subject/form_taste.h"
 #include "study/subject/simulate_session.h"
@@ -23,6 +24,14 @@ uint64_t hashOf(const std::string& text) {
   const std::string hex = sha256(text).substr(0, 16);
   std::from_chars(hex.data(), hex.data() + hex.size(), hash, 16);
   return hash;
+}
+
+double numberOf(const std::string& expected) {
+  double number = 0;
+  const char* end = expected.data() + expected.size();
+  const std::from_chars_result read = std::from_chars(expected.data(), end, number);
+  OC_CHECK(read.ec == std::errc() && read.ptr == end, "what is expected of an estimate is a number");
+  return number;
 }
 
 /// Draws outcomes of one subject in one session.
@@ -62,6 +71,15 @@ class RandomDraws {
         outcome.answer = outcome.correct ? expected : kind.generator.wrongAnswer(expected, random);
         seconds = std::min(seconds, std::max(info.longestSeconds - info.exposureSeconds.value_or(0), 0.1));
         break;
+      case OutcomeKind::kEstimate: {
+        const double error = meanOf(plan, info) + normal(random, 0, effects_.valueOr0(plan.task, kResidualSd));
+        const EstimatedValue value = estimateWithError(*kind.generator.unit, numberOf(expected), error);
+        outcome.answer = estimateText(value.estimate);
+        outcome.correct = std::abs(value.signedError()) <= kind.generator.rightWithin;
+        outcome.measures = measuresOf(value);
+        seconds = std::min(seconds, std::max(info.longestSeconds - info.exposureSeconds.value_or(0), 0.1));
+        break;
+      }
     }
     outcome.responseTicks = std::max<int64_t>(1, std::llround(seconds * static_cast<double>(kTicksPerSecond)));
     return outcome;
@@ -97,7 +115,7 @@ class RandomDraws {
     const double itemView = normal(random, 0, effects_.at(plan.task, kItemViewSd));
     return item + (plan.view == TrialView::kOther ? 0.5 : -0.5) * itemView;
   }
-  /// Mean log seconds, or logit of a right answer.
+  /// Mean log seconds, logit of a right answer, or mean error.
   double meanOf(const TrialPlan& plan, const CaseInfo& info) const {
     const SubjectEffects& subject = subject_.at(plan.task);
     const double ofView = !isPair()                        ? subject.conditions.at(indexOfCondition(plan.view))

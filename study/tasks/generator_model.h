@@ -5,8 +5,8 @@
 //       + subject + subjectGraph * [gc] + item + itemView * ([gc] - 1/2)     of a pair of conditions, "gc" the other
 //       + subject + subjectCondition + item + itemCondition                  of other numbers of conditions
 //
-// y is the mean of log seconds, or the logit of a right answer (task_registry.h, OutcomeKind); of log seconds there is
-// a residual too. The last four and the residual are normal with mean 0. Items are the cases of a block in a session,
+// y is the mean of log seconds, the logit of a right answer, or the mean of the signed error of an estimate in the terms
+// of its unit (task_registry.h, OutcomeKind); of log seconds and of errors there is a residual too. The last four and the residual are normal with mean 0. Items are the cases of a block in a session,
 // the same for all subjects. "itemView" is by how much the effect of the view on an item differs from the mean effect;
 // half of it counts for each view, so that without an effect of the view times and shares of all items are the same in
 // both views. Of other numbers of conditions each subject, and each item, draws a number for each condition, with the
@@ -21,6 +21,7 @@
 
 #include "oc_core/base/random.h"
 #include "study/task/task.h"
+#include "study/trial/estimated_value.h"
 
 namespace ocelli {
 
@@ -54,8 +55,12 @@ struct GeneratorModel {
   /// "graph", "subject_sd", "item_sd" and "item_view_sd".
   std::vector<GeneratorEffect> effects;
   /// Another answer than the one expected, which is empty where the generator does not tell answers. None for tasks
-  /// whose outcome is a time.
+  /// whose outcome is a time or an estimate.
   std::string (*wrongAnswer)(const std::string& expected, Random& random) = nullptr;
+  /// Of tasks whose outcome is an estimate, in what; what is expected is a number then.
+  const EstimateUnit* unit = nullptr;
+  /// Of these: how large the signed error of a right answer may be, either way.
+  double rightWithin = 0;
   /// Stands in the record of each simulated subject, whether its protocol has the task or not: as databases have it
   /// that are older than the registry. New tasks leave it.
   bool recordedAlways = false;

@@ -42,6 +42,10 @@ void registerTask(TaskKind kind) {
                        "add it to `generator` of its row");
     }
   }
+  if (kind.outcome == OutcomeKind::kEstimate && kind.generator.unit == nullptr) {
+    throw InputError("the model of this task lacks the unit of its estimates", kind.name,
+                     "set `generator.unit` of its row");
+  }
   taskRegistry().add(std::move(kind));
 }
 

@@ -32,6 +32,9 @@ class JsonFields;
 enum class OutcomeKind : uint8_t {
   kTime,    ///< how long it takes: right once it is done, censored where time runs out before
   kAnswer,  ///< whether an answer is right
+  /// A number, and how far it is from the truth: its measures tell it (study/trial/estimated_value.h). `correct` says
+  /// whether it is as near as the block asks for; censored where no answer came.
+  kEstimate,
 };
 
 struct TaskKind {
