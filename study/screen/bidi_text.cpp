@@ -15,6 +15,17 @@ bool isRightToLeft(char32_t character) {
          (character >= 0xfe70 && character <= 0xfefc);
 }
 
+/// A key or a name may stand first in a text of another script. Where both are as many it is for the first letter.
+FriBidiParType directionOf(const std::vector<FriBidiCharType>& types, bool rightToLeft) {
+  const auto fromTheRight = std::ranges::count_if(
+      types, [](FriBidiCharType type) { return FRIBIDI_IS_STRONG(type) && FRIBIDI_IS_RTL(type); });
+  const auto letters = std::ranges::count_if(types, [](FriBidiCharType type) { return FRIBIDI_IS_STRONG(type); });
+  if (2 * fromTheRight == letters) {
+    return rightToLeft ? FRIBIDI_PAR_WRTL : FRIBIDI_PAR_WLTR;
+  }
+  return 2 * fromTheRight > letters ? FRIBIDI_PAR_RTL : FRIBIDI_PAR_LTR;
+}
+
 }  // namespace
 
 BidiParagraph::BidiParagraph(std::string_view utf8, bool rightToLeft) : characters_(charactersOf(utf8)) {
@@ -26,8 +37,8 @@ BidiParagraph::BidiParagraph(std::string_view utf8, bool rightToLeft) : characte
   std::vector<FriBidiCharType> types(text.size());
   std::vector<FriBidiBracketType> brackets(text.size());
   std::vector<FriBidiLevel> levels(text.size());
-  FriBidiParType direction = rightToLeft ? FRIBIDI_PAR_WRTL : FRIBIDI_PAR_WLTR;
   fribidi_get_bidi_types(text.data(), count, types.data());
+  FriBidiParType direction = directionOf(types, rightToLeft);
   fribidi_get_bracket_types(text.data(), count, types.data(), brackets.data());
   const FriBidiLevel known =
       fribidi_get_par_embedding_levels_ex(types.data(), brackets.data(), count, &direction, levels.data());

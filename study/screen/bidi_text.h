@@ -15,7 +15,8 @@ namespace ocelli {
 /// A paragraph. It is cut into lines in the order of reading, and each line then put into that of the screen.
 class BidiParagraph {
  public:
-  /// The direction of the paragraph is that of its first letter; of one without letters, that of its language.
+  /// The direction of the paragraph is that of most of its letters, or else of the first; of one without letters, that
+  /// of its language.
   BidiParagraph(std::string_view utf8, bool rightToLeft);
 
   /// In the order of reading, in the forms in which they are drawn. A ligature is one character.

@@ -43,9 +43,10 @@ TEST(BidiText, numbersAndWordsWithinKeepTheirDirection) {
   EXPECT_EQ(shown("a \u05d0\u05d1 b", false), U"a \u05d1\u05d0 b") << "and in a text from the left";
 }
 
-TEST(BidiText, aParagraphRunsAsItsFirstLetterDoes) {
+TEST(BidiText, aParagraphRunsAsMostOfItsLettersDo) {
   EXPECT_EQ(shown("Which \u05d0?", true), U"Which \u05d0?") << "an English text on an Arabic screen";
   EXPECT_EQ(shown("\u05d0 x?", false), U"?x \u05d0") << "and the other way round";
+  EXPECT_EQ(shown("F1 \u05d0\u05d1.", true), U".\u05d1\u05d0 F1") << "a key first in a text from the right";
   EXPECT_EQ(shown("12?", true), U"?12") << "without letters as the language does";
 }
 
