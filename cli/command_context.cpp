@@ -3,6 +3,7 @@
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
+#include <utility>
 
 #include "cli/command.h"
 #include "cli/progress_bar.h"
@@ -109,10 +110,11 @@ Progress CommandContext::progress() const {
 }
 
 void CommandContext::run() const {
-  if (state_->chosen) {
+  // The command may hold this context: it must not hold itself.
+  if (const std::function<void()> chosen = std::exchange(state_->chosen, nullptr)) {
     setThreadCount(state_->threads);
     state_->ranks = startedRanks(state_->divides, state_->command);
-    state_->chosen();
+    chosen();
     clearProgress();
     flushStandardOutput();
     state_->ranks.reset();
