@@ -2,8 +2,8 @@
 // answers tell. The methods are rows of a table; each is a pure function of the answers, so that a session that is
 // resumed, and a replay, find the same level again.
 //
-// Recipe for a further method: a class of its own (quest_plus.h and up_down.h are examples), a row in staircase.cpp,
-// and its fields in protocols/protocol.schema.json, "staircase".
+// Recipe for a further method: a class of its own, as study/protocol/up_down.h has one, a row in
+// study/protocol/staircase.cpp, and its fields in protocols/protocol.schema.json, "staircase".
 #pragma once
 
 #include <memory>

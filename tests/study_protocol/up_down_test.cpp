@@ -89,8 +89,10 @@ TEST(UpDown, SettlesWhereNRightAnswersInARowAreAsLikelyAsNot) {
       }
       sum += static_cast<double>(right) / (kTrials - 300) / kRuns;
     }
-    printf("%d down: right %.4f, at the threshold %.4f, target %.4f\n", n, sum, subject.right(logs), target);
-    EXPECT_NEAR(subject.right(logs), target, 0.02) << n;
+    // Of 24,000 answers, which follow each other: less than 0.001 was measured for the share of right ones, 0.006 for
+    // the chance at the threshold, which the turns of a staircase of few levels a turn place a little above.
+    EXPECT_NEAR(sum, target, 0.005) << n;
+    EXPECT_NEAR(subject.right(logs), target, 0.015) << n;
   }
 }
 
