@@ -59,6 +59,9 @@ constexpr std::array kFactorRows = {
     FactorRow{"turn_lapse", &H::turnLapse, 0.03, 0.01, 0.18, 0, 1},
     FactorRow{"time_spread", &H::timeSpread, 0.03, 0.08, 0.25, 0, 1},
     FactorRow{"slip", &H::slip, 0, kAny, kAny, 0, 1},
+    // These draw nothing, so that the subjects of a seed are who they were before there were such tasks.
+    FactorRow{"length_error_share", &H::lengthErrorShare, 0, kAny, kAny, 0, 2},
+    FactorRow{"pointing_error_degrees", &H::pointingErrorDegrees, 0, kAny, kAny, 0, 180},
 };
 
 }  // namespace

@@ -67,6 +67,10 @@ struct HumanFactors {
   double timeSpread = 0.15;  ///< of the times between turns, as a share
   double slip = 0.01;        ///< chance of pressing the key beside the one that was meant
 
+  // Estimating. Both are guesses: people differ widely, and no study of such pictures was asked.
+  double lengthErrorShare = 0.15;   ///< of how far something seems, from one time to the next, a share
+  double pointingErrorDegrees = 8;  ///< likewise of where it seems to be
+
   /// Of a subject: whether this one turns by the mouse.
   bool turnsByMouse() const { return mouseShare > 0.5; }
 };

@@ -56,6 +56,8 @@ struct SurfaceSpot {
 /// A map to choose, its corners in its own metres.
 using SeenMap = TrialLayout::PathMap;
 using SeenChoice = TrialLayout::Choice;
+using SeenScale = TrialLayout::Scale;
+using SeenDial = TrialLayout::Dial;
 
 /// The grid that floors are seen to lie in.
 struct SeenGrid {
@@ -85,6 +87,8 @@ struct Percept {
   std::optional<LandmarkColor> soughtColor{};
   std::vector<SeenMap> maps;
   std::vector<SeenChoice> choices;
+  std::optional<SeenScale> scale{};
+  std::optional<SeenDial> dial{};
   std::optional<glm::dvec2> pointer{};
 };
 

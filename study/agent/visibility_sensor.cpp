@@ -323,6 +323,8 @@ Percept VisibilitySensor::look(const TrialLayout& layout, bool withFloor) const 
   Percept percept;
   percept.maps = layout.maps;
   percept.choices = layout.choices;
+  percept.scale = layout.scale;
+  percept.dial = layout.dial;
   percept.pointer = layout.pointer;
   if (layout.views.empty()) {
     return percept;

@@ -216,7 +216,9 @@ std::vector<BalanceTable> balanceOf(const Protocol& protocol, int subjects, int 
   }
   for (const int block : blocks) {
     if (isBalanced(block)) {
-      addBlockTables(protocol, schedules, orders, block, tables);
+      if (!protocol.blocks[static_cast<size_t>(block)].staircase) {  // a staircase chooses its cases
+        addBlockTables(protocol, schedules, orders, block, tables);
+      }
       if (protocol.conditions.names.size() > 2) {
         addOrderTables(protocol, schedules, block, tables);
       }

@@ -86,9 +86,10 @@ std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedu
     const TrialPlan& trial = schedule.trials[i];
     const ProtocolBlock& block = blockOf(protocol, trial);
     const CaseInfo info = block.task->caseInfo(trial.caseIndex);
-    std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<{}}{}", trial.index + 1, block.name, info.label,
-                                   protocol.nameOf(trial.view), width, conditionText(info));
-    if (answers) {
+    std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<{}}{}", trial.index + 1, block.name,
+                                   block.staircase ? "(staircase)" : info.label, protocol.nameOf(trial.view), width,
+                                   conditionText(info));
+    if (answers && !block.staircase) {
       line += fmt::format("; {}", block.task->answerOf(trial));
     }
     text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
@@ -97,6 +98,35 @@ std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedu
     }
   }
   return text;
+}
+
+std::string staircaseText(const Protocol& protocol) {
+  std::string text;
+  for (const ProtocolBlock& block : protocol.blocks) {
+    if (block.staircase) {
+      const BlockStaircase& of = *block.staircase;
+      text += fmt::format("\nStaircases of block \"{}\": one in each condition, {} trials each\n\n  {}\n  levels:",
+                          block.name, of.trials, of.rule->summary());
+      for (const double level : of.levels) {
+        text += fmt::format(" {:g}", level);
+      }
+      text += "\n";
+    }
+  }
+  return text;
+}
+
+Json staircasesJson(const Protocol& protocol) {
+  Json json = Json::array();
+  for (const ProtocolBlock& block : protocol.blocks) {
+    if (block.staircase) {
+      json.push_back({{"block", block.name},
+                      {"method", block.staircase->method},
+                      {"trials_of_each_condition", block.staircase->trials},
+                      {"levels", block.staircase->levels}});
+    }
+  }
+  return json;
 }
 
 std::string balanceText(const std::vector<BalanceTable>& tables, int subjects, int session) {
@@ -165,7 +195,7 @@ Json jsonOf(const Protocol& protocol, const SessionSchedule& schedule, bool answ
     Json entry{{"trial", trial.index + 1},
                {"block", block.name},
                {"task", trial.task},
-               {"case", info.label},
+               {"case", block.staircase ? Json() : Json(info.label)},
                {"view", protocol.nameOf(trial.view)},
                {"moving", info.moving},
                {"seed", trial.seed}};
@@ -178,7 +208,7 @@ Json jsonOf(const Protocol& protocol, const SessionSchedule& schedule, bool answ
     if (info.duplicateColors) {
       entry["duplicate_colors"] = *info.duplicateColors;
     }
-    if (answers) {
+    if (answers && !block.staircase) {
       entry["answer"] = block.task->answerOf(trial);
     }
     entry["break_after"] = hasBreakAfter(protocol, schedule, i);
@@ -289,14 +319,17 @@ std::string checkReport(const Protocol& protocol, const CheckOptions& options, c
       json["missing_cells"] = crossing.missing;
       json["doubled_cells"] = crossing.doubled;
     }
+    if (const Json staircases = staircasesJson(protocol); !staircases.empty()) {
+      json["staircases"] = staircases;
+    }
     if (options.coverage) {
       json["coverage"] = jsonOf(protocol, coverage);
     }
     json["warnings"] = warnings;
     return textOfJson(json, 2) + "\n";
   }
-  std::string text = headText(protocol) + conditionsText(protocol) + lengthText(protocol, schedule) +
-                     scheduleText(protocol, schedule, options.answers) +
+  std::string text = headText(protocol) + conditionsText(protocol) + staircaseText(protocol) +
+                     lengthText(protocol, schedule) + scheduleText(protocol, schedule, options.answers) +
                      balanceText(tables, options.subjects, options.session);
   if (options.coverage) {
     text += coverageText(protocol, coverage);

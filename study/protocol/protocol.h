@@ -14,6 +14,7 @@
 #include "study/outline/form_outline.h"
 #include "study/outline/screen_fields.h"
 #include "study/outline/subject_texts.h"
+#include "study/protocol/block_staircase.h"
 #include "study/task/task.h"
 
 namespace ocelli {
@@ -59,8 +60,9 @@ struct ProtocolBlock {
   std::optional<ProtocolPractice> practice{};
   TrialOrder order = TrialOrder::kBalanced;
   ViewsOfCases views = ViewsOfCases::kAll;
-  bool feedback = false;     ///< after each trial; practice always has it
-  int breakEveryTrials = 0;  ///< a break after so many trials; 0 for none within the block
+  std::shared_ptr<const BlockStaircase> staircase{};  ///< chooses the cases; null where the schedule does
+  bool feedback = false;                              ///< after each trial; practice always has it
+  int breakEveryTrials = 0;                           ///< a break after so many trials; 0 for none within the block
   bool breakAfter = true;
   std::vector<int> sessions{};             ///< that have this block, from 1; empty for all
   std::vector<FactorLevels> caseLevels{};  ///< of each case; empty where the block has no factors of cases

@@ -13,6 +13,7 @@
 #include "study/outline/local_text.h"
 #include "study/outline/study_factors.h"
 #include "study/protocol/condition_fields.h"
+#include "study/protocol/leveled_block.h"
 #include "study/protocol/protocol.h"
 #include "study/protocol/protocol_fields.h"
 #include "study/protocol/schedule.h"
@@ -164,6 +165,10 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
   readFromTable(tables.cases, [&] {
     block.task = kind.read(fields, "cases", setting);
     block.caseLevels = readCaseLevels(fields, protocol.conditions.names.factors);
+    block.staircase = readBlockStaircase(fields, *block.task, block.views);
+    if (block.staircase) {
+      block.task = leveledBlock(block.task, block.staircase->levelsByCase());
+    }
   });
   readFromTable(tables.practice, [&] { block.practice = readPractice(fields, outline.practice, kind, setting); });
   if (fields.has("example_cases")) {

@@ -79,6 +79,21 @@ void addPlaceholders(const ProtocolPage& consent, std::vector<std::string>& warn
   }
 }
 
+void addOfStaircase(const ProtocolBlock& block, std::vector<std::string>& warnings) {
+  constexpr int kFewTrials = 20;
+  constexpr size_t kFewLevels = 5;
+  if (block.staircase->trials < kFewTrials) {
+    warnings.push_back(
+        fmt::format("block \"{}\": its staircases stop after {} trials each: thresholds of fewer than {} "
+                    "are rough",
+                    block.name, block.staircase->trials, kFewTrials));
+  }
+  if (block.staircase->levels.size() < kFewLevels) {
+    warnings.push_back(fmt::format("block \"{}\": its staircases have {} levels to choose from: give {} or more",
+                                   block.name, block.staircase->levels.size(), kFewLevels));
+  }
+}
+
 void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vector<std::string>& warnings) {
   if (!block.practice) {
     warnings.push_back(fmt::format("block \"{}\": there is no practice, so its first trials are it", block.name));
@@ -91,6 +106,8 @@ void addOfBlock(const Protocol& protocol, const ProtocolBlock& block, std::vecto
         fmt::format("block \"{}\": all subjects see the same cases in the same views at the same "
                     "places, so differences between views include those of learning",
                     block.name));
+  } else if (block.staircase) {
+    addOfStaircase(block, warnings);
   } else if (const auto conditions = static_cast<int>(protocol.conditions.names.size());
              conditions > 2 && block.task->caseCount() % conditions != 0) {
     warnings.push_back(fmt::format(

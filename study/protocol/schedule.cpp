@@ -11,6 +11,7 @@
 #include "oc_core/base/random.h"
 #include "study/protocol/condition_order.h"
 #include "study/protocol/counterbalance.h"
+#include "study/protocol/staircase_trials.h"
 
 namespace ocelli {
 namespace {
@@ -102,6 +103,10 @@ class BlockTrials {
   }
   int order() const { return conditions_ == 2 ? pair_.order : levels_.order; }
   std::vector<CaseInCondition> of(const ProtocolBlock& block, Random& random) const {
+    if (block.staircase) {
+      const TrialView first = block.order == TrialOrder::kBalanced ? firstView() : TrialView::kReference;
+      return staircaseTrials(block, static_cast<size_t>(conditions_), first, random);
+    }
     const int cases = block.task->caseCount();
     const bool all = block.views == ViewsOfCases::kAll;
     if (block.order == TrialOrder::kAlternating) {
@@ -169,10 +174,11 @@ SessionSchedule scheduleOf(const Protocol& protocol, int slot, int session, uint
   for (const int index : schedule.blockOrder) {
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(index)];
     Random random(seedOf(seed, sessionsBefore(schedule), block.name + "/order", static_cast<uint64_t>(slot)));
+    uint64_t place = 0;
     for (const CaseInCondition& trial : trialsOfBlocks.of(block, random)) {
-      schedule.trials.push_back(
-          {static_cast<int>(schedule.trials.size()), index, block.taskName, trial.caseIndex, trial.view,
-           seedOf(seed, sessionsBefore(schedule), block.name, static_cast<uint64_t>(trial.caseIndex)), false});
+      const uint64_t own = block.staircase ? place++ : static_cast<uint64_t>(trial.caseIndex);
+      schedule.trials.push_back({static_cast<int>(schedule.trials.size()), index, block.taskName, trial.caseIndex,
+                                 trial.view, seedOf(seed, sessionsBefore(schedule), block.name, own), false});
     }
   }
   return schedule;

@@ -13,6 +13,9 @@
 // Alternating blocks are the same for everyone: pinhole first, views in turn, passes in the order of the file. Where
 // the number of cases is even the second pass begins with the second case and ends with the first: views go on taking
 // turns, and each case gets its other view.
+//
+// Blocks with a staircase (block_staircase.h) come in rounds of all conditions. Their plans say which condition comes
+// when; their case stands for one that is known when the trial begins: shownPlan() of staircase_trials.h.
 #pragma once
 
 #include <cstdint>

@@ -1,8 +1,12 @@
 #include "study/replay/trial_frame.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/drawing/drawing_error.h"
 #include "oc_core/drawing/figure.h"
@@ -14,6 +18,7 @@ namespace {
 constexpr Paint kLight{1, 1, 1};
 constexpr Paint kDark{0.1, 0.1, 0.1};
 constexpr Paint kAnswer{0.85, 0.85, 0.85};
+constexpr Paint kMarkPaint{0.9, 0.6, 0};  // orange of M. Okabe and K. Ito
 
 uint32_t packed(const Rgb8& pixel) {
   return static_cast<uint32_t>(pixel.x) << 16 | static_cast<uint32_t>(pixel.y) << 8 | pixel.z;
@@ -43,6 +48,12 @@ class Overlay {
     }
     for (const TrialLayout::Choice& choice : layout_.choices) {
       drawChoice(choice);
+    }
+    if (layout_.scale) {
+      drawScale(*layout_.scale);
+    }
+    if (layout_.dial) {
+      drawDial(*layout_.dial);
     }
     pointer();
   }
@@ -88,6 +99,46 @@ class Overlay {
     TextLook look = lightText(height * 0.5);
     look.paint = kAnswer;
     drawing_.text("answer", {choice.place.left + 10, choice.place.top + height * 0.7}, choice.label, look);
+  }
+
+  void drawScale(const TrialLayout::Scale& scale) {
+    const double middle = scale.place.center().y;
+    const double range = scale.most - scale.least;
+    const auto upright = [&](double value, double height, const Pen& pen) {
+      const double x = scale.place.left + (value - scale.least) / range * scale.place.width;
+      drawing_.polyline("scale", {{x, middle - height}, {x, middle + height}}, pen);
+      return x;
+    };
+    drawing_.polyline("scale", {{scale.place.left, middle}, {scale.place.right(), middle}}, {kAnswer, 2});
+    const int numbers = static_cast<int>(std::floor(range / scale.step + 1e-9));
+    for (int i = 0; i <= numbers; ++i) {
+      const double value = scale.least + i * scale.step;
+      const double x = upright(value, 6, {kAnswer, 2});
+      drawing_.text("scale", {x, middle + bar_ * 0.5}, fmt::format("{:g}", value), lightText(bar_ * 0.3));
+    }
+    if (scale.mark) {
+      upright(*scale.mark, 14, {kMarkPaint, 5});
+    }
+  }
+
+  void drawDial(const TrialLayout::Dial& dial) {
+    const glm::dvec2 center = dial.place.center();
+    const auto pointAt = [&](double degrees, double share) {
+      const double angle = radiansFromDegrees(degrees);
+      const glm::dvec2 at = center + share * dial.place.width / 2 * glm::dvec2(std::sin(angle), -std::cos(angle));
+      return PlotPoint{at.x, at.y};
+    };
+    std::vector<PlotPoint> circle;
+    for (int degrees = 0; degrees <= 360; degrees += 5) {
+      circle.push_back(pointAt(degrees, 1));
+    }
+    drawing_.polyline("dial", circle, {kAnswer, 2});
+    for (int degrees = 0; degrees < 360; degrees += 15) {
+      drawing_.polyline("dial", {pointAt(degrees, degrees % 90 == 0 ? 0.88 : 0.94), pointAt(degrees, 1)}, {kAnswer, 2});
+    }
+    if (dial.degrees) {
+      drawing_.polyline("dial", {pointAt(0, 0), pointAt(*dial.degrees, 1)}, {kMarkPaint, 5});
+    }
   }
 
   void pointer() {

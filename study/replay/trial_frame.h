@@ -1,5 +1,5 @@
-// A frame of a trial as an image: the views by any renderer, and over them the prompt, maps, answers and the pointer,
-// plainly drawn. What a screen shows differs from it in fonts and colours.
+// A frame of a trial as an image: the views by any renderer, and over them the prompt, maps, answers, a scale or dial
+// and the pointer, plainly drawn. What a screen shows differs from it in fonts and colours.
 #pragma once
 
 #include "study/task/trial_image.h"

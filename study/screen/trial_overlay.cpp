@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "study/screen/estimate_drawing.h"
 #include "study/screen/study_pieces.h"
 
 namespace ocelli {
@@ -165,6 +166,12 @@ void drawTrialOverlay(StudyCanvas& canvas, const TrialLayout& layout, SceneViews
   const MirrorScope unmirrored(canvas, false);
   drawPrompt(canvas, layout, views);
   drawChoicesAndMaps(canvas, layout);
+  if (layout.scale) {
+    drawScale(canvas, *layout.scale);
+  }
+  if (layout.dial) {
+    drawDial(canvas, *layout.dial);
+  }
   if (layout.pointer) {
     drawPointer(canvas, *layout.pointer);
   }

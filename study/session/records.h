@@ -85,7 +85,8 @@ struct ConsentRecord {
 };
 
 /// Anything else that happened: "pause", "resume", "note", "redo", "abort", "break", "page", "unwell", "clock_jump",
-/// "late_frames", "early_frames", "monitor_lost", "screen_changed", ... Practice of a block leaves "practice_passed",
+/// "late_frames", "early_frames", "monitor_lost", "screen_changed", ... A staircase that has done its trials leaves
+/// "staircase", with block, condition and threshold. Practice of a block leaves "practice_passed",
 /// or "practice_failed" and then, where the session goes on nevertheless, "practice_continued"; their detail is the
 /// index of the block in the protocol. Where each view is practised by itself, all but the last leave
 /// "practice_view_passed" and "practice_view_continued" instead.

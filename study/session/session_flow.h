@@ -27,6 +27,7 @@
 #include <vector>
 
 #include "study/protocol/schedule.h"
+#include "study/protocol/staircase_trials.h"
 #include "study/session/session_screen.h"
 #include "study/session/session_sink.h"
 #include "study/task/timed_input.h"
@@ -41,6 +42,7 @@ struct SessionDone {
   std::vector<std::string> forms{};        ///< names of those that were answered
   std::vector<int> blocksPracticed{};      ///< indices in the protocol
   std::vector<TrialPlan> practiceBegun{};  ///< of each practice trial that began
+  AnsweredCases answered{};                ///< of the completed trials of the schedule: for staircases
 };
 
 struct SessionFlowOptions {

@@ -2,6 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
+#include "study/trial/estimated_value.h"
+
 namespace ocelli {
 namespace {
 
@@ -40,6 +44,13 @@ PageScreen feedbackPage(const SubjectTexts& texts, const TrialOutcome& outcome) 
   if (outcome.correct) {
     const double seconds = static_cast<double>(outcome.responseTicks) / static_cast<double>(kTicksPerSecond);
     made.paragraphs = {texts.say("took_seconds", {{"seconds", fmt::format("{:.1f}", seconds)}})};
+  }
+  if (const std::optional<EstimatedValue> value = estimatedValue(outcome.measures)) {
+    // Of directions the error says more than two bearings.
+    made.paragraphs.push_back(texts.say(fmt::format("estimate_{}", value->unit->name),
+                                        {{"estimate", fmt::format("{:.1f}", value->estimate)},
+                                         {"truth", fmt::format("{:.1f}", value->truth)},
+                                         {"error", fmt::format("{:.0f}", std::abs(value->signedError()))}}));
   }
   made.good = outcome.correct;
   made.action = actionOf(Key::kEnter, texts.say("go_on"));

@@ -45,6 +45,8 @@ SessionFlow::State::State(const Protocol& theProtocol, SessionSchedule theSchedu
   attempts.resize(schedule.trials.size(), 0);
   const std::vector<int> kept = keptTrials(protocol, schedule, done);
   completed.insert(kept.begin(), kept.end());
+  answered = done.answered;
+  std::erase_if(answered, [&](const auto& each) { return !completed.contains(each.first); });
   if (!options.utcNow) {
     options.utcNow = utcNow;
   }
@@ -155,6 +157,7 @@ void SessionFlow::State::goOn() {
   } else if (auto* step = current<TrialStep>()) {
     if (!step->ready) {
       step->ready = true;
+      step->plan = shownPlan(protocol, step->plan, answered);
       beginTrial(step->plan);
     }
   } else if (current<BreakStep>() != nullptr) {
@@ -237,12 +240,26 @@ void SessionFlow::State::completeTrial() {
     so.inARow = record.outcome.correct ? so.inARow + 1 : 0;
   } else {
     completed.insert(plan.index);
+    answerStaircase(plan);
   }
   if (feedback) {
     agenda.front() = FeedbackStep{record.outcome};
     enterStep();
   } else {
     nextStep();
+  }
+}
+
+void SessionFlow::State::answerStaircase(const TrialPlan& plan) {
+  const ProtocolBlock& block = blockOf(plan.block);
+  if (!block.staircase) {
+    return;
+  }
+  answered[plan.index] = {plan.block, plan.view, plan.caseIndex, record.outcome.correct};
+  const StaircaseState state = staircaseState(protocol, plan.block, plan.view, answered);
+  if (state.trials == block.staircase->trials) {
+    event("staircase", fmt::format("{}, {}: {} after {} trials", block.name, protocol.nameOf(plan.view),
+                                   thresholdText(state), state.trials));
   }
 }
 

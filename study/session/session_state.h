@@ -22,6 +22,7 @@ struct SessionFlow::State {
   SessionSink& sink;
   std::vector<int> attempts;  ///< of each plan, how often it began
   std::set<int> completed{};  ///< indices of plans
+  AnsweredCases answered{};   ///< what they leave for staircases
   int64_t now = 0;
 
   std::deque<TimedInput> inputs{};  ///< that came, and took no effect yet
@@ -105,6 +106,8 @@ struct SessionFlow::State {
   void endTrial(TrialEnding how);
 
   void completeTrial();
+  /// Keeps what the trial that was completed leaves for the staircase of its block.
+  void answerStaircase(const TrialPlan& plan);
 
   /// Something stops the trial; it comes again.
   void interruptTrial(TrialEnding how);

@@ -56,9 +56,11 @@ SessionScreen SessionFlow::State::screen() const {
 std::string SessionFlow::State::nameOf(const TrialStep& step) const {
   const TrialPlan& plan = step.plan;
   const ProtocolBlock& block = blockOf(plan.block);
+  const bool isOpen = block.staircase && !plan.practice && !trial;  // which case comes
   return fmt::format("{}{}, {}, {}, {}", trial ? "" : "before ",
                      plan.practice ? "practice" : fmt::format("trial {} of {}", plan.index + 1, schedule.trials.size()),
-                     block.name, protocol.nameOf(plan.view), taskOf(plan).caseInfo(plan.caseIndex).label);
+                     block.name, protocol.nameOf(plan.view),
+                     isOpen ? "staircase" : taskOf(plan).caseInfo(plan.caseIndex).label);
 }
 
 }  // namespace ocelli

@@ -83,6 +83,8 @@ SessionDone sessionDone(const StudyDatabase& database, const Protocol& protocol,
     attempts = std::max(attempts, trial.attempt);
     if (trial.ending == TrialEnding::kCompleted) {
       completed.insert(plan);
+      // In the order of the runs: of a trial that was done again the last one counts.
+      done.answered[plan] = {trial.blockIndex, trial.view, trial.caseIndex, trial.correct.value_or(false)};
     }
   }
   done.completedTrials.assign(completed.begin(), completed.end());

@@ -9,6 +9,8 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/sha256.h"
+#include "study/protocol/leveled_block.h"
+#include "study/protocol/staircase_trials.h"
 #include "study/subject/form_taste.h"
 #include "study/subject/simulate_session.h"
 #include "study/tasks/task_registry.h"
@@ -173,9 +175,10 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
   }
   answerForms(protocol, protocol.before, utc(), random, sink);
   int begun = 0;
+  AnsweredCases answered;
   const std::vector<TrialPlan>& plans = session.schedule.trials;
   for (size_t i = 0; i < plans.size(); ++i) {
-    const TrialPlan& plan = plans[i];
+    const TrialPlan plan = shownPlan(protocol, plans[i], answered);
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(plan.block)];
     const TaskBlock& task = *block.task;
     TrialRecord record;
@@ -187,6 +190,10 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     if (!session.tellsAnswers) {
       record.outcome.answer.clear();
     }
+    if (record.info.level) {
+      record.outcome.measures[kLevelMeasure] = *record.info.level;
+    }
+    answered[plan.index] = {plan.block, plan.view, plan.caseIndex, record.outcome.correct};
     record.timing.verdict = TimingVerdict::kSimulatedClock;
     now += nanosecondsOf(static_cast<double>(record.outcome.responseTicks) / static_cast<double>(kTicksPerSecond) +
                          record.info.exposureSeconds.value_or(0));

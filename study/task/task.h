@@ -54,6 +54,8 @@ struct CaseInfo {
   std::optional<bool> duplicateColors{};
   double longestSeconds = 0;  ///< until the trial ends by itself, answering included where that is limited
   double typicalSeconds = 0;  ///< for the length of a schedule
+  /// Of the stimulus, of cases of a staircase: the greater, the easier.
+  std::optional<double> level{};
 };
 
 struct TrialOutcome {
@@ -97,6 +99,8 @@ class TaskBlock {
   virtual CaseInfo caseInfo(int caseIndex) const = 0;
   /// The right answer of a case, for the schedule that `study check` prints: "object at row 2, column 5", "6", ...
   virtual std::string answerOf(const TrialPlan& plan) const = 0;
+  /// Of how many answers one is right, each as likely to be guessed; 0 where that cannot be said.
+  virtual int choiceCount() const { return 0; }
   /// The block must outlive the run.
   virtual std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const = 0;
 };

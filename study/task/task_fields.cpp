@@ -109,7 +109,9 @@ void readCases(JsonFields& fields, const std::string& caseField,
         if (label.empty() || !labels.insert(label).second) {
           each.fail("label", fmt::format("is \"{}\", but must be a text that no other case of the block has", label));
         }
-        each.has("factors");  // the protocol reads them: tasks know nothing of factors
+        // The protocol reads these: tasks know nothing of factors and staircases.
+        each.has("factors");
+        each.has("level");
         read(each, label);
       },
       "cases");

@@ -79,12 +79,28 @@ struct TrialLayout {
     Key key = Key::k1;
     bool chosen = false;
   };
+  /// A straight scale to answer on with a number.
+  struct Scale {
+    PixelRect place;  ///< where clicks set the mark: its left border is `least`, its right one `most`
+    double least = 0;
+    double most = 1;
+    double step = 1;               ///< between the numbers beside it
+    std::string unit{};            ///< of them, as its symbol: "m"
+    std::optional<double> mark{};  ///< what is answered; none at first
+  };
+  /// A dial to point on: what lies around the subject, seen from above, ahead at the top.
+  struct Dial {
+    PixelRect place;                  ///< a square around the circle; clicks set the mark
+    std::optional<double> degrees{};  ///< what is answered, clockwise from ahead; none at first
+  };
 
   const StudyScene* scene = nullptr;       ///< of the views; lives as long as the trial
   std::vector<glm::vec3> objectOffsets{};  ///< of the objects of `scene`, from where they stand at first
   std::vector<View> views{};
   std::vector<PathMap> maps{};
   std::vector<Choice> choices{};
+  std::optional<Scale> scale{};
+  std::optional<Dial> dial{};
   std::string prompt{};                 ///< one line in the topmost promptHeight() pixels: what to do
   std::optional<int> targetObject{};    ///< an object of `scene` to show beside the prompt
   std::optional<glm::dvec2> pointer{};  ///< where the pointer is, where it matters

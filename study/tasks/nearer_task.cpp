@@ -12,6 +12,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/random.h"
 #include "oc_core/render/identity_image.h"
 #include "oc_core/worlds/maze_file.h"
 #include "oc_core/worlds/maze_validate.h"
@@ -41,10 +42,34 @@ struct NearerCase {
   std::array<Landmark, 2> objects;  ///< by Side
 };
 
+/// A case with left and right swapped: mirrored across the line along which one looks.
+NearerCase mirrorOf(const NearerCase& of, const Maze& maze, const WalkerPose& start, const std::string& where) {
+  const glm::dvec2 ahead(std::sin(start.headingRadians), -std::cos(start.headingRadians));
+  const glm::dvec2 from(start.x, start.z);
+  const auto mirrored = [&](const Landmark& object) {
+    const glm::vec3 middle = maze.centerOf(object.cell) + maze.cellSize * glm::vec3(object.east, 0, object.south);
+    const glm::dvec2 way = glm::dvec2(middle.x, middle.z) - from;
+    const glm::dvec2 place = from + 2 * glm::dot(way, ahead) * ahead - way;
+    const std::optional<MazeCell> cell = maze.cellAt({place.x, 0, place.y});
+    if (!cell) {
+      throw InputError("the mirror image of an object lies outside of the maze", where,
+                       "move it, or leave out \"mirrored\"");
+    }
+    const glm::vec3 center = maze.centerOf(*cell);
+    Landmark image = object;
+    image.cell = *cell;
+    image.east = (static_cast<float>(place.x) - center.x) / maze.cellSize;
+    image.south = (static_cast<float>(place.y) - center.z) / maze.cellSize;
+    return image;
+  };
+  return {of.label, {mirrored(of.objects[kRightSide]), mirrored(of.objects[kLeftSide])}};
+}
+
 struct NearerOptions {
   double answerLimitSeconds = 20;
   WalkerPose start{};
   EyeCameraOptions camera{};
+  bool mirrored = false;  ///< half of the trials, by their seeds, show the mirror image of their case
 };
 
 /// The views lie above the two choices.
@@ -67,12 +92,14 @@ struct NearerStage {
 /// One scene shows all cases: its objects are moved to where they stand.
 class NearerBlock : public TaskBlock {
  public:
-  NearerBlock(const Maze& maze, const TaskSetting& setting, const NearerOptions& options, std::vector<NearerCase> cases)
+  NearerBlock(const Maze& maze, const TaskSetting& setting, const NearerOptions& options, std::vector<NearerCase> cases,
+              std::vector<NearerCase> mirrored)
       : maze_(maze),
         controls_(setting.controls),
         conditions_(setting.conditions.names),
         options_(options),
         cases_(std::move(cases)),
+        mirrored_(std::move(mirrored)),
         camera_(maze, setting.controls, options.camera, setting.conditions),
         scene_(withObjects(maze, cases_.front())) {}
 
@@ -85,7 +112,8 @@ class NearerBlock : public TaskBlock {
     info.typicalSeconds = std::min(kTypicalNearerSeconds, options_.answerLimitSeconds);
     return info;
   }
-  std::string answerOf(const TrialPlan& plan) const override { return kSideNames[nearerSide(plan.caseIndex)]; }
+  std::string answerOf(const TrialPlan& plan) const override { return kSideNames[nearerSide(caseOf(plan))]; }
+  int choiceCount() const override { return static_cast<int>(kSideNames.size()); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
   static Maze withObjects(Maze maze, const NearerCase& of) {
@@ -96,19 +124,30 @@ class NearerBlock : public TaskBlock {
   const Controls& controls() const { return controls_; }
   const ViewConditions& conditions() const { return conditions_; }
   const NearerOptions& options() const { return options_; }
-  /// Metres on the floor.
-  double distanceTo(int caseIndex, Side side) const {
-    return glm::distance(placeOf(caseOf(caseIndex).objects[side]), {options_.start.x, options_.start.z});
+  /// What a trial shows.
+  const NearerCase& caseOf(const TrialPlan& plan) const {
+    const bool isMirrored = options_.mirrored && (Random(plan.seed).next() & 1) != 0;
+    return isMirrored ? mirrored_.at(static_cast<size_t>(plan.caseIndex)) : caseOf(plan.caseIndex);
   }
-  Side nearerSide(int caseIndex) const {
-    return distanceTo(caseIndex, kLeftSide) < distanceTo(caseIndex, kRightSide) ? kLeftSide : kRightSide;
+  /// Those of the protocol, and their mirror images where trials show these too.
+  std::vector<NearerCase> shownCases() const {
+    std::vector<NearerCase> shown = cases_;
+    shown.insert(shown.end(), mirrored_.begin(), mirrored_.end());
+    return shown;
+  }
+  /// Metres on the floor.
+  double distanceTo(const NearerCase& of, Side side) const {
+    return glm::distance(placeOf(of.objects[side]), {options_.start.x, options_.start.z});
+  }
+  Side nearerSide(const NearerCase& of) const {
+    return distanceTo(of, kLeftSide) < distanceTo(of, kRightSide) ? kLeftSide : kRightSide;
   }
   /// All but choices and prompt.
-  TrialLayout layoutOf(int caseIndex, TrialView view, const NearerStage& stage) const {
+  TrialLayout layoutOf(const NearerCase& of, TrialView view, const NearerStage& stage) const {
     TrialLayout layout;
     layout.scene = &scene_;
     for (const Side side : {kLeftSide, kRightSide}) {
-      const glm::dvec2 by = placeOf(caseOf(caseIndex).objects[side]) - placeOf(cases_.front().objects[side]);
+      const glm::dvec2 by = placeOf(of.objects[side]) - placeOf(cases_.front().objects[side]);
       layout.objectOffsets.emplace_back(by.x, 0, by.y);
     }
     layout.views = camera_.views(options_.start, view, stage.view);
@@ -131,6 +170,7 @@ class NearerBlock : public TaskBlock {
   ViewConditions conditions_;
   NearerOptions options_;
   std::vector<NearerCase> cases_;
+  std::vector<NearerCase> mirrored_;  ///< of each case, where trials show them; else empty
   EyeCamera camera_;
   StudyScene scene_;
 };
@@ -139,9 +179,9 @@ class NearerRun : public TrialRun {
  public:
   NearerRun(const NearerBlock& block, const TrialPlan& plan, const TrialScreen& screen)
       : block_(block),
-        case_(plan.caseIndex),
+        case_(block.caseOf(plan)),
         expected_(block.answerOf(plan)),
-        layout_(block.layoutOf(plan.caseIndex, plan.view, NearerStage(screen))),
+        layout_(block.layoutOf(case_, plan.view, NearerStage(screen))),
         pointer_(wholeScreen(screen), block.controls()),
         choices_(choicesOf(NearerStage(screen))) {
     layout_.prompt = "Which of the two is nearer to you?";
@@ -200,7 +240,7 @@ class NearerRun : public TrialRun {
   }
 
   const NearerBlock& block_;
-  int case_;
+  const NearerCase& case_;
   std::string expected_;
   TrialLayout layout_;
   TaskPointer pointer_;
@@ -215,16 +255,16 @@ std::unique_ptr<TrialRun> NearerBlock::start(const TrialPlan& plan, const TrialS
 
 /// Throws unless the case has a right answer that each view can show: distances that differ, and both objects in the
 /// image, one wholly to the left of the other.
-void checkCase(const NearerBlock& block, int index, const std::string& where) {
-  const std::string of = fmt::format("{}, case \"{}\"", where, block.caseInfo(index).label);
-  const double difference = block.distanceTo(index, kLeftSide) - block.distanceTo(index, kRightSide);
+void checkCase(const NearerBlock& block, const NearerCase& shown, const std::string& where) {
+  const std::string of = fmt::format("{}, case \"{}\"", where, shown.label);
+  const double difference = block.distanceTo(shown, kLeftSide) - block.distanceTo(shown, kRightSide);
   if (std::abs(difference) < kMinDistanceDifference) {
     throw InputError(fmt::format("the two objects are {:.2f} m and {:.2f} m away: neither is nearer",
-                                 block.distanceTo(index, kLeftSide), block.distanceTo(index, kRightSide)),
+                                 block.distanceTo(shown, kLeftSide), block.distanceTo(shown, kRightSide)),
                      of, fmt::format("let them differ by {:g} m or more", kMinDistanceDifference));
   }
   for (const TrialView view : block.conditions().all()) {
-    const TrialLayout layout = block.layoutOf(index, view, NearerStage(kNearerTrialScreen));
+    const TrialLayout layout = block.layoutOf(shown, view, NearerStage(kNearerTrialScreen));
     std::array<ObjectSighting, 2> seen{};  // by Side
     for (const ObjectSighting& each : sightings(objectsIn(layout, layout.views.front()))) {
       seen[each.object - 1] = each;
@@ -269,18 +309,25 @@ std::shared_ptr<const TaskBlock> readNearerTask(JsonFields& fields, const std::s
   options.answerLimitSeconds = fields.number("answer_limit_seconds", 1, 3600, options.answerLimitSeconds);
   options.start = readStart(fields, maze);
   options.camera = readEyeCameraOptions(fields);
+  options.mirrored = fields.boolean("mirrored", options.mirrored);
   const ObjectLook look = readObjectLook(fields, true);
   std::vector<NearerCase> cases;
+  std::vector<NearerCase> mirrored;
   readCases(fields, caseField, [&](JsonFields& each, const std::string& label) {
     const NearerCase of{
         label,
         {readObject(each, kSideNames[kLeftSide], maze, look), readObject(each, kSideNames[kRightSide], maze, look)}};
     validate(NearerBlock::withObjects(maze, of), each.where());
     cases.push_back(of);
+    if (options.mirrored) {
+      const std::string where = each.where() + ", mirrored";
+      mirrored.push_back(mirrorOf(of, maze, options.start, where));
+      validate(NearerBlock::withObjects(maze, mirrored.back()), where);
+    }
   });
-  auto block = std::make_shared<NearerBlock>(maze, setting, options, std::move(cases));
-  for (int i = 0; i < block->caseCount(); ++i) {
-    checkCase(*block, i, fields.where());
+  auto block = std::make_shared<NearerBlock>(maze, setting, options, std::move(cases), std::move(mirrored));
+  for (const NearerCase& shown : block->shownCases()) {
+    checkCase(*block, shown, fields.where());
   }
   return block;
 }
@@ -393,6 +440,12 @@ std::unique_ptr<TaskPolicy> nearerPolicy(const PolicySetting& setting) {
   return std::make_unique<NearerPolicy>(setting.vision, setting.seed);
 }
 
+/// Of cases of a staircase: how far their level is above 0.1, times e. Others have none.
+double logLevelCovariate(const GeneratedTrial& trial) {
+  constexpr double kUsualLevel = 0.1;
+  return trial.info.level ? std::log(*trial.info.level / kUsualLevel) : 0;
+}
+
 std::string otherSide(const std::string& expected, Random&) {
   return kSideNames[expected == kSideNames[kLeftSide] ? kRightSide : kLeftSide];
 }
@@ -409,6 +462,7 @@ TaskKind nearerTask() {
                                      levelCovariate},
                                     {kGraphEffect, -0.5, "the condition that is not the reference", graphCovariate},
                                     {"session", 0.1, "each further session", sessionCovariate},
+                                    {"level", 1.2, "e times the level, of a staircase's cases", logLevelCovariate},
                                     {kSubjectSd, 0.5, "between subjects"},
                                     {kItemSd, 0.6, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"}},

@@ -84,6 +84,7 @@ class PathBlock : public TaskBlock {
     const PathItem item = itemOf(plan);
     return item.paths[static_cast<size_t>(item.right)].turns;
   }
+  int choiceCount() const override { return options_.maps; }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
   const Maze& maze() const { return maze_; }

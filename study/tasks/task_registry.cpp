@@ -14,11 +14,14 @@ TaskKind findTask();
 TaskKind countTask();
 TaskKind pathTask();
 TaskKind nearerTask();
+TaskKind distanceTask();
+TaskKind directionTask();
 
 namespace {
 
 Registry<TaskKind>& taskRegistry() {
-  static Registry<TaskKind> registry("task", {findTask(), countTask(), pathTask(), nearerTask()});
+  static Registry<TaskKind> registry(
+      "task", {findTask(), countTask(), pathTask(), nearerTask(), distanceTask(), directionTask()});
   return registry;
 }
 

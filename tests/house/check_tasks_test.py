@@ -34,6 +34,12 @@ class CheckTasks(unittest.TestCase):
     def test_accepts_rows_and_what_is_no_name(self):
         self.assertEqual(self.found(), [])
 
+    def test_accepts_fields_that_share_a_word_in_the_files_that_have_them(self):
+        self.write("study/tasks/distance_task.cpp", 'TaskKind distanceTask() {\n  return {.name = "distance"};}\n')
+        self.write("study/views/display_view.cpp", 'fields.number("distance_meters", 1, 2);\n')
+        self.assertEqual(self.found(), [])
+        self.assertFinds('fields.number("distance_meters", 1, 2);', "study/views/other_view.cpp")
+
     def test_finds_decisions_by_a_name(self):
         for line in ('if (plan.task == "find") {', 'return "seek" != task;', 'name.starts_with("find_") ? 1 : 2;',
                      'CLI::IsMember({"find"})', 'effects.at("seek", "graph")', 'std::map{{"seek", 1}};',

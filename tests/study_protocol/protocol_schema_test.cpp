@@ -8,6 +8,7 @@
 
 #include "study/outline/question_kinds.h"
 #include "study/outline/questionnaire.h"
+#include "study/protocol/staircase.h"
 #include "study/tasks/task_registry.h"
 #include "study/views/view_registry.h"
 #include "tests/base/schema_agreement.h"
@@ -288,9 +289,72 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfNearer) {
   place.erase("label");
   place.erase("distance_band");
   place.erase("factors");
+  place.erase("level");
   EXPECT_EQ(def("nearer_object").at("properties"), place);
   document["blocks"][0]["cases"][0]["left"]["north"] = 0.1;
   EXPECT_NE(protocolError(document).find("field \"north\" is unknown"), std::string::npos) << protocolError(document);
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfEstimates) {
+  for (const char* task : {"distance", "direction"}) {
+    Json document = withBlock(2);
+    document.at("mazes")["hall"] = Json::parse(R"({"plan": ["+-+-+-+-+", "|       |", "+ +-+-+-+"]})");
+    document.at("blocks").at(0) =
+        Json::parse(R"({"name": "estimate", "title": "Estimate", "maze": "hall", "object": {"shape": "cone"},
+        "start": {"row": 0, "column": 0, "heading": "east"}, "sessions": [1, 2],
+        "instructions": [{"title": "Estimate", "paragraphs": ["Where?"]}], "practice": {},
+        "practice_cases": [{"row": 0, "column": 3}], "example_cases": [{"row": 0, "column": 3}],
+        "cases": [{"row": 0, "column": 2}]})");
+    document.at("blocks").at(0)["task"] = task;
+    // What decides whether a case can be seen, and told.
+    std::vector<std::string> own = kOwnOfBlocks;
+    own.insert(own.end(), {"fov_horizontal_degrees", "scale_meters"});
+    expectAgreement(blockOf(task), document, "/blocks/0", own);
+    // Other places are out of sight, so that ranges cannot be tried: cases are those of places to find.
+    Json places = def("find_case").at("properties");
+    places.erase("distance_band");
+    EXPECT_EQ(def("estimate_case").at("properties"), places);
+    document["blocks"][0]["cases"][0]["north"] = 0.1;
+    EXPECT_NE(protocolError(document).find("use one of: east, factors, label, level, "), std::string::npos)
+        << protocolError(document);
+    document["blocks"][0]["cases"][0].erase("north");
+    for (const auto& [meters, isRight] : std::vector<std::pair<double, bool>>{{0.9, false}, {7, true}, {1001, false}}) {
+      if (def(task).at("properties").contains("scale_meters")) {
+        document.at("blocks").at(0)["scale_meters"] = meters;
+        document.at("blocks").at(0).at("practice_cases").at(0)["column"] = 2;
+        document.at("blocks").at(0).at("example_cases").at(0)["column"] = 2;
+        EXPECT_EQ(protocolError(document).empty(), isRight) << protocolError(document);
+      }
+    }
+  }
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfStaircases) {
+  EXPECT_EQ(def("level").at("minimum"), 1e-6);
+  EXPECT_EQ(def("level").at("maximum"), 1e6);
+  std::set<std::string> methods;
+  for (const StaircaseMethod& method : staircaseMethods()) {
+    methods.insert(method.name);
+  }
+  EXPECT_EQ(def("staircase").at("properties").at("method").at("enum").get<std::set<std::string>>(), methods);
+  // The schema names the fields of all methods together.
+  const std::map<std::string, std::vector<std::string>> others{
+      {"quest_plus", {"right_in_a_row", "first_step"}},
+      {"up_down", {"function", "least_slope", "most_slope", "most_lapses"}}};
+  for (const auto& [method, notOfIt] : others) {
+    Json document = withBlock(0);
+    Json& block = document.at("blocks").at(0);
+    block["staircase"] = {{"method", method}};
+    block.at("cases").at(0)["level"] = 1;
+    block.at("cases").at(1)["level"] = 2;
+    Json description = def("staircase");
+    for (const std::string& name : notOfIt) {
+      description.at("properties").erase(name);
+    }
+    // The other one may be at odds with what is tried: the task gives no chance to guess either.
+    document.at("blocks").at(0).at("staircase")["guess_rate"] = 0.5;
+    expectAgreement(description, document, "/blocks/0/staircase", {"method"});
+  }
 }
 
 TEST(ProtocolSchema, KnowsEveryTask) {

@@ -38,6 +38,12 @@ void expectDrawn(TrialPainter& painter, const TrialLayout& layout) {
   for (const TrialLayout::PathMap& map : layout.maps) {
     EXPECT_GT(colorsIn(image, map.place), 3u);
   }
+  if (layout.scale) {
+    EXPECT_GT(colorsIn(image, layout.scale->place), 3u);
+  }
+  if (layout.dial) {
+    EXPECT_GT(colorsIn(image, layout.dial->place), 3u);
+  }
 }
 
 /// What tasks say is in the catalogues, under the English words.
@@ -69,6 +75,41 @@ TEST(TaskScreens, trialsAreDrawnFromTheirBeginToTheQuestion) {
       expectDrawn(painter, run->layout());
       expectTranslated(run->layout());
     }
+  }
+}
+
+/// Pixels that differ, in a part of an image.
+int changedIn(const Image<Rgb8>& a, const Image<Rgb8>& b, const PixelRect& place) {
+  int changed = 0;
+  for (int y = static_cast<int>(place.top); y < static_cast<int>(place.bottom()); ++y) {
+    for (int x = static_cast<int>(place.left); x < static_cast<int>(place.right()); ++x) {
+      changed += a(x, y) != b(x, y) ? 1 : 0;
+    }
+  }
+  return changed;
+}
+
+TEST(TaskScreens, theMarkOfAnEstimateShowsWhereItIsAndBringsAButton) {
+  const std::unique_ptr<GlContext> context = openTestContext(GlProvider::kOsMesa);
+  TrialPainter painter(*context, kTaskScreen);
+  for (const char* name : {"distance", "direction"}) {
+    SCOPED_TRACE(name);
+    const test::TaskExample& example = test::taskExample(name);
+    const auto block = test::readBlock(example.task, example.json);
+    const auto run = block->start(test::planOf(example.task, 0, TrialView::kReference), kTaskScreen);
+    TrialLayout before = run->layout();
+    EXPECT_TRUE(before.choices.empty());
+    const glm::dvec2 at = test::placeOfAnswer(before, std::stod(block->answerOf({})), true);
+    run->handle(test::moveTo(at));
+    run->handle(test::button(PointerButton::kLeft, true));
+    TrialLayout after = run->layout();
+    expectTranslated(after);
+    expectDrawn(painter, after);
+    ASSERT_EQ(after.choices.size(), 1u);
+    before.pointer.reset();
+    after.pointer.reset();
+    const PixelRect around{at.x - 12, at.y - 12, 24, 24};
+    EXPECT_GT(changedIn(painter.render(before), painter.render(after), around), 20);
   }
 }
 

@@ -119,7 +119,9 @@ SessionDone doneAfter(std::span<const SinkCall> calls, const SessionSchedule& sc
       }
     } else if (const auto* ends = std::get_if<TrialEnds>(&call)) {
       if (!ends->record.plan.practice && ends->record.ending == TrialEnding::kCompleted) {
-        done.completedTrials.push_back(ends->record.plan.index);
+        const TrialPlan& plan = ends->record.plan;
+        done.completedTrials.push_back(plan.index);
+        done.answered[plan.index] = {plan.block, plan.view, plan.caseIndex, ends->record.outcome.correct};
       }
     } else if (const auto* event = std::get_if<EventRecord>(&call)) {
       if (event->what == "practice_passed" || event->what == "practice_continued") {

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <stdexcept>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/worlds/maze_file.h"
@@ -70,6 +73,20 @@ const std::vector<TaskExample>& taskExamples() {
            {"label": "far", "left": {"row": 2, "column": 5, "south": -0.25},
                             "right": {"row": 2, "column": 3, "south": 0.25}}]})",
        false},
+      {"distance", "distance", R"({"maze": "small", "answer_limit_seconds": 12,
+           "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
+           {"label": "near", "row": 2, "column": 2, "south": -0.25},
+           {"label": "far", "row": 2, "column": 5, "south": 0.25}]})",
+       false},
+      {"direction", "direction", R"({"maze": "small", "answer_limit_seconds": 12,
+           "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
+           {"label": "left", "row": 2, "column": 2, "south": -0.25},
+           {"label": "right", "row": 2, "column": 3, "south": 0.25}]})",
+       false},
+      {"directionFromMemory", "direction", R"({"maze": "small", "answer_limit_seconds": 12, "exposure_seconds": 2,
+           "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
+           {"label": "left", "row": 2, "column": 2, "south": -0.25}]})",
+       false},
   };
   return examples;
 }
@@ -106,6 +123,18 @@ PointerMoveEvent moveTo(const glm::dvec2& place) {
 
 PointerButtonEvent button(PointerButton button, bool pressed) {
   return {button, pressed, {}};
+}
+
+glm::dvec2 placeOfAnswer(const TrialLayout& layout, double truth, bool isRight) {
+  if (layout.scale) {
+    const TrialLayout::Scale& scale = *layout.scale;
+    const double answer = isRight ? truth : truth > scale.most / 2 ? scale.most / 10 : scale.most;
+    const double share = (answer - scale.least) / (scale.most - scale.least);
+    return {std::min(scale.place.left + share * scale.place.width, scale.place.right() - 1), scale.place.center().y};
+  }
+  const TrialLayout::Dial& dial = layout.dial.value();
+  const double angle = radiansFromDegrees(isRight ? truth : truth + 180);
+  return dial.place.center() + dial.place.width * 0.4 * glm::dvec2(std::sin(angle), -std::cos(angle));
 }
 
 InputEvent randomInput(Random& random, const TrialScreen& screen) {

@@ -35,6 +35,8 @@ KeyEvent press(Key key, bool shift = false);
 KeyEvent release(Key key);
 PointerMoveEvent moveTo(const glm::dvec2& place);
 PointerButtonEvent button(PointerButton button, bool pressed);
+/// Where a click on the scale or dial of a layout says so: the truth, or something far from it.
+glm::dvec2 placeOfAnswer(const TrialLayout& layout, double truth, bool isRight);
 /// Any input at all, also such as makes no sense.
 InputEvent randomInput(Random& random, const TrialScreen& screen);
 

@@ -19,7 +19,9 @@ TEST(GeneratorModel, HasALevelFirstAndWhatAllModelsHave) {
       EXPECT_TRUE(model.indexOf(name)) << name;
     }
     EXPECT_EQ(model.effects[*model.indexOf(kGraphEffect)].covariate, graphCovariate);
-    EXPECT_EQ(model.indexOf(kResidualSd).has_value(), kind.outcome == OutcomeKind::kTime);
+    EXPECT_EQ(model.indexOf(kResidualSd).has_value(), kind.outcome != OutcomeKind::kAnswer);
+    EXPECT_EQ(model.unit != nullptr, kind.outcome == OutcomeKind::kEstimate);
+    EXPECT_EQ(model.rightWithin > 0, kind.outcome == OutcomeKind::kEstimate);
     EXPECT_EQ(model.wrongAnswer != nullptr, kind.outcome == OutcomeKind::kAnswer);
     for (const GeneratorEffect& effect : model.effects) {
       EXPECT_STRNE(effect.meaning, "") << effect.name;

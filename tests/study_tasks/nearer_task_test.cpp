@@ -70,6 +70,45 @@ TEST(NearerTask, SoDoesAClickOnAChoice) {
   EXPECT_EQ(run->outcome()->answer, "right");
 }
 
+TEST(NearerTask, MirroredCasesHaveTheOtherAnswerInHalfOfTheTrials) {
+  const auto plain = test::readBlock("nearer", nearerJson(kNear, kFar));
+  const auto mirrored = test::readBlock("nearer", nearerJson(kNear, kFar, R"(, "mirrored": true)"));
+  int swapped = 0;
+  constexpr int kSeeds = 200;
+  for (uint64_t seed = 1; seed <= kSeeds; ++seed) {
+    const TrialPlan plan = test::planOf("nearer", 0, TrialView::kReference, seed);
+    EXPECT_EQ(plain->answerOf(plan), "left");
+    const auto run = mirrored->start(plan, kNearerScreen);
+    const TrialLayout layout = run->layout();
+    const bool isSwapped = mirrored->answerOf(plan) == "right";
+    swapped += isSwapped ? 1 : 0;
+    // Looking east: the objects stand 0.75 m to the north and to the south.
+    EXPECT_NEAR(layout.objectOffsets.at(0).x, isSwapped ? 6 : 0, 1e-5);
+    EXPECT_NEAR(layout.objectOffsets.at(1).x, isSwapped ? -6 : 0, 1e-5);
+    EXPECT_NEAR(layout.objectOffsets.at(0).z, 0, 1e-5);
+    run->handle(test::press(isSwapped ? Key::kRight : Key::kLeft));
+    EXPECT_TRUE(run->outcome()->correct);
+    EXPECT_EQ(run->outcome()->expected, mirrored->answerOf(plan));
+    EXPECT_NEAR(run->outcome()->measures.at(isSwapped ? "right_distance_m" : "left_distance_m"), std::hypot(6, 0.75),
+                1e-5);
+  }
+  // 100 of 200 by chance, with a standard deviation of 7.
+  EXPECT_NEAR(swapped, kSeeds / 2, 4 * 7.1);
+}
+
+TEST(NearerTask, RefusesMirrorImagesThatStandInWallsOrOutside) {
+  // From the southern end of a column of cells, looking east along a wall: the mirror image lies beyond it.
+  const auto errorOf = [](const std::string& more) {
+    return test::readError("nearer", nearerJson(kNear, R"("row": 2, "column": 3, "south": 0.1)", more));
+  };
+  EXPECT_EQ(errorOf(""), "");
+  EXPECT_EQ(errorOf(R"(, "mirrored": true)"), "");
+  EXPECT_THAT(test::readError("nearer", R"({"maze": "small", "mirrored": true,
+      "start": {"row": 0, "column": 0, "heading": "east"}, "cases": [
+      {"left": {"row": 0, "column": 2, "south": -0.2}, "right": {"row": 1, "column": 3, "south": 0.2}}]})"),
+              HasSubstr("mirror"));
+}
+
 TEST(NearerTask, NobodyWalks) {
   const auto block = test::readBlock("nearer", nearerJson(kNear, kFar));
   const auto run = nearerRun(*block);

@@ -8,6 +8,7 @@
 #include "oc_core/constructor/multiperspective_camera.h"
 #include "study/agent/visibility_sensor.h"
 #include "study/tasks/task_registry.h"
+#include "study/trial/estimated_value.h"
 #include "tests/study_task/study_tasks.h"
 
 namespace ocelli {
@@ -47,6 +48,12 @@ std::string textOf(const TrialLayout& layout) {
   for (const TrialLayout::Choice& choice : layout.choices) {
     text += choice.label + (choice.chosen ? "!" : "");
     add(choice.place.left);
+  }
+  if (layout.scale) {
+    add(layout.scale->mark.value_or(-1));
+  }
+  if (layout.dial) {
+    add(layout.dial->degrees.value_or(-1));
   }
   if (layout.pointer) {
     add(layout.pointer->x);
@@ -205,7 +212,7 @@ TEST_P(TaskContract, imagesStayOnTheScreenBelowThePrompt) {
           }
           const TrialLayout layout = run->layout();
           EXPECT_FALSE(layout.prompt.empty());
-          EXPECT_TRUE(!layout.views.empty() || !layout.choices.empty());
+          EXPECT_TRUE(!layout.views.empty() || !layout.choices.empty() || layout.scale || layout.dial);
           for (const TrialLayout::View& view : layout.views) {
             EXPECT_TRUE(isOnStage(view.place));
             const auto size =
@@ -218,6 +225,8 @@ TEST_P(TaskContract, imagesStayOnTheScreenBelowThePrompt) {
           for (const TrialLayout::PathMap& map : layout.maps) {
             EXPECT_TRUE(isOnStage(map.place));
           }
+          EXPECT_TRUE(!layout.scale || isOnStage(layout.scale->place));
+          EXPECT_TRUE(!layout.dial || isOnStage(layout.dial->place));
           ASSERT_NE(layout.scene, nullptr);
           EXPECT_LE(layout.objectOffsets.size(), layout.scene->objectCount());
         },
@@ -241,7 +250,7 @@ TEST_P(TaskContract, theSimulatedObserverEndsEachTrialTheSameEachTime) {
     const TrialOutcome outcome = observed(kind, block, plan);
     EXPECT_EQ(outcome, observed(kind, block, plan));
     EXPECT_EQ(outcome.censored, outcome.answer.empty());
-    if (kind.outcome == OutcomeKind::kAnswer) {
+    if (kind.outcome != OutcomeKind::kTime) {
       EXPECT_FALSE(outcome.censored) << "it has time to answer";
     }
   });
@@ -261,11 +270,15 @@ TEST_P(TaskContract, answersMayBeRightOrWrong) {
       EXPECT_FALSE(first->outcome()->correct);
       return;
     }
-    // Of one that asks: one of the choices is right.
+    // Of one that asks for a number: the truth is right, and what is far from it is not.
     const auto toTheQuestion = [&] {
       auto run = block.start(plan, kContractScreen);
       int64_t tick = 0;
-      for (; run->layout().choices.empty() && tick < longestTicks(block, plan); ++tick) {
+      const auto asks = [&] {
+        const TrialLayout layout = run->layout();
+        return !layout.choices.empty() || layout.scale || layout.dial;
+      };
+      for (; !asks() && tick < longestTicks(block, plan); ++tick) {
         if (tick % kTicksPerFrame == 0) {
           run->frameShown(tick);
         }
@@ -274,6 +287,28 @@ TEST_P(TaskContract, answersMayBeRightOrWrong) {
       run->frameShown(tick);
       return run;
     };
+    if (kind.outcome == OutcomeKind::kEstimate) {
+      for (const bool isRight : {true, false}) {
+        const auto run = toTheQuestion();
+        const double truth = std::stod(block.answerOf(plan));
+        run->handle(test::moveTo(test::placeOfAnswer(run->layout(), truth, isRight)));
+        run->handle(test::button(PointerButton::kLeft, true));
+        run->handle(test::button(PointerButton::kLeft, false));
+        ASSERT_FALSE(run->outcome().has_value()) << "a mark is no answer yet";
+        run->handle(test::press(Key::kEnter));
+        ASSERT_TRUE(run->outcome().has_value());
+        const TrialOutcome outcome = *run->outcome();
+        EXPECT_EQ(outcome.correct, isRight);
+        const std::optional<EstimatedValue> value = estimatedValue(outcome.measures);
+        ASSERT_TRUE(value.has_value());
+        EXPECT_EQ(value->unit, kind.generator.unit);
+        EXPECT_EQ(outcome.answer, estimateText(value->estimate));
+        EXPECT_EQ(outcome.expected, estimateText(value->truth));
+        EXPECT_EQ(outcome.correct, std::abs(value->signedError()) <= kind.generator.rightWithin);
+      }
+      return;
+    }
+    // Of one that asks for a choice: one of them is right.
     const size_t choices = toTheQuestion()->layout().choices.size();
     EXPECT_GT(choices, 1u);
     int right = 0;

@@ -1,0 +1,123 @@
+#include "study/tasks/estimate_policy.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/matrix.hpp>
+
+#include "oc_core/base/conventions.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kJudgedDegrees = 2;         ///< from the gaze
+constexpr double kMaxLookSeconds = 4;        ///< then it guesses
+constexpr double kEstimateAgainSeconds = 4;  ///< where nothing came of an answer
+/// One clicks on a mark of that size, pixels.
+constexpr double kMarkPixels = 6;
+constexpr double kMarkOnDial = 0.8;  ///< of its radius
+constexpr double kTurn = 360;
+
+double withinTurn(double degrees) {
+  const double rest = std::fmod(std::fmod(degrees, kTurn) + kTurn, kTurn);
+  return rest < kTurn ? rest : 0;
+}
+
+}  // namespace
+
+double SeemingPlace::degrees() const {
+  return withinTurn(degreesFromRadians(std::atan2(right, ahead)));
+}
+
+std::optional<SeemingPlace> seemingPlace(const Sighting& object, const PixelRect& view, double eyeHeightMeters) {
+  if (!object.perspective) {
+    return std::nullopt;
+  }
+  // Rows of the picture lie across the line of sight, so that only what is ahead moves a place from row to row.
+  const glm::dmat2& map = object.perspective->pixelsFromMeters;
+  const double along = std::hypot(map[0][1], map[1][1]);
+  if (!(along > 0)) {
+    return std::nullopt;
+  }
+  const double across = std::abs(glm::determinant(map)) / along;
+  SeemingPlace place;
+  place.ahead = eyeHeightMeters * across / along;
+  place.right = (object.centroid.x - view.center().x) / across;
+  return place;
+}
+
+double EstimatePolicy::think(const Percept& seen, int64_t from, int64_t now, MotorModel& motor) {
+  if (!seen.views.empty() && !estimate_) {
+    judge(seen, from);
+  }
+  if ((seen.scale || seen.dial) && now >= answersAgainAt_) {
+    const bool isHidden = seen.views.empty();
+    if (!estimate_ && (isHidden || (began_ && secondsOf(now - *began_) > kMaxLookSeconds))) {
+      // It saw nothing, and says anything.
+      estimate_ = seen.scale ? seen.scale->least + uniform(random_) * (seen.scale->most - seen.scale->least)
+                             : uniform(random_) * kTurn;
+    }
+    if (estimate_) {
+      answer(seen, now, motor);
+    }
+  }
+  return 0;
+}
+
+void EstimatePolicy::judge(const Percept& seen, int64_t from) {
+  if (!began_) {
+    began_ = from;
+    gaze_ = seen.views.front().center();
+  }
+  const Sighting* largest = nullptr;
+  for (const Sighting& each : seen.objects) {
+    if (vision_.notices(each, gaze_) && (largest == nullptr || each.pixels > largest->pixels)) {
+      largest = &each;
+    }
+  }
+  if (largest == nullptr) {
+    // What does not stand out from here may do so from elsewhere.
+    const PixelRect& view = seen.views[random_.below(seen.views.size())];
+    gaze_ = {view.left + uniform(random_) * view.width, view.top + uniform(random_) * view.height};
+    return;
+  }
+  if (vision_.degrees(largest->centroid, gaze_) > kJudgedDegrees) {
+    gaze_ = largest->centroid;
+    return;
+  }
+  const PixelRect& view = seen.views[static_cast<size_t>(largest->view)];
+  if (const std::optional<SeemingPlace> place = seemingPlace(*largest, view, eyeHeight_)) {
+    estimate_ = estimateOf(*place);
+  }
+}
+
+double EstimatePolicy::estimateOf(const SeemingPlace& place) {
+  const HumanFactors& factors = vision_.factors();
+  return asked_ == Asked::kMeters ? place.meters() * std::exp(normal(random_, 0, factors.lengthErrorShare))
+                                  : withinTurn(place.degrees() + normal(random_, 0, factors.pointingErrorDegrees));
+}
+
+glm::dvec2 EstimatePolicy::markOf(const Percept& seen, double estimate) const {
+  if (seen.scale) {
+    const SeenScale& scale = *seen.scale;
+    const double share = std::clamp((estimate - scale.least) / (scale.most - scale.least), 0.0, 1.0);
+    // Within the scale, as a click beside it does nothing.
+    return {std::clamp(scale.place.left + share * scale.place.width, scale.place.left + kMarkPixels,
+                       scale.place.right() - kMarkPixels),
+            scale.place.center().y};
+  }
+  const double angle = radiansFromDegrees(estimate);
+  return seen.dial->place.center() +
+         kMarkOnDial * seen.dial->place.width / 2 * glm::dvec2(std::sin(angle), -std::cos(angle));
+}
+
+void EstimatePolicy::answer(const Percept& seen, int64_t now, MotorModel& motor) {
+  const HumanFactors& factors = vision_.factors();
+  const int64_t decided = now + nanosecondsOf(factors.decideSeconds * normalWithin(random_, 1, 0.25, 0.4, 2.5));
+  const int64_t there = motor.point(markOf(seen, *estimate_), kMarkPixels, decided);
+  const int64_t clicked = there + nanosecondsOf(factors.clickSeconds);
+  motor.click(clicked);
+  motor.tap(Key::kEnter, clicked + nanosecondsOf(factors.reactionSeconds + factors.clickSeconds));
+  answersAgainAt_ = now + nanosecondsOf(kEstimateAgainSeconds);
+}
+
+}  // namespace ocelli
