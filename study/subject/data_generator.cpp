@@ -183,9 +183,13 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     record.info = task.caseInfo(plan.caseIndex);
     record.startedNanoseconds = now;
     record.startedUtc = utc();
-    record.outcome = draws.outcomeOf(plan, record.info, session.tellsAnswers ? task.answerOf(plan) : "", random);
+    // Of estimates the truth is what errors are drawn around.
+    const bool needsTruth = taskKind(plan.task, protocol.name).outcome == OutcomeKind::kEstimate;
+    record.outcome =
+        draws.outcomeOf(plan, record.info, session.tellsAnswers || needsTruth ? task.answerOf(plan) : "", random);
     if (!session.tellsAnswers) {
       record.outcome.answer.clear();
+      record.outcome.expected.clear();
     }
     record.timing.verdict = TimingVerdict::kSimulatedClock;
     now += nanosecondsOf(static_cast<double>(record.outcome.responseTicks) / static_cast<double>(kTicksPerSecond) +
