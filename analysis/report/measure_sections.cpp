@@ -11,7 +11,7 @@ namespace ocelli {
 
 std::string conditionText(const ReportWork& work, TrialView view) {
   const ViewConditions& conditions = work.analysis.data.conditions;
-  return conditions.isPair() ? fmt::format("@{}@", markOf(view)) : conditions.nameOf(view);
+  return conditions.isPair() ? markOf(view) : conditions.nameOf(view);
 }
 
 void addComparisons(ReportWork& work, const std::string& caption, const std::string& id, const std::string& unit,

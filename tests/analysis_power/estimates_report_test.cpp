@@ -2,10 +2,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cctype>
 #include <cmath>
 
 #include "analysis/dataset/exclusions.h"
 #include "analysis/power/power_simulation.h"
+#include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
 #include "analysis/report/view_test.h"
 #include "analysis/tables/explain.h"
@@ -57,7 +59,10 @@ double numberIn(const ReportDocument& document, const std::string& id, const std
   }
   for (const auto& cells : table->rows) {
     for (size_t i = 0; i < table->columns.size(); ++i) {
-      if (cells[0].text.starts_with(row) && table->columns[i].title == column && cells[i].value) {
+      // A label that starts a sentence has a capital letter.
+      std::string label = cells[0].text;
+      label[0] = static_cast<char>(std::tolower(static_cast<unsigned char>(label[0])));
+      if (label.starts_with(row) && table->columns[i].title == column && cells[i].value) {
         return *cells[i].value;
       }
     }
@@ -69,6 +74,7 @@ double numberIn(const ReportDocument& document, const std::string& id, const std
 class EstimatesReport : public testing::Test {
  protected:
   EstimatesReport() {
+    registerShamTasks();
     effects_.at("reach", "error") = -0.25;
     effects_.at("reach", "graph") = -0.15;
     effects_.at("bearing", "graph") = 12;

@@ -18,6 +18,8 @@ namespace {
 
 class EstimatesByHand : public testing::Test {
  protected:
+  EstimatesByHand() { document_.origins.sources = {"made.db"}; }
+
   Trial& add(const std::string& subject, TrialView view, const std::string& unit, double estimate, double truth) {
     Trial trial;
     trial.trialId = static_cast<int64_t>(analysis_.data.trials.size()) + 1;
