@@ -11,6 +11,7 @@
 #include "analysis/inference/mcnemar.h"
 #include "analysis/inference/wilcoxon.h"
 #include "analysis/report/count_pairs.h"
+#include "analysis/report/error_model.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/right_answers.h"
@@ -127,6 +128,9 @@ StudyOutcome analyseStudy(const PlannedModel& model, const std::vector<Trial>& t
       }
       return outcome;
     }
+    case ModelKind::kSignedErrorMixed:
+    case ModelKind::kAbsoluteErrorMixed:
+      return outcomeOf(fitErrors(model, trialsOfErrorModel(model, list)));
     case ModelKind::kAgainstChance:
       return outcomeOf(binomialTest(shareOf(list), 1.0 / 3), "share",
                        [](const BinomialTest& test) { return test.clopperPearson; });

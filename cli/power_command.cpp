@@ -132,10 +132,14 @@ std::string tableText(const PowerStudy& study) {
   for (const std::string& line : study.supposed) {
     text += fmt::format("  {}\n", line);
   }
-  const bool isTime = taskKind(study.task, "--task").outcome == OutcomeKind::kTime;
+  const OutcomeKind outcome = taskKind(study.task, "--task").outcome;
   for (const PowerCurve& curve : study.curves) {
     const bool isPower = curve.question == PowerCurve::Question::kPower;
-    const char* estimate = curve.test != PowerCurve::Test::kView ? "difference" : isTime ? "time ratio" : "odds ratio";
+    const char* estimate = curve.test != PowerCurve::Test::kView              ? "difference"
+                           : outcome == OutcomeKind::kTime                    ? "time ratio"
+                           : outcome == OutcomeKind::kAnswer                  ? "odds ratio"
+                           : study.unit != nullptr && study.unit->isDirection ? "degrees"
+                                                                              : "ratio";
     text += fmt::format("\n{}\n{:>8}  {:>8}  {:>8}  {:>15}  {:>10}  {:>9}  {:>8}\n", nameOf(curve), "subjects",
                         "analysed", isPower ? "power" : "errors", "95 % interval", estimate, "no result", "warnings");
     for (const PowerSize& size : curve.sizes) {
@@ -177,10 +181,16 @@ struct TestedModel {
   std::optional<PlannedContrast> contrast{};
 };
 
+/// Whether answers are numbers: then the effect that is supposed is one of signed errors.
+bool isOfEstimates(const std::string& task) {
+  return taskKind(task, "--task").outcome == OutcomeKind::kEstimate;
+}
+
 TestedModel contrastNamed(const PowerChoice& choice, const AnalysisPlan& plan, const ViewConditions& conditions) {
   std::vector<std::string> names;
   for (const PlannedModel& model : plan.models) {
-    if (model.task != choice.supposed.task || !isMixed(model.kind)) {
+    const bool hasEffect = !isOfEstimates(choice.supposed.task) || model.kind == ModelKind::kSignedErrorMixed;
+    if (model.task != choice.supposed.task || !isMixed(model.kind) || !hasEffect) {
       continue;
     }
     for (const PlannedContrast& contrast : contrastsOf(plan, model, conditions)) {
@@ -200,11 +210,17 @@ TestedModel testedModel(const PowerChoice& choice, const AnalysisPlan& plan, con
   if (!conditions.isPair() || !choice.contrast.empty()) {
     return contrastNamed(choice, plan, conditions);
   }
-  const PlannedModel* model = viewModelOf(plan, choice.supposed.task);
+  const bool isEstimate = isOfEstimates(choice.supposed.task);
+  const PlannedModel* model =
+      viewModelOf(plan, choice.supposed.task, isEstimate ? std::optional(ModelKind::kSignedErrorMixed) : std::nullopt);
   if (model == nullptr) {
     throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", choice.supposed.task),
                      choice.plan.empty() ? "the default plan" : choice.plan,
-                     "a model of the kind log_normal_mixed, of times, or binomial_mixed, of answers, with that term");
+                     isEstimate
+                         ? "a model of the kind signed_error_mixed with that term: the effect that is supposed is "
+                           "one of signed errors"
+                         : "a model of the kind log_normal_mixed, of times, or binomial_mixed, of answers, with "
+                           "that term");
   }
   return {model};
 }
@@ -243,8 +259,17 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
   // That which is asked for is refused below where the protocol does not have it.
   std::vector<std::string> tasks = tasksOf(facts);
   tasks.push_back(choice.supposed.task);
-  const AnalysisPlan plan = choice.plan.empty() ? defaultPlan(facts.conditions, tasks)
-                                                : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
+  AnalysisPlan plan = choice.plan.empty() ? defaultPlan(facts.conditions, tasks)
+                                          : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
+  if (choice.plan.empty()) {
+    // What the report does for a task without a row of its own.
+    const ReportTask row = reportTask(choice.supposed.task, {isOfEstimates(choice.supposed.task), false});
+    for (const PlannedModel& model : modelsOfTask(plan, row)) {
+      if (plan.findModel(model.name) == nullptr) {
+        plan.models.push_back(model);
+      }
+    }
+  }
   const double alpha = choice.alpha.value_or(plan.alpha);
   check(choice, alpha);
   const std::string& task = choice.supposed.task;
@@ -278,6 +303,7 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
   study.conditions = facts.conditions;
   study.plan = plan;
   study.model = tested.model->name;
+  study.unit = taskKind(task, "--task").generator.unit;
   study.contrast = tested.contrast ? tested.contrast->name : "";
   study.bounds = bounds == nullptr ? std::nullopt : std::optional(*bounds);
   study.supposed =
@@ -299,7 +325,7 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
 }
 
 void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
-  const CLI::Validator spread = between(0, 5);
+  const CLI::Validator spread = between(0, 180);
   const CLI::Validator share = between(0.01, 0.99);
   std::vector<std::string> names;
   for (const TaskKind& kind : taskKinds()) {
@@ -313,9 +339,15 @@ void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
                           const CLI::Validator& range) {
     command.add_option(name, value, help)->check(range)->type_name("NUMBER");
   };
-  number("--ratio", supposed.ratio,
-         "of times: geometric mean with the other view condition, divided by that with the reference",
-         between(0.05, 20));
+  number(
+      "--ratio", supposed.ratio,
+      "of times, and of estimates of lengths: geometric mean with the other view condition, divided by that with the "
+      "reference",
+      between(0.05, 20));
+  number(
+      "--difference", supposed.difference,
+      "of estimates of directions: mean signed error with the other condition, less that with the reference, degrees",
+      between(-90, 90));
   number("--seconds-reference,--seconds-ppc", supposed.secondsPpc,
          "of times: geometric mean with the reference, had trials no limit", between(0.1, 3600));
   number("--odds-ratio", supposed.oddsRatio,
@@ -323,12 +355,16 @@ void addEffectOptions(CLI::App& command, SupposedEffects& supposed) {
   number("--share-reference,--share-ppc", supposed.sharePpc, "of answers: share of right ones with the reference",
          share);
   number("--share-other,--share-gc", supposed.shareGc, "of answers: the same with the other condition", share);
-  number("--subject-sd", supposed.subjectSd, "How subjects differ: standard deviation in log seconds, or logits",
-         spread);
-  number("--subject-view-sd", supposed.subjectViewSd, "of times: how they differ in the effect of the view", spread);
+  number(
+      "--subject-sd", supposed.subjectSd,
+      "How subjects differ: standard deviation in log seconds, logits, log(estimate / truth), or of directions degrees",
+      spread);
+  number("--subject-view-sd", supposed.subjectViewSd,
+         "of times and estimates: how they differ in the effect of the view", spread);
   number("--case-sd", supposed.caseSd, "How cases differ", spread);
   number("--case-view-sd", supposed.caseViewSd, "How they differ in the effect of the view", spread);
-  number("--residual-sd", supposed.residualSd, "of times: how trials of one subject for one case differ", spread);
+  number("--residual-sd", supposed.residualSd, "of times and estimates: how trials of one subject for one case differ",
+         spread);
   command
       .add_option("--effects", supposed.file,
                   "JSON file of effects, as of `ocelli study simulate`; other options go before it")

@@ -35,13 +35,32 @@ enum class ModelKind : uint8_t {
   kBayesFactor,
   kAgainstChance,
   kOrdinal,
+  kSignedErrorMixed,    ///< of signed errors of estimates: log(estimate / truth) of lengths, degrees of directions
+  kAbsoluteErrorMixed,  ///< of the logarithm of their absolute values
 };
-inline constexpr ModelKind kModelKinds[] = {
-    ModelKind::kLinearMixed, ModelKind::kLogNormalMixed,    ModelKind::kBinomialMixed, ModelKind::kKaplanMeier,
-    ModelKind::kCox,         ModelKind::kLogNormalSurvival, ModelKind::kMcNemar,       ModelKind::kSignedError,
-    ModelKind::kEquivalence, ModelKind::kBayesFactor,       ModelKind::kAgainstChance, ModelKind::kOrdinal};
+inline constexpr ModelKind kModelKinds[] = {ModelKind::kLinearMixed,
+                                            ModelKind::kLogNormalMixed,
+                                            ModelKind::kBinomialMixed,
+                                            ModelKind::kKaplanMeier,
+                                            ModelKind::kCox,
+                                            ModelKind::kLogNormalSurvival,
+                                            ModelKind::kMcNemar,
+                                            ModelKind::kSignedError,
+                                            ModelKind::kEquivalence,
+                                            ModelKind::kBayesFactor,
+                                            ModelKind::kAgainstChance,
+                                            ModelKind::kOrdinal,
+                                            ModelKind::kSignedErrorMixed,
+                                            ModelKind::kAbsoluteErrorMixed};
 const char* nameOf(ModelKind kind);
-/// Of times, or else of right answers or forms.
+
+/// What a model is of.
+enum class ModelOutcome : uint8_t {
+  kTimes,
+  kAnswers,    ///< whether they are right, or how they differ from what is right; of forms, what is answered
+  kEstimates,  ///< answers that are numbers (study/trial/estimated_value.h)
+};
+ModelOutcome modelOutcomeOf(ModelKind kind);
 bool isOfTimes(ModelKind kind);
 /// Whether the kind has random effects.
 bool isMixed(ModelKind kind);

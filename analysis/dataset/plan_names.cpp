@@ -1,6 +1,44 @@
+#include <algorithm>
+#include <array>
+
 #include "analysis/dataset/analysis_plan.h"
+#include "oc_core/base/check.h"
 
 namespace ocelli {
+namespace {
+
+struct KindRow {
+  ModelKind kind;
+  const char* name;
+  ModelOutcome outcome;
+  bool isMixed;
+};
+
+constexpr std::array kKindRows{
+    KindRow{ModelKind::kLinearMixed, "linear_mixed", ModelOutcome::kTimes, true},
+    KindRow{ModelKind::kLogNormalMixed, "log_normal_mixed", ModelOutcome::kTimes, true},
+    KindRow{ModelKind::kBinomialMixed, "binomial_mixed", ModelOutcome::kAnswers, true},
+    KindRow{ModelKind::kKaplanMeier, "kaplan_meier", ModelOutcome::kTimes, false},
+    KindRow{ModelKind::kCox, "cox", ModelOutcome::kTimes, false},
+    KindRow{ModelKind::kLogNormalSurvival, "log_normal_survival", ModelOutcome::kTimes, false},
+    KindRow{ModelKind::kMcNemar, "mcnemar", ModelOutcome::kAnswers, false},
+    KindRow{ModelKind::kSignedError, "signed_error", ModelOutcome::kAnswers, false},
+    KindRow{ModelKind::kEquivalence, "equivalence", ModelOutcome::kAnswers, false},
+    KindRow{ModelKind::kBayesFactor, "bayes_factor", ModelOutcome::kAnswers, false},
+    KindRow{ModelKind::kAgainstChance, "against_chance", ModelOutcome::kAnswers, false},
+    KindRow{ModelKind::kOrdinal, "ordinal", ModelOutcome::kAnswers, false},
+    KindRow{ModelKind::kSignedErrorMixed, "signed_error_mixed", ModelOutcome::kEstimates, true},
+    KindRow{ModelKind::kAbsoluteErrorMixed, "absolute_error_mixed", ModelOutcome::kEstimates, true}};
+static_assert(kKindRows.size() == std::size(kModelKinds), "each kind has a row");
+
+const KindRow& rowOf(ModelKind kind) {
+  const auto found =
+      std::find_if(kKindRows.begin(), kKindRows.end(), [&](const KindRow& row) { return row.kind == kind; });
+  OC_CHECK(found != kKindRows.end(), "each kind of model has a row");
+  return *found;
+}
+
+}  // namespace
 
 const char* nameOf(TimeoutTreatment treatment) {
   switch (treatment) {
@@ -15,57 +53,19 @@ const char* nameOf(TimeoutTreatment treatment) {
 }
 
 const char* nameOf(ModelKind kind) {
-  switch (kind) {
-    case ModelKind::kLinearMixed:
-      return "linear_mixed";
-    case ModelKind::kLogNormalMixed:
-      return "log_normal_mixed";
-    case ModelKind::kBinomialMixed:
-      return "binomial_mixed";
-    case ModelKind::kKaplanMeier:
-      return "kaplan_meier";
-    case ModelKind::kCox:
-      return "cox";
-    case ModelKind::kLogNormalSurvival:
-      return "log_normal_survival";
-    case ModelKind::kMcNemar:
-      return "mcnemar";
-    case ModelKind::kSignedError:
-      return "signed_error";
-    case ModelKind::kEquivalence:
-      return "equivalence";
-    case ModelKind::kBayesFactor:
-      return "bayes_factor";
-    case ModelKind::kAgainstChance:
-      return "against_chance";
-    case ModelKind::kOrdinal:
-      return "ordinal";
-  }
-  return "";
+  return rowOf(kind).name;
+}
+
+ModelOutcome modelOutcomeOf(ModelKind kind) {
+  return rowOf(kind).outcome;
 }
 
 bool isOfTimes(ModelKind kind) {
-  switch (kind) {
-    case ModelKind::kLinearMixed:
-    case ModelKind::kLogNormalMixed:
-    case ModelKind::kKaplanMeier:
-    case ModelKind::kCox:
-    case ModelKind::kLogNormalSurvival:
-      return true;
-    case ModelKind::kBinomialMixed:
-    case ModelKind::kMcNemar:
-    case ModelKind::kSignedError:
-    case ModelKind::kEquivalence:
-    case ModelKind::kBayesFactor:
-    case ModelKind::kAgainstChance:
-    case ModelKind::kOrdinal:
-      return false;
-  }
-  return false;
+  return modelOutcomeOf(kind) == ModelOutcome::kTimes;
 }
 
 bool isMixed(ModelKind kind) {
-  return kind == ModelKind::kLinearMixed || kind == ModelKind::kLogNormalMixed || kind == ModelKind::kBinomialMixed;
+  return rowOf(kind).isMixed;
 }
 
 }  // namespace ocelli

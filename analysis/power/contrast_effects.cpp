@@ -15,7 +15,8 @@ namespace ocelli {
 namespace {
 
 void refuseOptionsOfPairs(const SupposedEffects& supposed) {
-  const std::array<std::pair<const char*, bool>, 5> options{{{"--ratio", supposed.ratio.has_value()},
+  const std::array<std::pair<const char*, bool>, 6> options{{{"--ratio", supposed.ratio.has_value()},
+                                                             {"--difference", supposed.difference.has_value()},
                                                              {"--seconds-reference", supposed.secondsPpc.has_value()},
                                                              {"--odds-ratio", supposed.oddsRatio.has_value()},
                                                              {"--share-reference", supposed.sharePpc.has_value()},
@@ -27,8 +28,9 @@ void refuseOptionsOfPairs(const SupposedEffects& supposed) {
     }
   }
   if (supposed.file.empty()) {
-    throw InputError("which effects of conditions are it that studies should find?", "--effects",
-                     R"(a file such as {"find": {"conditions": {"NAME": -0.3}}}, in log seconds or logits)");
+    throw InputError(
+        "which effects of conditions are it that studies should find?", "--effects",
+        R"(a file such as {"find": {"conditions": {"NAME": -0.3}}}, in log seconds, logits, or terms of errors)");
   }
 }
 
@@ -37,6 +39,30 @@ double effectOf(const Protocol& protocol, const GeneratorEffects& effects, const
   return view == TrialView::kReference
              ? 0
              : effects.ofCondition(task, protocol.nameOf(view)).value_or(effects.at(task, kGraphEffect));
+}
+
+bool isOfDirections(const std::string& task) {
+  const TaskKind& kind = taskKind(task, "--task");
+  return kind.outcome == OutcomeKind::kEstimate && kind.generator.unit->isDirection;
+}
+
+/// What trials of a condition come to.
+std::string trialsText(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
+                       TrialView view) {
+  const std::string& name = protocol.nameOf(view);
+  switch (taskKind(task, "--task").outcome) {
+    case OutcomeKind::kTime:
+      return fmt::format("{}: trials take {:.3g} s (geometric mean, had they no limit)", name,
+                         geometricMeanSeconds(protocol, effects, task, view));
+    case OutcomeKind::kAnswer:
+      return fmt::format("{}: {:.1f} % right", name, 100 * shareRight(protocol, effects, task, view));
+    case OutcomeKind::kEstimate:
+      break;
+  }
+  const double error = meanError(protocol, effects, task, view);
+  return isOfDirections(task)
+             ? fmt::format("{}: the mean signed error is {:.3g} degrees", name, error)
+             : fmt::format("{}: estimates are {:.3g} of the truth (geometric mean)", name, std::exp(error));
 }
 
 }  // namespace
@@ -71,12 +97,13 @@ Truth contrastTruth(const Protocol& protocol, const SupposedEffects& supposed, c
     sum += (*weights)[i] * effectOf(protocol, truth.effects, supposed.task, conditionAt(terms.grid()[i].condition));
   }
   truth.conditions = protocol.conditions.names;
-  truth.ratio = std::exp(sum);
-  truth.reference = 1;
-  truth.other = truth.ratio;
+  truth.isDifference = isOfDirections(supposed.task);
+  truth.effect = truth.isDifference ? sum : std::exp(sum);
+  truth.reference = truth.isDifference ? 0 : 1;
+  truth.other = truth.effect;
   truth.kind = std::abs(sum) < 1e-12 ? Truth::Kind::kNone : Truth::Kind::kWanted;
   truth.label = truth.kind == Truth::Kind::kNone ? fmt::format("no effect of {}", comparisonText(contrast))
-                                                 : fmt::format("{} of {:.3g}", comparisonText(contrast), truth.ratio);
+                                                 : fmt::format("{} of {:.3g}", comparisonText(contrast), truth.effect);
   return truth;
 }
 
@@ -86,30 +113,30 @@ Truth contrastTruthWithoutEffect(const Protocol& protocol, const std::string& ta
   for (const ViewCondition& condition : protocol.conditions.names.list) {
     truth.effects.setCondition(task, condition.name, 0);
   }
-  truth.ratio = truth.other = 1;
+  truth.effect = truth.other = truth.isDifference ? 0 : 1;
   truth.label = "no difference of conditions";
   return truth;
 }
 
 std::vector<std::string> describeContrastTruth(const Protocol& protocol, const Truth& truth, const std::string& task) {
-  const bool isTime = taskKind(task, "--task").outcome == OutcomeKind::kTime;
+  const OutcomeKind outcome = taskKind(task, "--task").outcome;
   std::vector<std::string> lines;
   for (const TrialView view : protocol.conditions.names.all()) {
-    lines.push_back(isTime
-                        ? fmt::format("{}: trials take {:.3g} s (geometric mean, had they no limit)",
-                                      protocol.nameOf(view), geometricMeanSeconds(protocol, truth.effects, task, view))
-                        : fmt::format("{}: {:.1f} % right", protocol.nameOf(view),
-                                      100 * shareRight(protocol, truth.effects, task, view)));
+    lines.push_back(trialsText(protocol, truth.effects, task, view));
   }
   const double subjectViews = truth.effects.valueOr0(task, kSubjectGraphSd);
   lines.push_back(fmt::format("subjects differ in {} by {:.3g} (standard deviation), {}",
-                              isTime ? "log seconds" : "logits", truth.effects.at(task, kSubjectSd),
+                              outcome == OutcomeKind::kTime     ? "log seconds"
+                              : outcome == OutcomeKind::kAnswer ? "logits"
+                              : truth.isDifference              ? "degrees of error"
+                                                                : "log(estimate / truth)",
+                              truth.effects.at(task, kSubjectSd),
                               subjectViews > 0
                                   ? fmt::format("and in the difference of two conditions by {:.3g}", subjectViews)
                                   : "with the same differences of conditions for all"));
   lines.push_back(fmt::format("cases differ by {:.3g}, and in the difference of two conditions by {:.3g}",
                               truth.effects.at(task, kItemSd), truth.effects.at(task, kItemViewSd)));
-  if (isTime) {
+  if (outcome != OutcomeKind::kAnswer) {
     lines.push_back(
         fmt::format("trials of a subject for a case differ by {:.3g}", truth.effects.valueOr0(task, kResidualSd)));
   }

@@ -39,8 +39,26 @@ void solve(double& effect, double wanted, const Share& share) {
   }
 }
 
-bool isTime(const std::string& task) {
-  return taskKind(task, "--task").outcome == OutcomeKind::kTime;
+OutcomeKind outcomeOfTask(const std::string& task) {
+  return taskKind(task, "--task").outcome;
+}
+
+/// Of a task whose answers are estimates.
+const EstimateUnit& unitOf(const std::string& task) {
+  return *taskKind(task, "--task").generator.unit;
+}
+
+/// How subjects, cases and trials differ: in what.
+std::string spreadUnit(const std::string& task) {
+  switch (outcomeOfTask(task)) {
+    case OutcomeKind::kTime:
+      return "log seconds";
+    case OutcomeKind::kAnswer:
+      return "logits";
+    case OutcomeKind::kEstimate:
+      return unitOf(task).isDirection ? "degrees of error" : "log(estimate / truth)";
+  }
+  return "";
 }
 
 /// Of the pinhole in the first session.
@@ -60,7 +78,14 @@ void setDeviations(const SupposedEffects& supposed, GeneratorEffects& effects) {
        {kItemSd, supposed.caseSd},
        {kItemViewSd, supposed.caseViewSd},
        {kResidualSd, supposed.residualSd}}};
+  constexpr double kMaxOfLogarithms = 5;
+  const bool isDirection = outcomeOfTask(supposed.task) == OutcomeKind::kEstimate && unitOf(supposed.task).isDirection;
   for (const auto& [name, value] : deviations) {
+    if (value && *value > kMaxOfLogarithms && !isDirection) {
+      throw InputError(
+          fmt::format("a standard deviation of {:g} is too large in {}", *value, spreadUnit(supposed.task)), name,
+          "a number from 0 to 5");
+    }
     if (value) {
       effects.at(supposed.task, name) = *value;
     }
@@ -68,7 +93,15 @@ void setDeviations(const SupposedEffects& supposed, GeneratorEffects& effects) {
 }
 
 double level(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view) {
-  return isTime(task) ? geometricMeanSeconds(protocol, effects, task, view) : shareRight(protocol, effects, task, view);
+  switch (outcomeOfTask(task)) {
+    case OutcomeKind::kTime:
+      return geometricMeanSeconds(protocol, effects, task, view);
+    case OutcomeKind::kAnswer:
+      return shareRight(protocol, effects, task, view);
+    case OutcomeKind::kEstimate:
+      return meanError(protocol, effects, task, view);
+  }
+  return 0;
 }
 
 std::string sharesText(const Truth& truth) {
@@ -84,20 +117,41 @@ std::string casesText(double itemSd, double itemViewSd) {
                                       "alone shows some objects, more cases are needed (--case-view-sd)");
 }
 
+std::string labelOf(const Truth& truth, const std::string& task) {
+  if (truth.kind == Truth::Kind::kNone) {
+    return "no effect of the view";
+  }
+  switch (outcomeOfTask(task)) {
+    case OutcomeKind::kTime:
+      return withViewNames(fmt::format("@other@ takes {:.3g} of the time", truth.effect), truth.conditions);
+    case OutcomeKind::kAnswer:
+      return sharesText(truth);
+    case OutcomeKind::kEstimate:
+      return withViewNames(
+          unitOf(task).isDirection
+              ? fmt::format("@other@ turns estimates by {:.3g} degrees", truth.effect)
+              : fmt::format("estimates with @other@ are {:.3g} of those with @reference@", truth.effect),
+          truth.conditions);
+  }
+  return "";
+}
+
 /// Fills in what follows from the effects.
 void describe(const Protocol& protocol, const std::string& task, Truth& truth) {
   truth.conditions = protocolFacts(protocol.text, protocol.name).conditions;
-  truth.ratio = std::exp(graphEffect(truth.effects, task));
+  truth.isDifference = outcomeOfTask(task) == OutcomeKind::kEstimate && unitOf(task).isDirection;
+  const double graph = graphEffect(truth.effects, task);
+  truth.effect = truth.isDifference ? graph : std::exp(graph);
   truth.reference = level(protocol, truth.effects, task, TrialView::kReference);
   truth.other = level(protocol, truth.effects, task, TrialView::kOther);
-  truth.label = truth.kind == Truth::Kind::kNone ? "no effect of the view"
-                : isTime(task)
-                    ? withViewNames(fmt::format("@other@ takes {:.3g} of the time", truth.ratio), truth.conditions)
-                    : sharesText(truth);
+  truth.label = labelOf(truth, task);
 }
 
 void setSearches(const Protocol& protocol, const SupposedEffects& supposed, GeneratorEffects& effects) {
-  refuse({{"--odds-ratio", supposed.oddsRatio}, {"--share-ppc", supposed.sharePpc}, {"--share-gc", supposed.shareGc}},
+  refuse({{"--odds-ratio", supposed.oddsRatio},
+          {"--share-ppc", supposed.sharePpc},
+          {"--share-gc", supposed.shareGc},
+          {"--difference", supposed.difference}},
          supposed.task, "--ratio 0.8, of times");
   if (!supposed.ratio) {
     throw InputError("which effect is it that studies should find?", "--ratio",
@@ -113,6 +167,7 @@ void setSearches(const Protocol& protocol, const SupposedEffects& supposed, Gene
 
 void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, GeneratorEffects& effects) {
   refuse({{"--ratio", supposed.ratio},
+          {"--difference", supposed.difference},
           {"--seconds-ppc", supposed.secondsPpc},
           {"--subject-view-sd", supposed.subjectViewSd},
           {"--residual-sd", supposed.residualSd}},
@@ -137,6 +192,24 @@ void setAnswers(const Protocol& protocol, const SupposedEffects& supposed, Gener
   }
 }
 
+void setEstimates(const SupposedEffects& supposed, GeneratorEffects& effects) {
+  const bool isDirection = unitOf(supposed.task).isDirection;
+  const char* instead = isDirection ? "--difference 10: degrees by which mean errors differ"
+                                    : "--ratio 0.8: estimates with the other condition are 0.8 of those with the first";
+  refuse({{"--odds-ratio", supposed.oddsRatio},
+          {"--share-ppc", supposed.sharePpc},
+          {"--share-gc", supposed.shareGc},
+          {"--seconds-ppc", supposed.secondsPpc},
+          {isDirection ? "--ratio" : "--difference", isDirection ? supposed.ratio : supposed.difference}},
+         supposed.task, instead);
+  const std::optional<double>& effect = isDirection ? supposed.difference : supposed.ratio;
+  if (!effect) {
+    throw InputError("which effect is it that studies should find?", isDirection ? "--difference" : "--ratio", instead);
+  }
+  setDeviations(supposed, effects);
+  graphEffect(effects, supposed.task) = isDirection ? *effect : std::log(*effect);
+}
+
 }  // namespace
 
 Truth wantedTruth(const Protocol& protocol, const SupposedEffects& supposed) {
@@ -146,10 +219,16 @@ Truth wantedTruth(const Protocol& protocol, const SupposedEffects& supposed) {
     throw InputError("effects of conditions by their names are for contrasts", supposed.file,
                      "--contrast NAME; or the effect \"graph\" in the file, and options that say what it is");
   }
-  if (isTime(supposed.task)) {
-    setSearches(protocol, supposed, truth.effects);
-  } else {
-    setAnswers(protocol, supposed, truth.effects);
+  switch (outcomeOfTask(supposed.task)) {
+    case OutcomeKind::kTime:
+      setSearches(protocol, supposed, truth.effects);
+      break;
+    case OutcomeKind::kAnswer:
+      setAnswers(protocol, supposed, truth.effects);
+      break;
+    case OutcomeKind::kEstimate:
+      setEstimates(supposed, truth.effects);
+      break;
   }
   if (graphEffect(truth.effects, supposed.task) == 0) {
     truth.kind = Truth::Kind::kNone;
@@ -185,9 +264,20 @@ std::optional<Truth> truthAtBound(const Protocol& protocol, const Truth& wanted,
 
 std::vector<std::string> describeTruth(const Truth& truth, const std::string& task) {
   const GeneratorEffects& effects = truth.effects;
-  const bool isOfTimes = isTime(task);
+  const OutcomeKind outcome = outcomeOfTask(task);
+  const bool isOfAnswers = outcome == OutcomeKind::kAnswer;
   std::vector<std::string> lines;
-  if (isOfTimes) {
+  if (outcome == OutcomeKind::kEstimate) {
+    lines.push_back(withViewLabels(
+        truth.isDifference
+            ? fmt::format("mean signed errors are {:.3g} degrees with the @reference@ and {:.3g} with the @other@",
+                          truth.reference, truth.other)
+            : fmt::format(
+                  "estimates are {:.3g} of the truth with the @reference@ and {:.3g} with the @other@ (geometric "
+                  "means)",
+                  std::exp(truth.reference), std::exp(truth.other)),
+        truth.conditions));
+  } else if (!isOfAnswers) {
     lines.push_back(withViewLabels(
         fmt::format(
             "trials take {:.3g} s with the @reference@ and {:.3g} s with the @other@ (geometric means, had they "
@@ -196,24 +286,28 @@ std::vector<std::string> describeTruth(const Truth& truth, const std::string& ta
         truth.conditions));
   } else {
     lines.push_back(
-        fmt::format("{}: an odds ratio of {:.3g} within a subject and case", sharesText(truth), truth.ratio));
+        fmt::format("{}: an odds ratio of {:.3g} within a subject and case", sharesText(truth), truth.effect));
   }
   const double subjectGraphSd = effects.valueOr0(task, kSubjectGraphSd);
-  lines.push_back(fmt::format("subjects differ in {} by {:.3g} (standard deviation), {}",
-                              isOfTimes ? "log seconds" : "logits", effects.at(task, kSubjectSd),
-                              subjectGraphSd > 0
-                                  ? fmt::format("and in the effect of the view by {:.3g}", subjectGraphSd)
-                                  : "with the same effect of the view for all"));
+  lines.push_back(fmt::format(
+      "subjects differ in {} by {:.3g} (standard deviation), {}", spreadUnit(task), effects.at(task, kSubjectSd),
+      subjectGraphSd > 0 ? fmt::format("and in the effect of the view by {:.3g}", subjectGraphSd)
+                         : "with the same effect of the view for all"));
   lines.push_back(casesText(effects.at(task, kItemSd), effects.at(task, kItemViewSd)));
-  if (isOfTimes) {
+  if (!isOfAnswers) {
     lines.push_back(
         fmt::format("trials of a subject for a case differ by {:.3g}", effects.valueOr0(task, kResidualSd)));
   }
   for (const GeneratorEffect& effect : taskKind(task, "--task").generator.effects) {
     const bool isToldAbove = effect.covariate == levelCovariate || effect.covariate == graphCovariate;
     if (effect.covariate != nullptr && !isToldAbove) {
-      lines.push_back(fmt::format("{}: {} are multiplied by {:.3g}", effect.meaning, isOfTimes ? "times" : "odds",
-                                  std::exp(effects.at(task, effect.name))));
+      const double value = effects.at(task, effect.name);
+      lines.push_back(truth.isDifference ? fmt::format("{}: errors are turned by {:.3g} degrees", effect.meaning, value)
+                                         : fmt::format("{}: {} are multiplied by {:.3g}", effect.meaning,
+                                                       isOfAnswers                         ? "odds"
+                                                       : outcome == OutcomeKind::kEstimate ? "estimates"
+                                                                                           : "times",
+                                                       std::exp(value)));
     }
   }
   return lines;

@@ -16,12 +16,13 @@ namespace ocelli {
 struct SupposedEffects {
   std::string task;  ///< its name (study/tasks/task_registry.h)
   std::string file;  ///< JSON of effects, as of `ocelli study simulate --effects`; the others come on top of it
-  std::optional<double> ratio{};       ///< of geometric mean times, gc / ppc
+  std::optional<double> ratio{};       ///< of geometric mean times, or of estimates of lengths, gc / ppc
+  std::optional<double> difference{};  ///< of mean errors of directions, gc less ppc, degrees
   std::optional<double> secondsPpc{};  ///< geometric mean time with the pinhole
   std::optional<double> oddsRatio{};   ///< of right answers, gc to ppc, of a subject and case
   std::optional<double> sharePpc{};    ///< of right answers
   std::optional<double> shareGc{};
-  // Standard deviations, in log seconds or logits.
+  // Standard deviations, in log seconds, logits, or terms of errors (study/trial/estimated_value.h).
   std::optional<double> subjectSd{};
   std::optional<double> subjectViewSd{};
   std::optional<double> caseSd{};
@@ -39,8 +40,10 @@ struct Truth {
   std::string label;            ///< "bent takes 0.8 of the time"
   GeneratorEffects effects;     ///< of all tasks; only those of the task matter
   ViewConditions conditions{};  ///< of the protocol: the reference is that of --share-ppc, the other that of --share-gc
-  double ratio = 1;             ///< of times or odds, the other to the reference
-  double reference = 0;         ///< geometric mean seconds without a limit, or share of right answers
+  double effect = 1;  ///< of times, odds or lengths the ratio of the other to the reference; of directions, degrees
+  bool isDifference = false;  ///< of directions: no effect is 0
+  /// Geometric mean seconds without a limit, share of right answers, or mean signed error.
+  double reference = 0;
   double other = 0;
 };
 

@@ -26,7 +26,7 @@ using Test = PowerCurve::Test;
 struct StudyResult {
   bool found = false;
   bool warned = false;
-  double estimate = kNotKnown;  ///< log ratio, or difference of shares
+  double estimate = kNotKnown;  ///< log ratio, or difference of errors or shares
   std::string reason{};         ///< why there is none
 };
 
@@ -108,7 +108,7 @@ StudyResults analyseStudy(const PowerWork& work, const Truth& truth, int subject
 }
 
 /// Studies of one size.
-PowerSize sizeOf(int subjects, const StudyResults* first, int studies, Test test) {
+PowerSize sizeOf(int subjects, const StudyResults* first, int studies, Test test, bool isDifference) {
   PowerSize size;
   size.subjects = subjects;
   size.found.trials = studies;
@@ -128,7 +128,7 @@ PowerSize sizeOf(int subjects, const StudyResults* first, int studies, Test test
   size.analysed = analysed / studies;
   if (size.notEstimable < studies) {
     const double mean = sum / (studies - size.notEstimable);
-    size.estimate = test == Test::kView ? std::exp(mean) : mean;
+    size.estimate = test == Test::kView && !isDifference ? std::exp(mean) : mean;
   }
   return size;
 }
@@ -139,7 +139,7 @@ PowerCurve emptyCurve(const PowerWork& work, const Truth& truth, Test test) {
   curve.truth = truth.label;
   curve.contrast = work.contrast == nullptr || test != Test::kView ? "" : work.contrast->name;
   const double difference = truth.other - truth.reference;
-  curve.trueValue = test == Test::kView ? truth.ratio : difference;
+  curve.trueValue = test == Test::kView ? truth.effect : difference;
   const bool isThere = test == Test::kView ? truth.kind != Truth::Kind::kNone
                                            : truth.kind != Truth::Kind::kAtBound && difference > work.bounds->lower &&
                                                  difference < work.bounds->upper;
@@ -204,7 +204,8 @@ std::vector<PowerCurve> simulatePower(const PowerWork& work, const std::vector<T
       if (isTested) {
         PowerCurve curve = emptyCurve(work, truths[t], test);
         for (size_t s = 0; s < sizes; ++s) {
-          curve.sizes.push_back(sizeOf(work.subjects[s], &results[(t * sizes + s) * studies], work.simulations, test));
+          curve.sizes.push_back(sizeOf(work.subjects[s], &results[(t * sizes + s) * studies], work.simulations, test,
+                                       truths[t].isDifference));
         }
         curves.push_back(std::move(curve));
       }

@@ -12,6 +12,7 @@
 #include "analysis/models/binomial_mixed_model.h"
 #include "analysis/models/censored_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
+#include "analysis/report/error_model.h"
 #include "analysis/report/planned_design.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/right_answers.h"
@@ -262,8 +263,11 @@ std::string conditionStructureText(const std::vector<RandomEffect>& effects) {
 Estimable<ConditionFit> fitConditions(const Dataset& data, const PlannedModel& model, const TrialList& trials,
                                       TimeoutTreatment timeouts, const std::vector<PlannedContrast>& contrasts) {
   const bool isOfAnswers = model.kind == ModelKind::kBinomialMixed;
+  const bool isOfErrors = modelOutcomeOf(model.kind) == ModelOutcome::kEstimates;
   const ConditionTerms terms(data, model,
-                             isOfAnswers ? answeredTrials(trials) : searchesOfMixedModel(model, trials, timeouts));
+                             isOfErrors    ? estimatesIn(trials).trials
+                             : isOfAnswers ? answeredTrials(trials)
+                                           : searchesOfMixedModel(model, trials, timeouts));
   if (const std::string problem = terms.problem(); !problem.empty()) {
     return Estimable<ConditionFit>::impossible(problem);
   }
@@ -275,6 +279,22 @@ Estimable<ConditionFit> fitConditions(const Dataset& data, const PlannedModel& m
     const BinomialResponse response = binaryResponse(right);
     return fitByTerms(model, terms, contrasts,
                       [&](Design design) { return BinomialMixedModel(std::move(design)).fitRestricted(response); });
+  }
+  if (isOfErrors) {
+    const Estimable<ErrorResponse> response = errorResponse(model, terms.trials());
+    if (!response) {
+      return Estimable<ConditionFit>::impossible(response.reason());
+    }
+    const Eigen::Map<const Eigen::VectorXd> values(response->values.data(),
+                                                   static_cast<Eigen::Index>(response->values.size()));
+    const Estimable<ConditionFit> fit = fitByTerms(
+        model, terms, contrasts, [&](Design design) { return LinearMixedModel(std::move(design)).fit(values); });
+    if (!fit) {
+      return fit;
+    }
+    ConditionFit told = *fit;
+    told.notes = notesOfErrors(model, terms.trials(), *response);
+    return told;
   }
   const bool knowsCensored = timesTreatmentOf(model, timeouts) == TimeoutTreatment::kCensored;
   CensoredResponse response{Eigen::VectorXd(static_cast<Eigen::Index>(terms.trials().size())), {}};

@@ -22,7 +22,7 @@ namespace ocelli {
 
 struct ContrastEstimate {
   PlannedContrast contrast;
-  Estimable<Estimate> estimate;  ///< on the model's own scale: log seconds, logits
+  Estimable<Estimate> estimate;  ///< on the model's own scale: log seconds, logits, errors
 };
 
 /// Of a term with one column, which is no condition: "session".
@@ -39,8 +39,9 @@ struct ConditionFit {
   std::vector<std::string> random;   ///< "subject:view: standard deviation 0.21"
   std::vector<std::string> leftOut;  ///< what of the planned ones was left out and why: whole clauses
   std::vector<std::string> warnings;
-  std::string search;  ///< how the search for the optimum ended: a whole clause
-  TrialList trials;    ///< that were used
+  std::string search;                ///< how the search for the optimum ended: a whole clause
+  TrialList trials;                  ///< that were used
+  std::vector<std::string> notes{};  ///< what a reader must know of its response: whole sentences
   bool warned() const { return !warnings.empty(); }
 };
 

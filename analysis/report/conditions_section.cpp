@@ -9,23 +9,20 @@
 #include "analysis/inference/holm.h"
 #include "analysis/plot/forest_plot.h"
 #include "analysis/plot/group_plot.h"
+#include "analysis/report/measure_sections.h"
 #include "analysis/report/part_guard.h"
+#include "analysis/report/response_scale.h"
 #include "analysis/report/right_answers.h"
 #include "analysis/report/subject_means.h"
 
 namespace ocelli {
 namespace {
 
-bool isOfAnswers(const PlannedModel& model) {
-  return model.kind == ModelKind::kBinomialMixed;
-}
-
-std::string measureOf(const PlannedModel& model, const PlannedContrast& contrast) {
-  const bool isInteraction = contrast.levels.size() > 1;
-  const char* ratio = isOfAnswers(model) ? (isInteraction ? "ratio of odds ratios" : "odds ratio")
-                      : isInteraction    ? "ratio of ratios of times"
-                                         : "ratio of times";
-  return fmt::format("{}, {}", ratio, comparisonText(contrast));
+std::string measureOf(const ResponseScale& scale, const PlannedContrast& contrast) {
+  const std::string effect = contrast.levels.size() > 1
+                                 ? fmt::format("{} of {}", scale.isRatio ? "ratio" : "difference", scale.several)
+                                 : std::string(scale.one);
+  return fmt::format("{}, {}", effect, comparisonText(contrast));
 }
 
 /// One condition after the other: the mean of subjects, with its interval.
@@ -62,17 +59,18 @@ void addMeans(ReportWork& work, const std::string& title, const std::string& id,
   }
 }
 
-void addForest(ReportWork& work, const PlannedModel& model, const std::vector<AskedContrast>& asked) {
+void addForest(ReportWork& work, const PlannedModel& model, const ResponseScale& scale,
+               const std::vector<AskedContrast>& asked) {
   ForestPlot plot;
   plot.title = fmt::format("Contrasts of {}", model.name);
-  plot.valueLabel = isOfAnswers(model) ? "Odds ratio" : "Ratio of times";
-  plot.lowerSide = isOfAnswers(model) ? "fewer right" : "faster";
-  plot.upperSide = isOfAnswers(model) ? "more right" : "slower";
-  plot.ratio = true;
+  plot.valueLabel = scale.axis;
+  plot.lowerSide = scale.lowerSide;
+  plot.upperSide = scale.upperSide;
+  plot.ratio = scale.isRatio;
   for (const AskedContrast& each : asked) {
     ForestPlot::Row row{comparisonText(each.contrast)};
-    if (each.ratio) {
-      row.interval = intervalOf(*each.ratio);
+    if (each.effect) {
+      row.interval = intervalOf(*each.effect);
     } else {
       row.reason = "cannot be estimated";
     }
@@ -83,17 +81,17 @@ void addForest(ReportWork& work, const PlannedModel& model, const std::vector<As
 }
 
 /// Of the model, in its own table, with p values as they are: families correct them.
-void addContrastTable(ReportWork& work, const PlannedModel& model, const TrialList& trials,
+void addContrastTable(ReportWork& work, const PlannedModel& model, const ResponseScale& scale, const TrialList& trials,
                       std::vector<AskedContrast>& asked) {
   std::vector<EstimateRow> rows;
   for (const AskedContrast& each : asked) {
-    rows.push_back({comparisonText(each.contrast), each.ratio, "",
+    rows.push_back({comparisonText(each.contrast), each.effect, scale.effectUnit,
                     fmt::format("contrast of model {} of {}", model.name, sizeText(trials)), trials});
   }
   addEstimates(work.document,
                fmt::format("Contrasts of model {}: {}, with Satterthwaite's degrees of freedom; p values are not "
                            "corrected here",
-                           model.name, isOfAnswers(model) ? "odds ratios" : "ratios of times"),
+                           model.name, scale.several),
                contrastTableOf(model.name), rows);
   if (work.document.origins.tables.empty() || work.document.origins.tables.back().name != contrastTableOf(model.name)) {
     return;
@@ -101,7 +99,7 @@ void addContrastTable(ReportWork& work, const PlannedModel& model, const TrialLi
   const Table& table = work.document.origins.tables.back();
   size_t row = 0;
   for (AskedContrast& each : asked) {
-    if (!each.ratio || row == table.rows.size()) {
+    if (!each.effect || row == table.rows.size()) {
       continue;
     }
     for (const Cell& cell : table.rows[row].cells) {
@@ -111,51 +109,43 @@ void addContrastTable(ReportWork& work, const PlannedModel& model, const TrialLi
   }
 }
 
-void addModelMeans(ReportWork& work, const PlannedModel& model, const ConditionFit& fit) {
+void addModelMeans(ReportWork& work, const PlannedModel& model, const ResponseScale& scale, const ConditionFit& fit) {
   std::vector<EstimateRow> rows;
   for (size_t i = 0; i < fit.means.size(); ++i) {
     Estimable<Estimate> mean = fit.means[i];
     if (mean) {
-      Estimate shown = exponentiated(*mean);
-      if (isOfAnswers(model)) {
-        const auto share = [](double logit) { return 1 / (1 + std::exp(-logit)); };
-        shown.value = share(mean->value);
-        shown.lower = share(mean->lower);
-        shown.upper = share(mean->upper);
-        shown.standardError = mean->standardError * shown.value * (1 - shown.value);
-      }
-      shown.statistic = shown.pValue = kNotKnown;
-      mean = shown;
+      mean = shownMean(scale, *mean);
     }
-    rows.push_back({work.analysis.data.conditions.list[i].name, mean, isOfAnswers(model) ? "" : "s",
+    rows.push_back({work.analysis.data.conditions.list[i].name, mean, scale.meanUnit,
                     fmt::format("marginal mean of model {} of {}", model.name, sizeText(fit.trials)), fit.trials});
   }
   addEstimates(
       work.document,
       fmt::format("Conditions by model {}: {} of a subject and a case without effects of their own, at the means "
                   "of other terms",
-                  model.name, isOfAnswers(model) ? "probability of a right answer" : "geometric mean time"),
+                  model.name, scale.meanName),
       fmt::format("{}-conditions", model.name), rows);
 }
 
-void addCovariates(ReportWork& work, const PlannedModel& model, const ConditionFit& fit) {
+void addCovariates(ReportWork& work, const PlannedModel& model, const ResponseScale& scale, const ConditionFit& fit) {
   std::vector<EstimateRow> rows;
   for (const CovariateEstimate& each : fit.covariates) {
-    rows.push_back({each.term, each.estimate ? Estimable<Estimate>(exponentiated(*each.estimate)) : each.estimate, "",
-                    fmt::format("term of model {} of {}", model.name, sizeText(fit.trials)), fit.trials});
+    rows.push_back({each.term, each.estimate ? Estimable<Estimate>(shownEffect(scale, *each.estimate)) : each.estimate,
+                    scale.effectUnit, fmt::format("term of model {} of {}", model.name, sizeText(fit.trials)),
+                    fit.trials});
   }
   if (!rows.empty()) {
-    addEstimates(
-        work.document,
-        fmt::format("Other terms of model {}, as ratios: numbers of each unit more, factors of their second level "
-                    "to their first",
-                    model.name),
-        fmt::format("{}-terms", model.name), rows);
+    addEstimates(work.document,
+                 fmt::format("Other terms of model {}, as {}: numbers of each unit more, factors of their second level "
+                             "to their first",
+                             model.name, scale.isRatio ? "ratios" : "differences"),
+                 fmt::format("{}-terms", model.name), rows);
   }
 }
 
 /// What hypotheses of the plan ask for: terms with one column. In a study of a pair its own sections tell them.
-void addOutcomes(ReportWork& work, const PlannedModel& model, const Estimable<ConditionFit>& fit) {
+void addOutcomes(ReportWork& work, const PlannedModel& model, const ResponseScale& scale,
+                 const Estimable<ConditionFit>& fit) {
   if (work.analysis.data.conditions.isPair()) {
     return;
   }
@@ -169,47 +159,67 @@ void addOutcomes(ReportWork& work, const PlannedModel& model, const Estimable<Co
       const CovariateEstimate& each = fit->covariates[i];
       if (each.term == term && each.estimate) {
         outcome.pValue = each.estimate->pValue;
-        outcome.effect = TestedEffect{fmt::format("ratio, {}", term), exponentiated(*each.estimate)};
+        outcome.effect = TestedEffect{fmt::format("{}, {}", scale.isRatio ? "ratio" : "difference", term),
+                                      shownEffect(scale, *each.estimate)};
       }
     }
     work.outcomes.push_back(std::move(outcome));
   }
 }
 
+/// What a model is of, for the methods.
+std::string methodOutcome(const ReportTask& task, const PlannedModel& model) {
+  switch (modelOutcomeOf(model.kind)) {
+    case ModelOutcome::kTimes:
+      return "log " + task.timesOutcome;
+    case ModelOutcome::kAnswers:
+      return task.rightOutcome;
+    case ModelOutcome::kEstimates:
+      return fmt::format(
+          "{} of {}", model.kind == ModelKind::kAbsoluteErrorMixed ? "logarithms of absolute errors" : "signed errors",
+          task.trialsName);
+  }
+  return "";
+}
+
 void addConditionModel(ReportWork& work, const ReportTask& task, const PlannedModel& model,
                        ContrastFamilies& families) {
   const AnalysisData& analysis = work.analysis;
   const std::vector<PlannedContrast> contrasts = contrastsOf(analysis.plan, model, analysis.data.conditions);
+  const TrialList trials = trialsOfTask(analysis, task.name);
+  const ResponseScale& scale = responseScale(model, trials);
   std::vector<AskedContrast> asked;
   for (const PlannedContrast& contrast : contrasts) {
-    asked.push_back({contrast, measureOf(model, contrast)});
+    asked.push_back({contrast, measureOf(scale, contrast)});
   }
   Estimable<ConditionFit> fit = Estimable<ConditionFit>::impossible("it was not fitted");
   addPart(work, wordsOf(model), [&] {
-    fit =
-        fitConditions(analysis.data, model, trialsOfTask(analysis, task.name), task.timeouts(analysis.plan), contrasts);
+    fit = fitConditions(analysis.data, model, trials, task.timeouts(analysis.plan), contrasts);
     if (!fit) {
       addNotEstimable(work.document, wordsOf(model), fit.reason());
       for (AskedContrast& each : asked) {
-        each.ratio = Estimable<Estimate>::impossible(fit.reason());
+        each.effect = Estimable<Estimate>::impossible(fit.reason());
       }
       return;
     }
     for (size_t i = 0; i < asked.size(); ++i) {
       const Estimable<Estimate>& estimate = fit->contrasts[i].estimate;
-      asked[i].ratio = estimate ? Estimable<Estimate>(exponentiated(*estimate)) : estimate;
+      asked[i].effect = estimate ? Estimable<Estimate>(shownEffect(scale, *estimate)) : estimate;
     }
     if (!asked.empty()) {
-      addContrastTable(work, model, fit->trials, asked);
-      addForest(work, model, asked);
+      addContrastTable(work, model, scale, fit->trials, asked);
+      addForest(work, model, scale, asked);
     }
-    addModelMeans(work, model, *fit);
-    addCovariates(work, model, *fit);
+    addModelMeans(work, model, scale, *fit);
+    addCovariates(work, model, scale, *fit);
     work.document.add(ReportParagraph{fmt::format(
         "{}. Random effects as planned: {}; as fitted: {}. {}. As for the fit, {}.", sizeText(fit->trials),
         conditionStructureText(model.randomEffects), fit->structure, fmt::join(fit->random, "; "), fit->search)});
     for (const std::string& reason : fit->leftOut) {
       work.document.add(ReportNote{NoteKind::kNote, fmt::format("{}: {}.", wordsOf(model), reason)});
+    }
+    for (const std::string& note : fit->notes) {
+      work.document.add(ReportNote{NoteKind::kWarning, note});
     }
     for (const std::string& warning : fit->warnings) {
       work.document.add(ReportNote{NoteKind::kWarning, fmt::format("{}: {}.", wordsOf(model), warning)});
@@ -218,9 +228,9 @@ void addConditionModel(ReportWork& work, const ReportTask& task, const PlannedMo
         fmt::format("Conditions were compared by contrasts of marginal means of the mixed model {} of {} with "
                     "Satterthwaite's degrees "
                     "of freedom; its random effects are {}.",
-                    model.name, isOfAnswers(model) ? task.rightOutcome : "log " + task.timesOutcome, fit->structure));
+                    model.name, methodOutcome(task, model), fit->structure));
   });
-  addOutcomes(work, model, fit);
+  addOutcomes(work, model, scale, fit);
   for (AskedContrast& each : asked) {
     families.add(std::move(each));
   }
@@ -256,6 +266,7 @@ void addConditionTables(ReportWork& work, const ReportTask& task) {
   } else {
     addMeans(work, task.timeName, fmt::format("{}-times", id), logarithms, ValueScale::kLogarithm);
   }
+  addMeasureSections(work, task, trials);
 }
 
 void addConditionModels(ReportWork& work, const ReportTask& task, bool all, ContrastFamilies& families) {
@@ -292,7 +303,7 @@ void ContrastFamilies::write(ReportWork& work) const {
     for (const AskedContrast& each : asked_) {
       if (each.contrast.family == name) {
         members.push_back(&each);
-        pValues.push_back(each.ratio ? each.ratio->pValue : kNotKnown);
+        pValues.push_back(each.effect ? each.effect->pValue : kNotKnown);
       }
     }
     const std::vector<double> adjusted = holmAdjusted(pValues);
@@ -322,14 +333,14 @@ void ContrastFamilies::write(ReportWork& work) const {
       head.shortName = each.contrast.name;
       ReportCell estimate{"-"};
       ReportCell interval{"-"};
-      if (each.ratio) {
-        const EstimateTexts texts = textsOf(*each.ratio);
+      if (each.effect) {
+        const EstimateTexts texts = textsOf(*each.effect);
         estimate.text = texts.value;
-        estimate.value = each.ratio->value;
+        estimate.value = each.effect->value;
         interval.text = texts.interval.empty() ? "-" : texts.interval;
-        interval.interval = {each.ratio->lower, each.ratio->upper};
+        interval.interval = {each.effect->lower, each.effect->upper};
       } else {
-        head.footnote = fmt::format("Cannot be estimated: {}.", each.ratio.reason());
+        head.footnote = fmt::format("Cannot be estimated: {}.", each.effect.reason());
       }
       table.rows.push_back(
           {head, ReportCell{each.measure}, estimate, interval, cell(pValues[i], "p"), cell(adjusted[i], "adjusted")});

@@ -18,7 +18,7 @@ namespace ocelli {
 struct AskedContrast {
   PlannedContrast contrast;
   std::string measure;  ///< "ratio of times, graph-low / pinhole-low"
-  Estimable<Estimate> ratio = Estimable<Estimate>::impossible("its model was not fitted");
+  Estimable<Estimate> effect = Estimable<Estimate>::impossible("its model was not fitted");
   std::string cell{};  ///< of its p value in the table of its model; empty where there is none
 };
 

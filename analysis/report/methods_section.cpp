@@ -104,7 +104,7 @@ const Cell& testCellOf(const TableRow& row) {
 
 /// The row of the table of a model that shows the test of a term; of models with one test, its first row.
 std::string testRowOf(const PlannedModel& model, const std::string& term) {
-  return !term.empty()                           ? labelOfTerm(term)
+  return !term.empty()                           ? labelOfTerm(model, term)
          : model.kind == ModelKind::kEquivalence ? std::string(kEquivalenceTestRow)
                                                  : std::string();
 }

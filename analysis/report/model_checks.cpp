@@ -25,12 +25,13 @@ void addRandomEffects(ReportWork& work, const PlannedModel& model, const Planned
 
 }  // namespace
 
-void addLinearChecks(ReportWork& work, const PlannedModel& model, const PlannedFit& fit) {
+void addLinearChecks(ReportWork& work, const PlannedModel& model, const PlannedFit& fit,
+                     const std::string& fittedLabel) {
   const InSupplement supplement(work.document);
   ModelCheckPlot plot;
   plot.title = fmt::format("Residuals of the {}", wordsOf(model, false));
   plot.fitted = fit.fitted;
-  plot.fittedLabel = "Fitted log seconds";
+  plot.fittedLabel = fittedLabel;
   plot.residualLabel = "Standardised residual";
   for (const double residual : fit.residuals) {
     plot.residuals.push_back(residual / fit.residualDeviation);

@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "analysis/report/error_model.h"
+#include "analysis/report/measure_sections.h"
 #include "analysis/report/part_guard.h"
 #include "analysis/report/right_answers.h"
 #include "analysis/report/right_model.h"
@@ -47,9 +49,13 @@ void addOtherTask(ReportWork& work, const ReportTask& task) {
   const AnalysisPlan& plan = work.analysis.plan;
   const bool isPlanned = std::any_of(plan.models.begin(), plan.models.end(),
                                      [&](const PlannedModel& model) { return model.task == task.name; });
-  work.document.add(ReportParagraph{fmt::format(
-      "{}. For this task Ocelli has no section of its own: it is described by right answers and times{}.",
-      sizeText(trials), isPlanned ? "" : fmt::format(", with the usual models, as {} has none", planName(plan)))});
+  const TaskMeasures measures = taskMeasures(trials);
+  const std::string described =
+      fmt::format("right answers and times{}{}", measures.estimates ? ", and its estimates" : "",
+                  measures.levels ? ", and the thresholds of its staircases" : "");
+  work.document.add(ReportParagraph{
+      fmt::format("{}. For this task Ocelli has no section of its own: it is described by {}{}.", sizeText(trials),
+                  described, isPlanned ? "" : fmt::format(", with the usual models, as {} has none", planName(plan)))});
   const TrialList answered = answeredTrials(trials);
   if (answered.empty()) {
     addNotEstimable(work.document, task.rightName, "no trial says whether its answer was right");
@@ -59,12 +65,13 @@ void addOtherTask(ReportWork& work, const ReportTask& task) {
     });
   }
   addPart(work, "Times by view", [&] { addTimesByView(work, task, trials); });
+  addMeasureSections(work, task, trials);
   addTaskModels(work, task, trials);
 }
 
 }  // namespace
 
-ReportTask otherTask(const std::string& name) {
+ReportTask otherTask(const std::string& name, const TaskMeasures& measures) {
   const std::vector<RandomEffect> subjectAndCase{{"subject", {"view"}}, {"case", {"view"}}};
   ReportTask task;
   task.name = name;
@@ -73,14 +80,20 @@ ReportTask otherTask(const std::string& name) {
   task.timesOutcome = fmt::format("times of {}", name);
   task.rightOutcome = fmt::format("right answers of {}", name);
   task.parts = {{task.title, fmt::format("task {}", name), 0.94, addOtherTask}};
-  task.modelKinds = {{ModelKind::kBinomialMixed, addRightModel},
-                     {ModelKind::kLogNormalMixed, addTimeModel},
-                     {ModelKind::kLinearMixed, addTimeModel},
-                     {ModelKind::kEquivalence, addEquivalenceModel},
+  task.modelKinds = {{ModelKind::kBinomialMixed, addRightModel},      {ModelKind::kLogNormalMixed, addTimeModel},
+                     {ModelKind::kLinearMixed, addTimeModel},         {ModelKind::kSignedErrorMixed, addErrorModel},
+                     {ModelKind::kAbsoluteErrorMixed, addErrorModel}, {ModelKind::kEquivalence, addEquivalenceModel},
                      {ModelKind::kBayesFactor, addBayesModel}};
-  task.models = {
-      {fmt::format("{}-right", idOf(name)), name, ModelKind::kBinomialMixed, {"view", "session"}, subjectAndCase},
-      {fmt::format("{}-time", idOf(name)), name, ModelKind::kLogNormalMixed, {"view", "session"}, subjectAndCase}};
+  const auto add = [&](const char* what, ModelKind kind) {
+    task.models.push_back({fmt::format("{}-{}", idOf(name), what), name, kind, {"view", "session"}, subjectAndCase});
+  };
+  if (measures.estimates) {
+    add("signed-error", ModelKind::kSignedErrorMixed);
+    add("absolute-error", ModelKind::kAbsoluteErrorMixed);
+  } else if (!measures.levels) {
+    add("right", ModelKind::kBinomialMixed);
+  }
+  add("time", ModelKind::kLogNormalMixed);
   return task;
 }
 

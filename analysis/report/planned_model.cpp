@@ -12,6 +12,7 @@
 #include "analysis/models/censored_mixed_model.h"
 #include "analysis/models/linear_mixed_model.h"
 #include "analysis/report/planned_design.h"
+#include "analysis/report/response_scale.h"
 
 namespace ocelli {
 namespace {
@@ -144,17 +145,23 @@ std::string labelOfTerm(const std::string& term) {
   return colon == std::string::npos ? term : fmt::format("{} x {}", term.substr(0, colon), term.substr(colon + 1));
 }
 
-std::string measureOfTerm(const PlannedModel& model, const std::string& term) {
-  struct Names {
-    const char* one;
-    const char* several;
-  };
-  const Names ratio = model.kind == ModelKind::kBinomialMixed ? Names{"odds ratio", "odds ratios"}
-                      : model.kind == ModelKind::kCox         ? Names{"hazard ratio", "hazard ratios"}
-                                                              : Names{"ratio of times", "ratios of times"};
-  return term.find(':') != std::string::npos
-             ? fmt::format("ratio of {}, {}", ratio.several, labelOfTerm(term))
-             : fmt::format("{}, {}", ratio.one, term == "view" ? "@other@ / @reference@" : labelOfTerm(term));
+std::string labelOfTerm(const PlannedModel& model, const std::string& term) {
+  return model.kind == ModelKind::kSignedErrorMixed && term == "view" ? "view (@other@ against @reference@)"
+                                                                      : labelOfTerm(term);
+}
+
+std::string measureOfTerm(const PlannedModel& model, const std::string& term, const TrialList& trials) {
+  const ResponseScale& scale = responseScale(model, trials);
+  const bool isHazard = model.kind == ModelKind::kCox;
+  const char* one = isHazard ? "hazard ratio" : scale.one;
+  const char* several = isHazard ? "hazard ratios" : scale.several;
+  if (term.find(':') != std::string::npos) {
+    return fmt::format("{} of {}, {}", scale.isRatio ? "ratio" : "difference", several, labelOfTerm(term));
+  }
+  return fmt::format("{}, {}", one,
+                     term != "view"  ? labelOfTerm(term)
+                     : scale.isRatio ? "@other@ / @reference@"
+                                     : "@other@ less @reference@");
 }
 
 std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term) {
@@ -182,6 +189,13 @@ std::vector<double> secondsOf(const TrialList& trials) {
     seconds.push_back(*trial->responseSeconds);
   }
   return seconds;
+}
+
+Estimable<PlannedFit> fitValues(const PlannedModel& model, const TrialList& trials, const std::vector<double>& values) {
+  const Eigen::Map<const Eigen::VectorXd> response(values.data(), static_cast<Eigen::Index>(values.size()));
+  return fitAndDescribe(
+      model, trials, [&](Design design) { return LinearMixedModel(std::move(design)).fit(response); },
+      [](const LinearMixedFit& fit, PlannedFit& result) { addResiduals(fit, result); });
 }
 
 Estimable<PlannedFit> fitLinear(const PlannedModel& model, const TrialList& trials,
@@ -262,6 +276,7 @@ std::string structureMethod(const PlannedModel& model, const PlannedFit& fit) {
 
 void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList& trials,
                    const Estimable<PlannedFit>& fit, const std::string& caption) {
+  const ResponseScale& scale = responseScale(model, trials);
   for (const std::string& term : model.terms) {
     Estimable<double> pValue = Estimable<double>::impossible(fit ? "the term was dropped" : fit.reason());
     std::optional<TestedEffect> effect;
@@ -269,7 +284,7 @@ void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList&
       for (const TermEstimate& estimate : fit->terms) {
         if (estimate.term == term && estimate.estimate) {
           pValue = estimate.estimate->pValue;
-          effect = TestedEffect{measureOfTerm(model, term), exponentiated(*estimate.estimate)};
+          effect = TestedEffect{measureOfTerm(model, term, trials), shownEffect(scale, *estimate.estimate)};
         }
       }
     }
@@ -282,9 +297,9 @@ void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList&
   const std::string source = fmt::format("model {} of {}", model.name, sizeText(trials));
   std::vector<EstimateRow> rows;
   for (const TermEstimate& term : fit->terms) {
-    rows.push_back({labelOfTerm(term.term),
-                    term.estimate ? Estimable<Estimate>(exponentiated(*term.estimate)) : term.estimate, "", source,
-                    trials});
+    rows.push_back({labelOfTerm(model, term.term),
+                    term.estimate ? Estimable<Estimate>(shownEffect(scale, *term.estimate)) : term.estimate,
+                    scale.effectUnit, source, trials});
   }
   addEstimates(work.document, caption, model.name, rows);
   work.document.add(ReportParagraph{

@@ -59,6 +59,8 @@ Estimable<PlannedFit> fitCensored(const PlannedModel& model, const TrialList& tr
 /// Of searchesOfMixedModel(): what the plan's kind of model and treatment of time-outs ask for. A linear model counts
 /// censored times as they are.
 Estimable<PlannedFit> fitTimes(const PlannedModel& model, const TrialList& trials, TimeoutTreatment timeouts);
+/// Of `values`, one a trial, as they are.
+Estimable<PlannedFit> fitValues(const PlannedModel& model, const TrialList& trials, const std::vector<double>& values);
 /// Of right answers; all trials know whether theirs was. By restricted likelihood, with t by Satterthwaite's degrees of
 /// freedom: with few cases, Wald's intervals of maximum likelihood hold the truth too rarely (docs/results.md).
 Estimable<PlannedFit> fitBinomial(const PlannedModel& model, const TrialList& trials);
@@ -68,9 +70,12 @@ std::vector<Covariate> covariatesOf(const PlannedModel& model, const TrialList& 
 
 /// For the reader, as ratios are read: "view (other / reference)", "session (each more)", "view x session".
 std::string labelOfTerm(const std::string& term);
+/// Of signed errors, whose effects may be differences: "view (other against reference)".
+std::string labelOfTerm(const PlannedModel& model, const std::string& term);
 
-/// What the ratio of a term is of: "ratio of times, other / reference", "odds ratio, session (each more)".
-std::string measureOfTerm(const PlannedModel& model, const std::string& term);
+/// What the effect of a term is of: "ratio of times, other / reference", "odds ratio, session (each more)". `trials`:
+/// of the model, whose estimates have a unit.
+std::string measureOfTerm(const PlannedModel& model, const std::string& term, const TrialList& trials = {});
 
 /// The plan's term with that column; empty where there is none.
 std::string columnOfTerm(const PlannedModel& model, const TrialList& trials, const std::string& term);
@@ -83,7 +88,7 @@ inline constexpr const char* kFittedModelNote =
 /// For the methods: "(1 + view || subject) + (1 | case), those of ... that the data can tell".
 std::string structureMethod(const PlannedModel& model, const PlannedFit& fit);
 
-/// Adds a table of the terms (as ratios), with warnings, and keeps what hypotheses ask for.
+/// Adds a table of the terms (as response_scale.h has it), with warnings, and keeps what hypotheses ask for.
 void addPlannedFit(ReportWork& work, const PlannedModel& model, const TrialList& trials,
                    const Estimable<PlannedFit>& fit, const std::string& caption);
 

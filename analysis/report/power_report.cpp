@@ -24,7 +24,7 @@ std::string shortName(const PowerCurve& curve) {
 }
 
 std::string estimateName(const PowerStudy& study, const PowerCurve& curve) {
-  return !isView(curve) ? "difference of shares" : isOfTimes(study) ? "ratio of times" : "odds ratio";
+  return !isView(curve) ? "difference of shares" : effectName(study);
 }
 
 void addCurve(ReportDocument& document, const PowerStudy& study, const PowerCurve& curve, size_t number) {
@@ -72,7 +72,9 @@ void addSuppositions(ReportDocument& document, const PowerStudy& study) {
                            : fmt::format("all subjects take part in all {} sessions", study.sessions));
   document.add(list);
   document.add(ReportParagraph{
-      "Times are log-normal and end at the limit of the task; answers are right or wrong by logits; subjects and cases "
+      "Times are log-normal and end at the limit of the task; answers are right or wrong by logits; errors of "
+      "estimates "
+      "are normal; subjects and cases "
       "differ normally. Real subjects may differ in other ways: a case that only one view shows, fatigue, guessing. "
       "The numbers are as good as these suppositions: try others."});
   addHeading(document, 1, "How it was done", "how");

@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "analysis/report/response_scale.h"
+
 namespace ocelli {
 namespace {
 
@@ -88,9 +90,9 @@ std::vector<PowerPoint> pointsOf(const PowerCurve& curve) {
   return points;
 }
 
-bool isOfTimes(const PowerStudy& study) {
+std::string effectName(const PowerStudy& study) {
   const PlannedModel* model = study.plan.findModel(study.model);
-  return model != nullptr && isOfTimes(model->kind);
+  return responseScale(model == nullptr ? PlannedModel{"", "", ModelKind::kBinomialMixed} : *model, study.unit).one;
 }
 
 std::string nameOf(const PowerCurve& curve) {

@@ -8,6 +8,7 @@
 #include "analysis/base/estimate.h"
 #include "analysis/dataset/analysis_plan.h"
 #include "analysis/inference/power_curve.h"
+#include "study/trial/estimated_value.h"
 #include "study/trial/view_condition.h"
 
 namespace ocelli {
@@ -20,7 +21,7 @@ struct PowerSize {
   std::string reason{};         ///< why the first of these was not
   int warned = 0;               ///< studies whose fit is singular, did not converge, or lacks a column
   double analysed = 0;          ///< subjects that the plan's exclusions leave, mean
-  double estimate = kNotKnown;  ///< mean of the studies: a ratio (geometric mean), or a difference of shares
+  double estimate = kNotKnown;  ///< mean of the studies: a ratio (geometric mean), or a difference of errors or shares
 };
 
 /// One test of studies of one kind.
@@ -47,8 +48,9 @@ struct PowerStudy {
   std::string task;
   ViewConditions conditions = defaultConditions();  ///< of the protocol
   AnalysisPlan plan;
-  std::string model;       ///< of the plan
-  std::string contrast{};  ///< name of the one that is tested; empty: the model's term "view"
+  std::string model;                   ///< of the plan
+  std::string contrast{};              ///< name of the one that is tested; empty: the model's term "view"
+  const EstimateUnit* unit = nullptr;  ///< of answers that are estimates
   std::optional<PlannedEquivalence> bounds{};
   std::vector<std::string> supposed;  ///< what else was taken to be true, a line each
   int sessions = 1;
@@ -62,8 +64,8 @@ struct PowerStudy {
 
 std::vector<PowerPoint> pointsOf(const PowerCurve& curve);
 
-/// Whether the model of the study is one of times, or else of right answers.
-bool isOfTimes(const PowerStudy& study);
+/// What estimates of the study are: "ratio of times", "odds ratio", "difference of signed errors".
+std::string effectName(const PowerStudy& study);
 
 /// "bent takes 0.8 of the time, test of the view".
 std::string nameOf(const PowerCurve& curve);

@@ -60,11 +60,11 @@ formula_of <- function(response, terms, random) {
   as.formula(paste(response, "~", paste(c("1", terms, random), collapse = " + ")))
 }
 
-keep_coefficients <- function(model, table, degrees, p) {
+keep_coefficients <- function(model, table, degrees, p, shown = exp) {
   for (term in setdiff(rownames(table), "(Intercept)")) {
     half <- qt(0.975, degrees[[term]]) * table[term, "Std. Error"]
     estimate <- table[term, "Estimate"]
-    keep(model, term, exp(estimate), exp(estimate - half), exp(estimate + half), table[term, p])
+    keep(model, term, shown(estimate), shown(estimate - half), shown(estimate + half), table[term, p])
   }
 }
 
@@ -141,6 +141,27 @@ times_model <- function(model, trials, timeouts, terms, slopes) attempt(model, f
   }
   print(summary(fit))
   keep_coefficients(model, table, degrees, "Pr(>|t|)")
+})
+
+# Of estimates in `unit`, the error with its sign (of lengths log(estimate / truth), of directions degrees), or the
+# logarithm of its absolute value, where an error of 0 counts with half of the smallest one above 0.
+error_model <- function(model, trials, unit, absolute, terms, slopes) attempt(model, function() {
+  data <- prepare(trials[trials$unit %in% unit, ], terms)
+  data$error <- data$signed_error
+  if (absolute) {
+    data$error <- abs(data$error)
+    data$error[data$error == 0] <- min(data$error[data$error > 0]) / 2
+    data$error <- log(data$error)
+  }
+  control <- lmerControl(optCtrl = list(xtol_abs = 1e-10, ftol_abs = 1e-12), check.conv.singular = "ignore")
+  fit <- fit_by_rule(data, slopes, function(random) {
+    fit <- lmerTest::lmer(formula_of("error", terms, random), data, control = control)
+    list(fit = fit, deviance = REMLcrit(fit))
+  })$fit
+  table <- coef(summary(fit))
+  print(summary(fit))
+  keep_coefficients(model, table, setNames(table[, "df"], rownames(table)), "Pr(>|t|)",
+                    if (unit == "degrees" && !absolute) identity else exp)
 })
 
 # Odds ratios. Variances by the restricted likelihood (Laplace's approximation of the integral over the coefficients

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "analysis/report/estimate_trials.h"
 #include "analysis/report/path_section.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/r_functions.h"
@@ -75,6 +76,12 @@ std::string callOf(const AnalysisData& analysis, const PlannedModel& model) {
       return fmt::format("cox_model({}, {}, {}, {}, {})", name, trials, timeouts, terms, cases);
     case ModelKind::kLogNormalSurvival:
       return fmt::format("log_normal_model({}, {}, {}, {}, {})", name, trials, timeouts, terms, cases);
+    case ModelKind::kSignedErrorMixed:
+    case ModelKind::kAbsoluteErrorMixed: {
+      const EstimateUnit* unit = unitOfEstimates(trialsOfTask(analysis, model.task));
+      return fmt::format("error_model({}, {}, {}, {}, {}, {})", name, trials, quoted(unit == nullptr ? "" : unit->name),
+                         model.kind == ModelKind::kAbsoluteErrorMixed ? "TRUE" : "FALSE", terms, slopesOf(model));
+    }
     case ModelKind::kMcNemar:
       return fmt::format("mcnemar_model({}, {})", name, trials);
     case ModelKind::kSignedError:
@@ -135,7 +142,8 @@ std::string rScript(const AnalysisData& analysis, const std::set<std::string>& o
   std::string text =
       "# The models of the report once more, in R: Rscript analysis.R\n"
       "# It reads tables/trials.csv and tables/answers.csv beside it, and writes tables/r_results.csv.\n"
-      "# Not repeated: resampling, effect sizes, sensitivity, and intervals of restricted means.\n";
+      "# Not repeated: resampling, effect sizes, sensitivity, intervals of restricted means, power laws, circular\n"
+      "# statistics and thresholds.\n";
   text += functionsFor(analysis.data.conditions);
   text += fmt::format("\ncat({}, \"\\n\", {}, \"\\n\", {}, \"\\n\\n\", sep = \"\")\n", quoted("Ocelli " + version),
                       quoted(describe(analysis.plan)), quoted("SHA-256 of the data: " + analysis.dataSha256));

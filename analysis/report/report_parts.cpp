@@ -50,6 +50,10 @@ const char* wordsOf(ModelKind kind) {
       return "test against chance";
     case ModelKind::kOrdinal:
       return "signed ranks";
+    case ModelKind::kSignedErrorMixed:
+      return "mixed model of signed errors";
+    case ModelKind::kAbsoluteErrorMixed:
+      return "mixed model of absolute errors";
   }
   return "";
 }
@@ -58,8 +62,12 @@ const char* wordsOf(ModelKind kind) {
 
 std::string wordsOf(const PlannedModel& model, bool startsSentence) {
   const ReportTask task = reportTask(model.task);
+  const ModelOutcome outcome = modelOutcomeOf(model.kind);
   std::string words = fmt::format("{} of {} ({})", wordsOf(model.kind),
-                                  isOfTimes(model.kind) ? task.timesOutcome : task.rightOutcome, model.name);
+                                  outcome == ModelOutcome::kTimes       ? task.timesOutcome
+                                  : outcome == ModelOutcome::kEstimates ? task.trialsName
+                                                                        : task.rightOutcome,
+                                  model.name);
   if (startsSentence) {
     words[0] = static_cast<char>(std::toupper(static_cast<unsigned char>(words[0])));
   }
@@ -83,14 +91,18 @@ std::string planName(const AnalysisPlan& plan) {
   return plan.isRegistered() ? "the plan" : "the default plan";
 }
 
-TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task) {
+TrialList trialsOfTask(const Dataset& data, const std::string& task) {
   TrialList list;
-  for (const Trial& trial : analysis.data.trials) {
+  for (const Trial& trial : data.trials) {
     if (trial.task == task) {
       list.push_back(&trial);
     }
   }
   return list;
+}
+
+TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task) {
+  return trialsOfTask(analysis.data, task);
 }
 
 TrialList trialsOfView(const TrialList& trials, TrialView view) {

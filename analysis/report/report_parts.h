@@ -53,6 +53,7 @@ std::string planName(const AnalysisPlan& plan);
 /// What a model is, for readers, with its name in the plan: "Cox regression of times to find (find-hazard)".
 std::string wordsOf(const PlannedModel& model, bool startsSentence = true);
 
+TrialList trialsOfTask(const Dataset& data, const std::string& task);
 TrialList trialsOfTask(const AnalysisData& analysis, const std::string& task);
 TrialList trialsOfView(const TrialList& trials, TrialView view);
 /// What figures call the view: they are drawn before marks get their words.

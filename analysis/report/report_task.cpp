@@ -6,11 +6,13 @@
 
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/report/count_section.h"
+#include "analysis/report/estimate_trials.h"
 #include "analysis/report/find_section.h"
 #include "analysis/report/other_task_section.h"
 #include "analysis/report/part_guard.h"
 #include "analysis/report/path_section.h"
 #include "analysis/report/survey_section.h"
+#include "analysis/report/threshold_trials.h"
 
 namespace ocelli {
 namespace {
@@ -34,9 +36,13 @@ const std::vector<ReportTask>& reportTasks() {
   return kRows;
 }
 
-ReportTask reportTask(const std::string& name) {
+TaskMeasures taskMeasures(const TrialList& trials) {
+  return {unitOfEstimates(trials) != nullptr, hasLevels(trials)};
+}
+
+ReportTask reportTask(const std::string& name, const TaskMeasures& measures) {
   const ReportTask* row = findRow(name);
-  return row == nullptr ? otherTask(name) : *row;
+  return row == nullptr ? otherTask(name, measures) : *row;
 }
 
 std::vector<std::string> tasksOfStudy(const Dataset& data) {
@@ -70,7 +76,7 @@ std::vector<ReportTask> reportTasksOf(const Dataset& data, const AnalysisPlan& p
     const bool isListed = std::any_of(
         tasks.begin(), tasks.end(), [&](const ReportTask& task) { return task.name == trial.task && task.hasTrials; });
     if (!isListed && (row == nullptr || !row->hasTrials)) {
-      tasks.push_back(otherTask(trial.task));
+      tasks.push_back(otherTask(trial.task, taskMeasures(trialsOfTask(data, trial.task))));
     }
   }
   return tasks;

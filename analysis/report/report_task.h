@@ -65,8 +65,15 @@ struct ReportTask {
 
 /// The rows, in the order of the report.
 const std::vector<ReportTask>& reportTasks();
+/// What trials of a task tell beside right answers and times, which decides what is done with a task without a row.
+struct TaskMeasures {
+  bool estimates = false;  ///< answers that are numbers (study/trial/estimated_value.h)
+  bool levels = false;     ///< of the stimulus: the measure "level"
+};
+TaskMeasures taskMeasures(const TrialList& trials);
+
 /// The row of the name, or what is done for a task without one.
-ReportTask reportTask(const std::string& name);
+ReportTask reportTask(const std::string& name, const TaskMeasures& measures = {});
 /// The tasks that the study has, as its protocols say, or its trials where there are none.
 std::vector<std::string> tasksOfStudy(const Dataset& data);
 /// The rows that the study or the plan has, forms, and the tasks of trials that have no row.

@@ -83,7 +83,7 @@ void addVariants(ReportWork& work, const SensitivityTable& about, const VariantE
   forest.valueLabel = withLabels(work, about.value);
   forest.lowerSide = withLabels(work, about.lower);
   forest.upperSide = withLabels(work, about.upper);
-  forest.ratio = true;
+  forest.ratio = about.ratio;
   std::vector<EstimateRow> rows;
   for (const auto& [variant, effect] : effects) {
     ForestPlot::Row row;
@@ -95,7 +95,7 @@ void addVariants(ReportWork& work, const SensitivityTable& about, const VariantE
       row.reason = "cannot be estimated";
     }
     forest.rows.push_back(row);
-    rows.push_back({variant->label, effect, "", sizeText(variant->trials), variant->trials});
+    rows.push_back({variant->label, effect, about.unit, sizeText(variant->trials), variant->trials});
   }
   const bool any =
       std::any_of(effects.begin(), effects.end(), [](const auto& each) { return each.second.isPossible(); });

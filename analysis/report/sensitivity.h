@@ -36,10 +36,12 @@ struct SensitivityTable {
   std::string id;     ///< "find-time-sensitivity"
   std::string title;  ///< of the figure
   std::string value;  ///< "Odds ratio, other / reference"
-  std::string lower;  ///< what values below 1 mean: "other faster"
+  std::string lower;  ///< what values below 1, or 0, mean: "other faster"
   std::string upper;
+  bool ratio = true;  ///< or the effect is a difference
+  std::string unit{};
 };
-/// A forest of `effect`, a ratio, of each variant, and a table; those that leave cases out stand in the supplement, and
+/// A forest of `effect` of each variant, and a table; those that leave cases out stand in the supplement, and
 /// the report says between what they lie. It is called by several threads at once.
 void addSensitivity(ReportWork& work, const SensitivityTable& about, const Variants& variants,
                     const std::function<Estimable<Estimate>(const Variant&)>& effect);

@@ -4,6 +4,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <set>
 
 #include "analysis/dataset/form_item.h"
 #include "analysis/dataset/protocol_facts.h"
@@ -138,6 +139,21 @@ std::string trialsCsv(const Dataset& data) {
   for (const StudyFactor& factor : factors) {
     text += "," + factor.name;
   }
+  // Only studies with estimates, or with levels of staircases, have their columns.
+  const bool hasEstimates = std::any_of(data.trials.begin(), data.trials.end(),
+                                        [](const Trial& trial) { return estimatedValue(trial.measures).has_value(); });
+  std::set<std::string> levels;
+  for (const Trial& trial : data.trials) {
+    for (const char* measure : {"level", "guess_rate"}) {
+      if (trial.measures.contains(measure)) {
+        levels.insert(measure);
+      }
+    }
+  }
+  text += hasEstimates ? ",unit,estimate,truth,signed_error" : "";
+  for (const std::string& measure : levels) {
+    text += "," + measure;
+  }
   text += "\r\n";
   for (const Trial& trial : data.trials) {
     text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}", trial.source, trial.trialId,
@@ -148,9 +164,19 @@ std::string trialsCsv(const Dataset& data) {
                         optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
                         trial.droppedFrames, trial.simulated ? 1 : 0);
     for (const StudyFactor& factor : factors) {
-      const FactorLevels& levels = factor.ofCases ? cases.of(trial) : data.conditions.of(trial.view).levels;
-      const auto level = levels.find(factor.name);
-      text += "," + (level == levels.end() ? std::string() : csvText(level->second));
+      const FactorLevels& ofFactors = factor.ofCases ? cases.of(trial) : data.conditions.of(trial.view).levels;
+      const auto level = ofFactors.find(factor.name);
+      text += "," + (level == ofFactors.end() ? std::string() : csvText(level->second));
+    }
+    if (hasEstimates) {
+      const std::optional<EstimatedValue> value = estimatedValue(trial.measures);
+      text += value
+                  ? fmt::format(",{},{},{},{}", value->unit->name, value->estimate, value->truth, value->signedError())
+                  : std::string(",,,,");
+    }
+    for (const std::string& measure : levels) {
+      const auto found = trial.measures.find(measure);
+      text += "," + (found == trial.measures.end() ? std::string() : fmt::format("{}", found->second));
     }
     text += "\r\n";
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "analysis/report/condition_model.h"
+#include "analysis/report/error_model.h"
 #include "analysis/report/planned_model.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/right_answers.h"
@@ -14,10 +15,11 @@ constexpr const char* kView = "view";
 
 }  // namespace
 
-const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& taskName) {
+const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& taskName, std::optional<ModelKind> kind) {
   const ReportTask task = reportTask(taskName);
   const auto found = std::find_if(plan.models.begin(), plan.models.end(), [&](const PlannedModel& model) {
-    return model.task == task.name && isMixed(model.kind) && task.findModelKind(model.kind) != nullptr &&
+    return model.task == task.name && (!kind || model.kind == *kind) && isMixed(model.kind) &&
+           task.findModelKind(model.kind) != nullptr &&
            std::find(model.terms.begin(), model.terms.end(), kView) != model.terms.end();
   });
   return found == plan.models.end() ? nullptr : &*found;
@@ -25,7 +27,9 @@ const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& tas
 
 ViewTest testOfView(const AnalysisData& analysis, const PlannedModel& model) {
   Estimable<PlannedFit> fit = Estimable<PlannedFit>::impossible("");
-  if (model.kind != ModelKind::kBinomialMixed) {
+  if (modelOutcomeOf(model.kind) == ModelOutcome::kEstimates) {
+    fit = fitErrors(model, trialsOfErrorModel(model, trialsOfTask(analysis, model.task)));
+  } else if (model.kind != ModelKind::kBinomialMixed) {
     const TimeoutTreatment timeouts = reportTask(model.task).timeouts(analysis.plan);
     fit = fitTimes(model, searchesOfMixedModel(model, trialsOfTask(analysis, model.task), timeouts), timeouts);
   } else {

@@ -1,6 +1,7 @@
 // Whether the views differ, as one study's report says it by the models of its plan: what simulations of power repeat.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "analysis/base/estimable.h"
@@ -11,11 +12,12 @@
 namespace ocelli {
 
 /// The plan's first mixed model of the task that has the term "view", of a kind that is done for the task. nullptr
-/// where there is none.
-const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task);
+/// where there is none. `kind`: or the first one of that kind.
+const PlannedModel* viewModelOf(const AnalysisPlan& plan, const std::string& task,
+                                std::optional<ModelKind> kind = std::nullopt);
 
 struct ViewTest {
-  Estimable<Estimate> view;  ///< other less reference, in log seconds or logits
+  Estimable<Estimate> view;  ///< other less reference, in log seconds, logits, or terms of errors
   bool warned = false;       ///< the fit is singular, did not converge, or lacks a column
 };
 

@@ -186,9 +186,13 @@ void generateSession(const Protocol& protocol, const GeneratedSession& session, 
     record.info = task.caseInfo(plan.caseIndex);
     record.startedNanoseconds = now;
     record.startedUtc = utc();
-    record.outcome = draws.outcomeOf(plan, record.info, session.tellsAnswers ? task.answerOf(plan) : "", random);
+    // Of estimates the truth is what errors are drawn around.
+    const bool needsTruth = taskKind(plan.task, protocol.name).outcome == OutcomeKind::kEstimate;
+    record.outcome =
+        draws.outcomeOf(plan, record.info, session.tellsAnswers || needsTruth ? task.answerOf(plan) : "", random);
     if (!session.tellsAnswers) {
       record.outcome.answer.clear();
+      record.outcome.expected.clear();
     }
     if (record.info.level) {
       record.outcome.measures[kLevelMeasure] = *record.info.level;

@@ -60,8 +60,12 @@ std::optional<double> preferenceOf(const std::string& task, const Efforts& effor
     return std::nullopt;
   }
   const double difference = reference.mean() - other.mean();
-  if (taskKind(task, "answers to forms").outcome == OutcomeKind::kTime) {
-    return difference;  // of logarithms
+  switch (taskKind(task, "answers to forms").outcome) {
+    case OutcomeKind::kTime:
+      return difference;  // of logarithms
+    case OutcomeKind::kAnswer:
+    case OutcomeKind::kEstimate:
+      break;  // of an effort above 0: nobody feels how far an estimate is off, who is not told
   }
   const double sum = reference.mean() + other.mean();
   return sum > 0 ? 2 * difference / sum : 0;

@@ -47,17 +47,28 @@ double meanProbability(double logit, double deviation) {
   return sum / weights;
 }
 
-}  // namespace
-
-double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
-                            TrialView view) {
-  OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kTime, "the outcome of the task is a time");
+/// Over all trials of the task.
+double meanFixedPart(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
+                     TrialView view) {
   const std::vector<GeneratedTrial> trials = trialsOf(protocol, task, view);
   double sum = 0;
   for (const GeneratedTrial& trial : trials) {
     sum += fixedPart(effects, trial);
   }
-  return std::exp(sum / static_cast<double>(trials.size()));
+  return sum / static_cast<double>(trials.size());
+}
+
+}  // namespace
+
+double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task,
+                            TrialView view) {
+  OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kTime, "the outcome of the task is a time");
+  return std::exp(meanFixedPart(protocol, effects, task, view));
+}
+
+double meanError(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view) {
+  OC_CHECK(taskKind(task, protocol.name).outcome == OutcomeKind::kEstimate, "the outcome of the task is an estimate");
+  return meanFixedPart(protocol, effects, task, view);
 }
 
 double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view) {

@@ -1,5 +1,5 @@
-// What the effects of the data-only subject (data_generator.h) come to in the trials of a protocol: typical times, and
-// how often answers are right among all subjects and cases.
+// What the effects of the data-only subject (data_generator.h) come to in the trials of a protocol: typical times, how
+// often answers are right among all subjects and cases, and mean errors of estimates.
 #pragma once
 
 #include <string>
@@ -17,5 +17,9 @@ double geometricMeanSeconds(const Protocol& protocol, const GeneratorEffects& ef
 /// Of a task whose outcome is an answer: the share of right ones over all its trials in the protocol, had they this
 /// view, and over the normal effects of subjects and cases.
 double shareRight(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view);
+
+/// Of a task whose outcome is an estimate: the mean of signed errors over all its trials in the protocol, had they this
+/// view, as study/trial/estimated_value.h has them.
+double meanError(const Protocol& protocol, const GeneratorEffects& effects, const std::string& task, TrialView view);
 
 }  // namespace ocelli

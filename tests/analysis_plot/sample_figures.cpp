@@ -7,12 +7,15 @@
 #include <limits>
 #include <numbers>
 
+#include "analysis/plot/estimate_plot.h"
 #include "analysis/plot/flow_diagram.h"
 #include "analysis/plot/histogram_plot.h"
 #include "analysis/plot/model_check_plot.h"
 #include "analysis/plot/paired_plot.h"
 #include "analysis/plot/power_plot.h"
+#include "analysis/plot/psychometric_plot.h"
 #include "analysis/plot/rating_plot.h"
+#include "analysis/plot/rose_plot.h"
 #include "analysis/plot/trade_off_plot.h"
 
 namespace ocelli {
@@ -57,6 +60,59 @@ std::vector<double> shares(SampleNumbers& numbers, size_t count, double share) {
     values.push_back(right / 10.0);
   }
   return values;
+}
+
+EstimatePlot sampleEstimates() {
+  SampleNumbers numbers(21);
+  EstimatePlot plot;
+  plot.title = "Estimates against the truth";
+  plot.unit = "metres";
+  for (const double exponent : {0.95, 0.75}) {
+    EstimatePlot::Condition condition{exponent > 0.9 ? "ppc" : "gc", {}, EstimatePlot::Law{exponent, 1.5, 1.4}};
+    for (int i = 0; i < 200; ++i) {
+      const double truth = 1.5 * std::pow(8, numbers.uniform());
+      condition.points.push_back({truth, std::exp(1.4 + exponent * (std::log(truth) - 1.5) + 0.25 * numbers.normal())});
+    }
+    plot.conditions.push_back(std::move(condition));
+  }
+  return plot;
+}
+
+RosePlot sampleRoses() {
+  SampleNumbers numbers(22);
+  RosePlot plot;
+  plot.title = "Errors of directions";
+  for (const double spread : {20.0, 60.0}) {
+    RosePlot::Condition condition{spread < 30 ? "ppc" : "gc", {}, {}, RosePlot::Vector{8, 0.85}, {{2, 14}}};
+    for (int i = 0; i < 300; ++i) {
+      condition.degrees.push_back(8 + spread * numbers.normal());
+    }
+    for (int i = 0; i < 20; ++i) {
+      condition.subjects.push_back({8 + spread / 2 * numbers.normal(), 0.6 + 0.35 * numbers.uniform()});
+    }
+    plot.conditions.push_back(std::move(condition));
+  }
+  return plot;
+}
+
+PsychometricPlot samplePsychometric() {
+  SampleNumbers numbers(23);
+  PsychometricPlot plot;
+  plot.title = "Right answers by level";
+  plot.levelLabel = "Difference of distances (share)";
+  plot.guess = 0.5;
+  for (const double threshold : {0.1, 0.2}) {
+    PsychometricPlot::Condition condition{
+        threshold < 0.15 ? "ppc" : "gc", {}, {}, Interval{threshold, 0.8 * threshold, 1.3 * threshold}};
+    for (int i = 0; i < 10; ++i) {
+      const double level = 0.02 * std::pow(1.5, i);
+      const double share = 0.5 + 0.48 / (1 + std::pow(threshold / level, 3));
+      condition.curve.push_back({level, share});
+      condition.points.push_back({level, std::clamp(share + 0.05 * numbers.normal(), 0.0, 1.0), 10 + 12 * (i % 4)});
+    }
+    plot.conditions.push_back(std::move(condition));
+  }
+  return plot;
 }
 
 GroupPlot sampleAccuracy() {
@@ -394,6 +450,9 @@ std::vector<SampleFigure> sampleFigures() {
           {"strip", groupFigure(sampleStrip())},
           {"paired", pairedFigure(samplePaired())},
           {"trade-off", tradeOffFigure(sampleTradeOff())},
+          {"estimates", estimateFigure(sampleEstimates())},
+          {"roses", roseFigure(sampleRoses())},
+          {"psychometric", psychometricFigure(samplePsychometric())},
           {"survival", survivalFigure(sampleSurvival())},
           {"ratings", ratingFigure(sampleRatings())},
           {"ratings-7", ratingFigure(sampleSevenSteps())},
@@ -431,15 +490,31 @@ std::vector<SampleFigure> emptyFigures() {
   power.title = title;
   TradeOffPlot tradeOff;
   tradeOff.title = title;
+  EstimatePlot estimates;
+  estimates.title = title;
+  RosePlot roses;
+  roses.title = title;
+  PsychometricPlot psychometric;
+  psychometric.title = title;
   FlowDiagram flow;
   flow.title = title;
   FigureGrid grid;
   grid.title = title;
-  return {
-      {"group", groupFigure(group)},     {"paired", pairedFigure(paired)},   {"survival", survivalFigure(survival)},
-      {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},   {"errors", histogramFigure(histogram)},
-      {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)}, {"power", powerFigure(power)},
-      {"flow", flowFigure(flow)},        {"grid", gridFigure(grid)},         {"trade-off", tradeOffFigure(tradeOff)}};
+  return {{"group", groupFigure(group)},
+          {"paired", pairedFigure(paired)},
+          {"survival", survivalFigure(survival)},
+          {"ratings", ratingFigure(rating)},
+          {"forest", forestFigure(forest)},
+          {"errors", histogramFigure(histogram)},
+          {"heat", heatFigure(heat)},
+          {"check", modelCheckFigure(check)},
+          {"power", powerFigure(power)},
+          {"flow", flowFigure(flow)},
+          {"grid", gridFigure(grid)},
+          {"trade-off", tradeOffFigure(tradeOff)},
+          {"estimates", estimateFigure(estimates)},
+          {"roses", roseFigure(roses)},
+          {"psychometric", psychometricFigure(psychometric)}};
 }
 
 std::vector<SampleFigure> tinyFigures() {
@@ -478,14 +553,33 @@ std::vector<SampleFigure> tinyFigures() {
   TradeOffPlot tradeOff;
   tradeOff.title = "One subject";
   tradeOff.conditions = {{"a", {{3, 1}}, {3, 1}}, {"b", {{kNaN, kNaN}}, {kNaN, kNaN}}};
+  EstimatePlot estimates;
+  estimates.title = "One estimate";
+  estimates.unit = "metres";
+  estimates.conditions = {{"a", {{3, 2}, {0, 1}, {kNaN, 1}}, EstimatePlot::Law{0.5, 1, 0.7}}, {"b", {}}};
+  RosePlot roses;
+  roses.title = "One direction";
+  roses.conditions = {{"a", {-180, kNaN}, {{180, 1}}, RosePlot::Vector{180, 1}, {{150, 210}}}, {"b", {}}};
+  PsychometricPlot psychometric;
+  psychometric.title = "One level";
+  psychometric.conditions = {{"a", {{1, 0.5, 2}, {kNaN, kNaN, 0}}, {}, Interval{1e-9, kNaN, 1e9}}, {"b", {}}};
   FlowDiagram flow;
   flow.title = "One stage";
   flow.stages = {{"Consented", 1, "subject", {{"left", 1}}}};
-  return {
-      {"group", groupFigure(group)},     {"paired", pairedFigure(paired)},       {"survival", survivalFigure(survival)},
-      {"ratings", ratingFigure(rating)}, {"forest", forestFigure(forest)},       {"errors", histogramFigure(histogram)},
-      {"heat", heatFigure(heat)},        {"check", modelCheckFigure(check)},     {"power", powerFigure(power)},
-      {"flow", flowFigure(flow)},        {"trade-off", tradeOffFigure(tradeOff)}};
+  return {{"group", groupFigure(group)},
+          {"paired", pairedFigure(paired)},
+          {"survival", survivalFigure(survival)},
+          {"ratings", ratingFigure(rating)},
+          {"forest", forestFigure(forest)},
+          {"errors", histogramFigure(histogram)},
+          {"heat", heatFigure(heat)},
+          {"check", modelCheckFigure(check)},
+          {"power", powerFigure(power)},
+          {"flow", flowFigure(flow)},
+          {"trade-off", tradeOffFigure(tradeOff)},
+          {"estimates", estimateFigure(estimates)},
+          {"roses", roseFigure(roses)},
+          {"psychometric", psychometricFigure(psychometric)}};
 }
 
 }  // namespace ocelli

@@ -182,7 +182,7 @@ TEST_F(ConditionsReport, PowerIsThatOfAContrast) {
   supposed.residualSd = 0.3;
   for (const PlannedContrast& contrast : contrastsOf(plan, model, protocol_.conditions.names)) {
     const Truth truth = contrastTruth(protocol_, supposed, model, contrast);
-    EXPECT_NEAR(std::log(truth.ratio), crossedTruths().at(contrast.name), 1e-12) << contrast.name;
+    EXPECT_NEAR(std::log(truth.effect), crossedTruths().at(contrast.name), 1e-12) << contrast.name;
   }
   const PlannedContrast& pair = plan.contrasts[0];
   const Truth wanted = contrastTruth(protocol_, supposed, model, pair);

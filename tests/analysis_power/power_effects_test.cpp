@@ -78,7 +78,7 @@ TEST_F(PowerEffects, OfAnswersAreTheSharesThatWereAskedFor) {
     EXPECT_NEAR(shareRight(protocol_, truth.effects, task, TrialView::kReference), 0.44, 1e-9);
     EXPECT_NEAR(shareRight(protocol_, truth.effects, task, TrialView::kOther), 0.9, 1e-9);
     // Shares of all subjects lie closer together than those of one, so its odds ratio is larger.
-    EXPECT_GT(truth.ratio, (0.9 / 0.1) / (0.44 / 0.56));
+    EXPECT_GT(truth.effect, (0.9 / 0.1) / (0.44 / 0.56));
   }
 }
 
@@ -111,7 +111,7 @@ TEST_F(PowerEffects, EqualSharesAreNoEffect) {
   supposed.sharePpc = 0.7;
   supposed.shareGc = 0.7;
   EXPECT_EQ(truthOf(supposed).kind, Truth::Kind::kNone);
-  EXPECT_EQ(truthOf(supposed).ratio, 1);
+  EXPECT_EQ(truthOf(supposed).effect, 1);
 }
 
 TEST_F(PowerEffects, AtTheBoundSharesDifferByIt) {
@@ -139,7 +139,7 @@ TEST_F(PowerEffects, OptionsComeOnTopOfTheFile) {
   const Truth truth = truthOf(supposed);
   EXPECT_EQ(truth.effects.at("find", "subject_sd"), 0.7);
   EXPECT_EQ(truth.effects.at("find", "item_sd"), 0.1);
-  EXPECT_NEAR(truth.ratio, 0.9, 1e-12);
+  EXPECT_NEAR(truth.effect, 0.9, 1e-12);
 }
 
 TEST_F(PowerEffects, RejectWhatDoesNotFitTogether) {

@@ -81,7 +81,8 @@ void SectionStudy::complete(const std::string& subject, int sessions) {
 
 std::vector<ReportTask> rowsOf(const std::vector<std::string>& tasks) {
   std::vector<ReportTask> rows;
-  std::transform(tasks.begin(), tasks.end(), std::back_inserter(rows), reportTask);
+  std::transform(tasks.begin(), tasks.end(), std::back_inserter(rows),
+                 [](const std::string& name) { return reportTask(name); });
   return rows;
 }
 

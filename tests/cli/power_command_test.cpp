@@ -68,7 +68,7 @@ TEST_F(PowerCommand, CasesThatDifferInTheEffectOfTheViewTakeFromThePower) {
     return nlohmann::json::parse(result.output).at("curves")[0].at("sizes")[0].at("mean_estimate").get<double>();
   };
   EXPECT_NE(estimate(alike), estimate(differing));
-  expectWrong("--task find --ratio 0.6 --case-view-sd nan", "is no number from 0 to 5");
+  expectWrong("--task find --ratio 0.6 --case-view-sd nan", "is no number from 0 to 180");
 }
 
 TEST_F(PowerCommand, WritesAReport) {
@@ -100,7 +100,7 @@ TEST_F(PowerCommand, RejectsAbsurdNumbers) {
   expectWrong("--task find", "which effect is it that studies should find?");
   expectWrong("--task find --ratio 0", "is no number from 0.05 to 20");
   expectWrong("--task find --ratio nan", "is no number from 0.05 to 20");
-  expectWrong("--task find --ratio 0.8 --residual-sd -1", "is no number from 0 to 5");
+  expectWrong("--task find --ratio 0.8 --residual-sd -1", "is no number from 0 to 180");
   expectWrong("--task count --share-ppc 1 --share-gc 0.5", "is no number from 0.01 to 0.99");
   expectWrong("--task find --ratio 0.8 --subjects 1,10", "a study of one subject");
   expectWrong("--task find --ratio 0.8 --subjects 20,10", "do not rise");
