@@ -14,11 +14,12 @@ TaskKind findTask();
 TaskKind countTask();
 TaskKind pathTask();
 TaskKind nearerTask();
+TaskKind frontTask();
 
 namespace {
 
 Registry<TaskKind>& taskRegistry() {
-  static Registry<TaskKind> registry("task", {findTask(), countTask(), pathTask(), nearerTask()});
+  static Registry<TaskKind> registry("task", {findTask(), countTask(), pathTask(), nearerTask(), frontTask()});
   return registry;
 }
 
