@@ -6,6 +6,7 @@
 
 #include "oc_core/image/color.h"
 #include "oc_core/render/identity_image.h"
+#include "study/task/task.h"
 #include "study/task/trial_image.h"
 #include "study/views/display_light.h"
 #include "tests/study_views/view_examples.h"

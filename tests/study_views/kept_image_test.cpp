@@ -18,7 +18,7 @@ TEST(KeptImage, GivesTheSameBytesAtItsSize) {
     Image<uint32_t> objects(width, height, kNothing);
     for (size_t lit = random.below(pixels.size()); lit > 0; --lit) {
       const size_t at = random.below(pixels.size());
-      pixels[at] = Rgb8(random.below(256), random.below(256), random.below(256));
+      pixels[at] = Rgb8(glm::uvec3(random.below(256), random.below(256), random.below(256)));
       objects[at] = random.below(2) == 0 ? kNothing : 1 + static_cast<uint32_t>(random.below(3));
     }
     const ShownImage shown = KeptImage(pixels, objects).at({width, height});
@@ -53,7 +53,7 @@ TEST(KeptImage, KeepsTheLightWhereItIsScaled) {
   Image<Rgb8> pixels(30, 20, Rgb8(0));
   for (int y = 5; y < 15; ++y) {
     for (int x = 8; x < 19; ++x) {
-      pixels(x, y) = Rgb8(random.below(256));
+      pixels(x, y) = Rgb8(glm::uvec3(static_cast<unsigned>(random.below(256))));
     }
   }
   const auto meanOf = [](const Image<Rgb8>& image) {
