@@ -29,6 +29,16 @@ Mesh partOf(const Mesh& mesh, const std::vector<uint32_t>& objects, uint32_t obj
   return part;
 }
 
+/// Whether the box of the triangle reaches into that of the display.
+bool touchesDisplay(const Mesh& mesh, const glm::uvec3& triangle, const DisplayProfile& profile) {
+  Box box;
+  for (int i = 0; i < 3; ++i) {
+    box.add(mesh.positions[triangle[i]]);
+  }
+  const glm::vec3 half(1, static_cast<float>(profile.halfHeightRadii), 1);
+  return glm::all(glm::lessThanEqual(box.lower, half)) && glm::all(glm::greaterThanEqual(box.upper, -half));
+}
+
 float sumOf(const glm::vec3& light) {
   return light.x + light.y + light.z;
 }
@@ -45,30 +55,48 @@ double meanLuminance(const Image<glm::vec3>& light, double gain) {
 
 DisplayLight::DisplayLight(const DisplayViewOptions& options, const TrialLayout& layout, const PinholeCamera& camera)
     : options_(options),
-      mesh_(meshOf(layout)),
-      objectOf_(layout.scene->objectOfTriangle()),
       objectCount_(layout.scene->objectCount()),
       objects_(layout),
       camera_(camera),
-      frame_(camera, options) {}
-
-PinholeCamera DisplayLight::cameraAt(size_t pose) const {
-  View view = camera_.view();
-  view.eye = frame_.toWorld(options_.head.eyeOf(pose, frame_.fromWorld(camera_.eye())));
-  view.target = frame_.center();
-  return {view, camera_.width(), camera_.height()};
+      frame_(camera, options),
+      rest_(frame_.fromWorld(camera.eye())) {
+  mesh_ = meshOf(layout);
+  for (glm::vec3& position : mesh_.positions) {
+    position = frame_.fromWorld(position);
+  }
+  const std::vector<uint32_t>& objects = layout.scene->objectOfTriangle();
+  const std::vector<glm::uvec3> all = std::move(mesh_.triangles);
+  mesh_.triangles.clear();
+  for (size_t i = 0; i < all.size(); ++i) {
+    if (touchesDisplay(mesh_, all[i], options.profile)) {
+      mesh_.triangles.push_back(all[i]);
+      objectOf_.push_back(objects[i]);
+    }
+  }
 }
 
-DisplayLight::Volumes DisplayLight::volumesMadeAt(const PinholeCamera& camera) const {
-  Mesh mesh;
+Mesh DisplayLight::representationMadeAt(const glm::vec3& eye) const {
+  // It looks at the centre and just holds the display.
+  View view;
+  view.eye = eye;
+  view.target = glm::vec3(0);
+  const int side = std::min(camera_.width(), camera_.height());
   try {
-    mesh = options_.camera ? buildRepresentation(*options_.camera, camera, mesh_).mesh : mesh_;
+    return buildRepresentation(*options_.camera, PinholeCamera(view, side, side), mesh_).mesh;
   } catch (const InputError&) {
-    // Where the representation cannot be made, as the eye would lie within a wall, the display stays dark.
+    return {};  // where it cannot be made the display stays dark
   }
-  const std::vector<uint32_t> objects = options_.camera ? objects_.ofTriangles(mesh) : objectOf_;
-  for (glm::vec3& position : mesh.positions) {
-    position = frame_.fromWorld(position);
+}
+
+DisplayLight::Volumes DisplayLight::volumesMadeAt(const glm::vec3& eye) const {
+  const Mesh mesh = options_.camera ? representationMadeAt(eye) : mesh_;
+  std::vector<uint32_t> objects = objectOf_;
+  if (options_.camera) {
+    Mesh inWorld = mesh;
+    for (glm::vec3& position : inWorld.positions) {
+      position = frame_.toWorld(position);
+    }
+    objects = objects_.ofTriangles(inWorld);
   }
   const auto sliced = [&](const Mesh& part) {
     return part.empty() ? std::nullopt : std::optional(slice(part, options_.profile));
@@ -82,9 +110,8 @@ DisplayLight::Volumes DisplayLight::volumesMadeAt(const PinholeCamera& camera) c
 }
 
 const DisplayLight::Volumes& DisplayLight::volumesAt(size_t pose) {
-  const bool isForEach = options_.camera && options_.head.moves() && options_.madeAt == MadeAt::kEach;
-  if (!volumes_ || (isForEach && madeAt_ != pose)) {
-    volumes_ = volumesMadeAt(isForEach ? cameraAt(pose) : camera_);
+  if (!volumes_ || (isForEach() && madeAt_ != pose)) {
+    volumes_ = volumesMadeAt(isForEach() ? eyeAt(pose) : rest_);
     madeAt_ = pose;
   }
   return *volumes_;
@@ -104,7 +131,7 @@ Image<glm::vec3> DisplayLight::lightOf(const std::optional<Volume>& volume, cons
 
 DisplayLight::Seen DisplayLight::at(size_t pose) {
   const Volumes& volumes = volumesAt(pose);
-  const glm::vec3 eye = options_.head.eyeOf(pose, frame_.fromWorld(camera_.eye()));
+  const glm::vec3 eye = eyeAt(pose);
   Seen seen{lightOf(volumes.front(), eye), Image<uint32_t>(camera_.width(), camera_.height(), kNothing)};
   for (size_t object = 1; object < volumes.size(); ++object) {
     const Image<glm::vec3> own = lightOf(volumes[object], eye);
@@ -119,10 +146,7 @@ DisplayLight::Seen DisplayLight::at(size_t pose) {
 }
 
 double DisplayLight::gain() {
-  const glm::vec3 rest = frame_.fromWorld(camera_.eye());
-  const bool isForEach = options_.camera && options_.head.moves() && options_.madeAt == MadeAt::kEach;
-  const Image<glm::vec3> light =
-      isForEach ? lightOf(volumesMadeAt(camera_).front(), rest) : lightOf(volumesAt(0).front(), rest);
+  const Image<glm::vec3> light = lightOf(isForEach() ? volumesMadeAt(rest_).front() : volumesAt(0).front(), rest_);
   return options_.meanLuminance ? gainForMean(light, *options_.meanLuminance) : automaticGain(light);
 }
 

@@ -124,7 +124,8 @@ DisplayProfile readProfileField(JsonFields& fields) {
   return loadProfile(value.get<std::string>());
 }
 
-/// Around the eye at rest, just large enough for all of its poses; that of a camera's own where the eye rests.
+/// Around the eye at rest, just large enough for all of its poses, in radii of the display; the usual one where the eye
+/// rests.
 ViewCell cellOf(const DisplayViewOptions& options) {
   ViewCell cell;
   const glm::vec3 rest(0, 0, options.distanceMeters / options.radiusMeters);
@@ -134,7 +135,7 @@ ViewCell cellOf(const DisplayViewOptions& options) {
     farthest = std::max({farthest, by.x, by.y, by.z});
   }
   if (farthest > 0) {
-    cell.sideRadii = 2 * farthest * static_cast<float>(options.radiusMeters);
+    cell.sideRadii = 2 * farthest;
   }
   return cell;
 }

@@ -1,16 +1,42 @@
 #include "study/views/kept_image.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/common.hpp>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/image/color.h"
 #include "oc_core/render/identity_image.h"
 
 namespace ocelli {
 namespace {
 
 constexpr size_t kRowsOfTask = 32;
+
+/// Linear light of bytes, and bytes of linear light: by tables, as screens ask for millions of pixels a second.
+class Encoding {
+ public:
+  Encoding() {
+    for (size_t i = 0; i < linear_.size(); ++i) {
+      linear_[i] = linearFromSrgbByte(static_cast<uint8_t>(i));
+    }
+    for (size_t i = 0; i < bytes_.size(); ++i) {
+      bytes_[i] = srgbByteFromLinear(static_cast<float>(i) / kLast);
+    }
+  }
+  glm::vec3 linear(const Rgb8& pixel) const { return {linear_[pixel.x], linear_[pixel.y], linear_[pixel.z]}; }
+  Rgb8 bytes(const glm::vec3& light) const { return {byte(light.x), byte(light.y), byte(light.z)}; }
+
+ private:
+  uint8_t byte(float light) const { return bytes_[static_cast<size_t>(light * kLast + 0.5f)]; }
+
+  /// The darkest bytes are a 3,300th apart, so that each byte comes back.
+  static constexpr float kLast = (1 << 14) - 1;
+
+  std::array<float, 256> linear_{};
+  std::array<uint8_t, 1 << 14> bytes_{};
+};
 
 /// Where a pixel of a larger or smaller image lies in the one that is kept, along one side.
 struct Tap {
@@ -86,8 +112,9 @@ ShownImage KeptImage::at(const glm::ivec2& size) const {
   const Image<uint32_t> objects = objectsWithin();
   const std::vector<Tap> columns = tapsOf(size_.x, size.x);
   const std::vector<Tap> rows = tapsOf(size_.y, size.y);
-  const auto pixelAt = [&](int x, int y) {
-    return pixels_.contains(x - corner_.x, y - corner_.y) ? glm::vec3(pixels_(x - corner_.x, y - corner_.y))
+  static const Encoding kEncoding;
+  const auto lightAt = [&](int x, int y) {
+    return pixels_.contains(x - corner_.x, y - corner_.y) ? kEncoding.linear(pixels_(x - corner_.x, y - corner_.y))
                                                           : glm::vec3(0);
   };
   // Columns that nothing is kept of stay black.
@@ -104,11 +131,11 @@ ShownImage KeptImage::at(const glm::ivec2& size) const {
       for (auto x = static_cast<size_t>(begin); x < static_cast<size_t>(end); ++x) {
         const Tap& column = columns[x];
         const glm::vec3 upper =
-            glm::mix(pixelAt(column.first, row.first), pixelAt(column.first + 1, row.first), column.second);
+            glm::mix(lightAt(column.first, row.first), lightAt(column.first + 1, row.first), column.second);
         const glm::vec3 lower =
-            glm::mix(pixelAt(column.first, row.first + 1), pixelAt(column.first + 1, row.first + 1), column.second);
+            glm::mix(lightAt(column.first, row.first + 1), lightAt(column.first + 1, row.first + 1), column.second);
         const glm::ivec2 at(static_cast<int>(x), static_cast<int>(y));
-        shown.pixels(at.x, at.y) = Rgb8(glm::mix(upper, lower, row.second) + 0.5f);
+        shown.pixels(at.x, at.y) = kEncoding.bytes(glm::mix(upper, lower, row.second));
         const glm::ivec2 nearest = glm::ivec2(column.nearest, row.nearest) - corner_;
         if (objects.contains(nearest.x, nearest.y)) {
           shown.objects(at.x, at.y) = objects(nearest.x, nearest.y);

@@ -16,8 +16,8 @@ class KeptImage {
   KeptImage(const Image<Rgb8>& pixels, const Image<uint32_t>& objects);
 
   size_t bytes() const;
-  /// As large as `size`: the same bytes where that is the size of the image, else interpolated between the four pixels
-  /// around, as encoded; objects are those of the nearest pixel. Without positions of objects.
+  /// As large as `size`: the same bytes where that is the size of the image, else interpolated between the light of the
+  /// four pixels around; objects are those of the nearest pixel. Without positions of objects.
   ShownImage at(const glm::ivec2& size) const;
 
  private:
