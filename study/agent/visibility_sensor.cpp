@@ -375,7 +375,7 @@ void VisibilitySensor::addView(const TrialLayout& layout, const Mesh& mesh, int 
   const std::optional<ViewMesh> of = viewMesh(shown.get(), scene, mesh);
   if (!of) {
     const auto& image = std::get<ShownImage>(*shown);
-    addObjects(image.objects, [&](const glm::ivec2& pixel) { return image.positions(pixel.x, pixel.y); });
+    addObjects(image.objects, [&](const glm::ivec2& pixel) { return image.positionAt(pixel); });
     return;
   }
   const FragmentImage fragments = renderer_(each.camera, *of->mesh);

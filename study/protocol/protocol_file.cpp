@@ -116,6 +116,19 @@ std::vector<FactorLevels> readCaseLevels(JsonFields& fields, const std::vector<S
   return levels;
 }
 
+/// An eye that moves by itself goes with tasks in which nothing else does: images of all its poses are made beforehand.
+void checkEyes(JsonFields& fields, const TaskBlock& task, const StudyConditions& conditions) {
+  for (const TrialView view : conditions.names.all()) {
+    if (conditions.views[indexOfCondition(view)]->movesEye() && !task.isStill()) {
+      fields.fail("task",
+                  fmt::format("is one in which the subject or an object moves, but the view of the condition "
+                              "\"{}\" has a \"head\" that moves: leave \"head\" away, or take a task in which all "
+                              "stands still",
+                              conditions.names.nameOf(view)));
+    }
+  }
+}
+
 /// What is wrong with cases of a table is told with its line and column.
 template <class Read>
 auto readFromTable(const CsvCases* table, const Read& read) {
@@ -170,6 +183,7 @@ ProtocolBlock readBlock(JsonFields& fields, const Protocol& protocol, const Task
       block.task = leveledBlock(block.task, block.staircase->levelsByCase());
     }
   });
+  checkEyes(fields, *block.task, setting.conditions);
   readFromTable(tables.practice, [&] { block.practice = readPractice(fields, outline.practice, kind, setting); });
   if (fields.has("example_cases")) {
     block.examples = kind.read(fields, "example_cases", setting);

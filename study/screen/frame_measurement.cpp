@@ -69,10 +69,12 @@ std::vector<MeasuredTrial> measureTrials(GlWindow& window, const Protocol& proto
     }
     const ProtocolBlock& block = protocol.blocks[static_cast<size_t>(plan.block)];
     const std::unique_ptr<TrialRun> run = block.task->start(plan, screen);
+    const int64_t began = steadyNow();
     const std::vector<int64_t> shown =
         showFrames(window, painter, kSettlingTrialFrames, kTrialSeconds, kMinTrialFrames, [&](int /*frame*/) {
           TrialScreenView view;
           view.layout = run->layout();
+          view.layout.tick = ticksBetween(began, steadyNow());
           painter.draw(view);
         });
     all.push_back({block.name, protocol.nameOf(plan.view),

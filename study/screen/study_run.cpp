@@ -11,6 +11,7 @@
 #include "study/screen/run_environment.h"
 #include "study/screen/session_loop.h"
 #include "study/screen/session_plan.h"
+#include "study/session/trial_preparation.h"
 #include "study/session/utc_time.h"
 #include "study/store/program_version.h"
 #include "study/store/trial_store.h"
@@ -112,6 +113,27 @@ TimingCheck checkWindow(GlWindow& window, const Monitor& monitor, const Protocol
   return check;
 }
 
+/// Says how far it is by tenths.
+void prepareImages(GlWindow& window, const Protocol& protocol, const SessionSchedule& schedule,
+                   const TrialScreen& screen, const StudyRunOptions& options) {
+  int tenths = -1;
+  const int64_t began = steadyNow();
+  const int prepared = prepareTrials(protocol, schedule, screen, [&](std::string_view stage, double fraction) {
+    window.pollTimed(0);  // so that the desktop does not take it for dead
+    if (options.interrupted && options.interrupted()) {
+      throw WorkError("interrupted", "making images", "start the session again");
+    }
+    if (const auto now = static_cast<int>(10 * fraction); now > tenths) {
+      tenths = now;
+      tell(options, fmt::format("images    {}: {} %", stage, 10 * tenths));
+    }
+  });
+  if (prepared > 0) {
+    tell(options, fmt::format("images    of {} trials and pages, made in {:.0f} s", prepared,
+                              static_cast<double>(steadyNow() - began) / 1e9));
+  }
+}
+
 /// A database that there is not yet is made last, so that a run which is refused leaves none.
 SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protocol, SessionPlan plan,
                       const StudyRunOptions& options) {
@@ -161,6 +183,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   // Of a new subject the slot is not known; every slot has trials of each block and view.
   const SessionSchedule likely = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
   tryTrials(protocol, likely, flowOptions.screen);
+  prepareImages(window, protocol, likely, flowOptions.screen, options);
   const std::vector<std::string> slow =
       slowTrials(measureTrials(window, protocol, likely, flowOptions.screen, flowOptions.intervalNanoseconds));
   if (!slow.empty() && !options.force) {
@@ -185,6 +208,9 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   const std::optional<std::string> change =
       screenChange(database, options.subject, flowOptions.screen, protocol.timing.refreshTolerance);
   const SessionSchedule schedule = scheduleOf(protocol, plan.subject.slot, plan.session.session, plan.session.seed);
+  if (schedule != likely) {
+    prepareImages(window, protocol, schedule, flowOptions.screen, options);
+  }
 
   RunRecord run;
   run.subject = options.subject;

@@ -36,6 +36,10 @@ class SceneView {
   virtual ~SceneView() = default;
   /// At least one; each as large as its place, which lies within those of the vantage.
   virtual std::vector<TrialLayout::View> views(const Vantage& from) const = 0;
+  /// Whether the eye moves by itself during a trial: for tasks in which nothing else moves (TaskBlock::isStill()).
+  virtual bool movesEye() const { return false; }
+  /// Whether a view from that pinhole can show what is within the box, where nothing hides it and it is in sight.
+  virtual bool reaches(const PinholeCamera& /*pinhole*/, const Box& /*box*/) const { return true; }
 };
 
 /// The pinholes of the task, or of a variant of its vantage, as they are.

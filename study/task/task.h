@@ -97,6 +97,8 @@ class TaskBlock {
 
   virtual int caseCount() const = 0;
   virtual CaseInfo caseInfo(int caseIndex) const = 0;
+  /// Whether neither the subject nor an object moves while the scene shows.
+  virtual bool isStill() const { return false; }
   /// The right answer of a case, for the schedule that `study check` prints: "object at row 2, column 5", "6", ...
   virtual std::string answerOf(const TrialPlan& plan) const = 0;
   /// Of how many answers one is right, each as likely to be guessed; 0 where that cannot be said.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "oc_core/base/input_event.h"
+#include "oc_core/base/progress.h"
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/image/image.h"
@@ -49,23 +50,33 @@ struct ShownMesh {
 /// An image that is as large as the place of its view, where no camera draws it from a mesh.
 struct ShownImage {
   Image<Rgb8> pixels;
-  Image<uint32_t> objects;     ///< as identity_image.h
-  Image<glm::vec3> positions;  ///< where the surface is that shows, of pixels with an object
+  Image<uint32_t> objects;                   ///< as identity_image.h
+  Image<glm::vec3> positions;                ///< where the surface is that shows, of pixels with an object; or empty
+  std::vector<glm::vec3> placesOfObjects{};  ///< of each object, where there are no positions
+
+  /// Of a pixel with an object.
+  glm::vec3 positionAt(const glm::ivec2& pixel) const {
+    return positions.size() > 0 ? positions(pixel.x, pixel.y) : placesOfObjects.at(objects(pixel.x, pixel.y) - 1);
+  }
 };
 using ShownContent = std::variant<ShownMesh, ShownImage>;
 /// Makes it of the scene and the objects of a layout. Any thread may call it at any time; it may take long, and keep
 /// what it made.
 using ShowScene = std::function<std::shared_ptr<const ShownContent>(const TrialLayout& layout)>;
+/// Makes, and keeps, all that the view shows at any tick of a trial whose scene and objects are those of the layout, so
+/// that screens need not wait for it. Throws InputError where it is more than is kept.
+using PrepareScene = std::function<void(const TrialLayout& layout, const Progress& progress)>;
 
 struct TrialLayout {
   /// An image, as large as its place.
   struct View {
-    View(const PixelRect& at, StudyCamera from, ShowScene shows = {})
-        : place(at), camera(std::move(from)), show(std::move(shows)) {}
+    View(const PixelRect& at, StudyCamera from, ShowScene shows = {}, PrepareScene prepares = {})
+        : place(at), camera(std::move(from)), show(std::move(shows)), prepare(std::move(prepares)) {}
 
     PixelRect place;
-    StudyCamera camera;  ///< where it is looked from
-    ShowScene show;      ///< what the camera shows; the scene where it is empty
+    StudyCamera camera;    ///< where it is looked from
+    ShowScene show;        ///< what the camera shows; the scene where it is empty
+    PrepareScene prepare;  ///< of views that take longer to make than a frame lasts; else empty
   };
   /// A path drawn as a map: corners in metres, x to the east, y to the south; the first is the start.
   struct PathMap {
@@ -97,6 +108,7 @@ struct TrialLayout {
   const StudyScene* scene = nullptr;       ///< of the views; lives as long as the trial
   std::vector<glm::vec3> objectOffsets{};  ///< of the objects of `scene`, from where they stand at first
   std::vector<View> views{};
+  int64_t tick = 0;  ///< since the trial began: what moves in views by itself, such as a head, takes it from here
   std::vector<PathMap> maps{};
   std::vector<Choice> choices{};
   std::optional<Scale> scale{};

@@ -107,6 +107,7 @@ class CountBlock : public TaskBlock {
     info.typicalSeconds = of.exposureSeconds + std::min(kTypicalCountSeconds, options_.answerLimitSeconds);
     return info;
   }
+  bool isStill() const override { return !options_.movingMetersPerSecond; }
   std::string answerOf(const TrialPlan& plan) const override { return std::to_string(caseOf(plan.caseIndex).objects); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
@@ -220,6 +221,7 @@ class CountRun : public TrialRun {
   TrialLayout layout() const override {
     TrialLayout layout;
     layout.scene = &scene_;
+    layout.tick = tick_;
     if (isShowing()) {
       for (size_t i = 0; walk_ && i < walk_->size(); ++i) {
         const glm::vec3 from = block_.maze().centerOf(scene_.maze().landmarks[i].cell);

@@ -112,6 +112,7 @@ class NearerBlock : public TaskBlock {
     info.typicalSeconds = std::min(kTypicalNearerSeconds, options_.answerLimitSeconds);
     return info;
   }
+  bool isStill() const override { return true; }
   std::string answerOf(const TrialPlan& plan) const override { return kSideNames[nearerSide(caseOf(plan))]; }
   int choiceCount() const override { return static_cast<int>(kSideNames.size()); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
@@ -211,6 +212,7 @@ class NearerRun : public TrialRun {
 
   TrialLayout layout() const override {
     TrialLayout layout = layout_;
+    layout.tick = tick_;
     layout.choices = choices_.choices();
     layout.pointer = pointer_.place();
     return layout;

@@ -16,12 +16,13 @@ TaskKind pathTask();
 TaskKind nearerTask();
 TaskKind distanceTask();
 TaskKind directionTask();
+TaskKind frontTask();
 
 namespace {
 
 Registry<TaskKind>& taskRegistry() {
   static Registry<TaskKind> registry(
-      "task", {findTask(), countTask(), pathTask(), nearerTask(), distanceTask(), directionTask()});
+      "task", {findTask(), countTask(), pathTask(), nearerTask(), distanceTask(), directionTask(), frontTask()});
   return registry;
 }
 

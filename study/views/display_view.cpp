@@ -1,24 +1,20 @@
 // What an eye before a swept-screen volumetric display sees, simulated: a part of the scene ahead of the task's eye
-// stands in the display, whole or as a representation holds it, and nothing hides anything (display_sim/observing).
+// stands in the display, whole or as a representation holds it, and nothing hides anything (display_sim/observing). The
+// eye may move about the display: a representation that was made where it rests shows gaps then, and the whole scene
+// its hidden light.
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <memory>
-#include <optional>
 
-#include "display_sim/observing/observer.h"
-#include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/ocri/representation.h"
-#include "oc_core/render/identity_image.h"
-#include "study/task/trial_image.h"
 #include "study/views/camera_field.h"
-#include "study/views/made_view.h"
-#include "study/views/shown_objects.h"
+#include "study/views/image_store.h"
+#include "study/views/shown_cache.h"
 #include "study/views/view_registry.h"
 
 namespace ocelli {
@@ -28,102 +24,91 @@ constexpr double kMaxDistanceMeters = 100;
 constexpr double kMaxRadiusMeters = 60;
 /// So far from the display's centre, in its radii, the eye is outside of it, wherever it stands.
 constexpr double kMinDistanceRadii = 1.5;
-/// Of the light of a pixel that an object must give to be seen there.
-constexpr float kOwnLightShare = 0.5f;
+constexpr int kMinImageRows = 64;
+constexpr int kMaxImageRows = 2160;
+constexpr std::array kMadeAt{MadeAt::kRest, MadeAt::kEach};
 
-struct DisplayViewOptions {
-  DisplayProfile profile;
-  double distanceMeters = 6;  ///< from the eye to the display's centre
-  double radiusMeters = 3;    ///< of the scene that the display's radius stands for
-  std::optional<CameraChoice> camera{};
-};
-
-/// The display's coordinates for one eye: y up, the eye on the side of +z.
-class DisplayFrame {
- public:
-  DisplayFrame(const PinholeCamera& camera, const DisplayViewOptions& options)
-      : center_(camera.eye() + static_cast<float>(options.distanceMeters) * camera.forward()),
-        radius_(static_cast<float>(options.radiusMeters)),
-        right_(glm::normalize(glm::cross(camera.forward(), glm::vec3(0, 1, 0)))),
-        back_(glm::cross(right_, glm::vec3(0, 1, 0))) {}
-
-  glm::vec3 fromWorld(const glm::vec3& point) const {
-    const glm::vec3 p = (point - center_) / radius_;
-    return {glm::dot(p, right_), p.y, glm::dot(p, back_)};
-  }
-
- private:
-  glm::vec3 center_;
-  float radius_;
-  glm::vec3 right_;
-  glm::vec3 back_;
-};
-
-/// The triangles whose object is `object`, or all where there is none.
-Mesh partOf(const Mesh& mesh, const std::vector<uint32_t>& objects, uint32_t object) {
-  Mesh part = mesh;
-  part.triangles.clear();
-  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
-    if (objects[i] == object) {
-      part.triangles.push_back(mesh.triangles[i]);
-    }
-  }
-  return part;
-}
-
-class DisplayView final : public MadeView {
+class DisplayView final : public SceneView, public std::enable_shared_from_this<DisplayView> {
  public:
   explicit DisplayView(DisplayViewOptions options) : options_(std::move(options)) {}
 
- private:
-  std::shared_ptr<const ShownContent> make(const TrialLayout& layout, const PinholeCamera& camera) const override {
-    ShownImage shown;
-    shown.objects = Image<uint32_t>(camera.width(), camera.height(), kNothing);
-    shown.positions = Image<glm::vec3>(camera.width(), camera.height(), glm::vec3(0));
-    Mesh mesh;
-    try {
-      mesh = options_.camera ? buildRepresentation(*options_.camera, camera, meshOf(layout)).mesh : meshOf(layout);
-    } catch (const InputError&) {
-      // Where the representation cannot be made, as the eye would lie within a wall, the display stays dark.
+  std::vector<TrialLayout::View> views(const Vantage& from) const override {
+    std::vector<TrialLayout::View> views;
+    for (const Vantage::Pane& pane : from.pinholes) {
+      // They hold the view: a layout may outlive the protocol.
+      const auto show = [self = shared_from_this(), camera = pane.camera, panes = from.pinholes.size()](
+                            const TrialLayout& layout) { return self->show(layout, camera, panes); };
+      const auto prepare = [self = shared_from_this(), camera = pane.camera](const TrialLayout& layout,
+                                                                             const Progress& progress) {
+        self->prepare(layout, camera, progress);
+      };
+      views.emplace_back(pane.place, pane.camera, show, prepare);
     }
-    const std::vector<uint32_t> objects =
-        options_.camera ? ShownObjects(layout).ofTriangles(mesh) : layout.scene->objectOfTriangle();
-    const DisplayFrame frame(camera, options_);
-    for (glm::vec3& position : mesh.positions) {
-      position = frame.fromWorld(position);
-    }
-    ObserverOptions observer;
-    observer.eye = frame.fromWorld(camera.eye());
-    observer.width = camera.width();
-    observer.height = camera.height();
-    observer.fovVerticalDegrees = camera.view().resolvedFovVerticalDegrees();
-    Image<glm::vec3> light = lightOf(mesh, observer);
-    for (size_t i = 0; i < layout.scene->objectCount(); ++i) {
-      const auto object = static_cast<uint32_t>(i + 1);
-      const Image<glm::vec3> own = lightOf(partOf(mesh, objects, object), observer);
-      const Box& box = layout.scene->boxOf(i);
-      const glm::vec3 offset = i < layout.objectOffsets.size() ? layout.objectOffsets[i] : glm::vec3(0);
-      for (size_t pixel = 0; pixel < own.size(); ++pixel) {
-        const float all = light[pixel].x + light[pixel].y + light[pixel].z;
-        if (all > 0 && own[pixel].x + own[pixel].y + own[pixel].z >= kOwnLightShare * all) {
-          shown.objects[pixel] = object;
-          shown.positions[pixel] = (box.lower + box.upper) / 2.0f + offset;
-        }
-      }
-    }
-    applyTone(light, {.gain = automaticGain(light)});
-    shown.pixels = srgbFromLinear(light);
-    return std::make_shared<const ShownContent>(std::move(shown));
+    return views;
+  }
+  bool movesEye() const override { return options_.head.moves(); }
+  bool reaches(const PinholeCamera& pinhole, const Box& box) const override {
+    const DisplayFrame frame(pinhole, options_);
+    const auto corners = cornersOf(box);
+    return std::all_of(corners.begin(), corners.end(), [&](const glm::vec3& corner) {
+      const glm::dvec3 p(frame.fromWorld(corner));
+      return std::hypot(p.x, p.z) <= 1 && std::abs(p.y) <= options_.profile.halfHeightRadii;
+    });
   }
 
-  Image<glm::vec3> lightOf(const Mesh& mesh, const ObserverOptions& observer) const {
-    if (mesh.empty()) {
-      return {observer.width, observer.height, glm::vec3(0)};
+ private:
+  /// With the size of the images that are kept.
+  PinholeCamera imageCamera(const PinholeCamera& pinhole) const {
+    const int rows = options_.imageRows;
+    if (rows == 0 || rows >= pinhole.height()) {
+      return pinhole;
     }
-    return collectLight(slice(mesh, options_.profile), observer);
+    const double columns = static_cast<double>(pinhole.width()) * rows / pinhole.height();
+    return {pinhole.view(), std::max(1, static_cast<int>(std::lround(columns))), rows};
+  }
+  /// Of one pose: what shown images are told apart by.
+  PinholeCamera poseCamera(const PinholeCamera& pinhole, size_t pose) const {
+    const DisplayFrame frame(pinhole, options_);
+    View view = pinhole.view();
+    view.eye = frame.toWorld(options_.head.eyeOf(pose, frame.fromWorld(pinhole.eye())));
+    return {view, pinhole.width(), pinhole.height()};
+  }
+
+  std::shared_ptr<const ShownContent> show(const TrialLayout& layout, const PinholeCamera& pinhole,
+                                           size_t panes) const {
+    const size_t pose = options_.head.poseAt(layout.tick);
+    const PinholeCamera key = options_.head.moves() ? poseCamera(pinhole, pose) : pinhole;
+    return shown_.get(layout, key, panes, [&] {
+      const std::shared_ptr<PoseImages> images = store_.get(options_, layout, imageCamera(pinhole));
+      ShownImage image = images->at(pose).at({pinhole.width(), pinhole.height()});
+      for (size_t i = 0; i < layout.scene->objectCount(); ++i) {
+        const Box& box = layout.scene->boxOf(i);
+        image.placesOfObjects.push_back(box.center() +
+                                        (i < layout.objectOffsets.size() ? layout.objectOffsets[i] : glm::vec3(0)));
+      }
+      return std::make_shared<const ShownContent>(std::move(image));
+    });
+  }
+
+  void prepare(const TrialLayout& layout, const PinholeCamera& pinhole, const Progress& progress) const {
+    const std::shared_ptr<PoseImages> images = store_.get(options_, layout, imageCamera(pinhole));
+    const size_t count = options_.head.poseCount();
+    for (size_t pose = 0; pose < count; ++pose) {
+      images->at(pose);
+      report(progress, "images of the display", static_cast<double>(pose + 1) / static_cast<double>(count));
+    }
+    images->forgetVolumes();
+    if (store_.bytes() > ImageStore::kMaxBytes) {
+      throw InputError(fmt::format("the images of all trials of a condition would take more than {} MiB",
+                                   ImageStore::kMaxBytes >> 20),
+                       "a view of kind \"display\"",
+                       "take fewer \"images\" of \"head\", fewer \"image_rows\", or fewer cases");
+    }
   }
 
   DisplayViewOptions options_;
+  mutable ImageStore store_;
+  mutable ShownCache shown_;
 };
 
 /// A database holds all that its trials show: no profile stands in a file beside it.
@@ -139,6 +124,22 @@ DisplayProfile readProfileField(JsonFields& fields) {
   return loadProfile(value.get<std::string>());
 }
 
+/// Around the eye at rest, just large enough for all of its poses, in radii of the display; the usual one where the eye
+/// rests.
+ViewCell cellOf(const DisplayViewOptions& options) {
+  ViewCell cell;
+  const glm::vec3 rest(0, 0, options.distanceMeters / options.radiusMeters);
+  float farthest = 0;
+  for (size_t pose = 0; options.head.moves() && pose < options.head.poseCount(); ++pose) {
+    const glm::vec3 by = glm::abs(options.head.eyeOf(pose, rest) - rest);
+    farthest = std::max({farthest, by.x, by.y, by.z});
+  }
+  if (farthest > 0) {
+    cell.sideRadii = 2 * farthest;
+  }
+  return cell;
+}
+
 std::shared_ptr<const SceneView> readDisplayView(JsonFields& fields) {
   DisplayViewOptions options{.profile = loadProfile("perspecta")};
   if (fields.has("profile")) {
@@ -152,9 +153,25 @@ std::shared_ptr<const SceneView> readDisplayView(JsonFields& fields) {
                                                "that the eye is outside of the display",
                                                options.distanceMeters, corner, options.radiusMeters));
   }
-  if (fields.has("camera")) {
-    options.camera = readCameraField(fields);
+  if (fields.has("head")) {
+    JsonFields head = fields.inner("head");
+    options.head = HeadMotion::read(head, options.profile);
+    head.rejectUnknown();
   }
+  if (fields.has("camera")) {
+    options.camera = readCameraField(fields, cellOf(options));
+  }
+  if (fields.has("made_at")) {
+    options.madeAt = fields.choiceOf("made_at", kMadeAt);
+    if (!options.camera || !options.head.moves()) {
+      fields.fail("made_at",
+                  "says where a \"camera\" is made for an eye that moves: there must be \"camera\" and \"head\"");
+    }
+  }
+  if (fields.has("mean_luminance")) {
+    options.meanLuminance = fields.number("mean_luminance", 0.0001, 0.5);
+  }
+  options.imageRows = fields.integer("image_rows", kMinImageRows, kMaxImageRows, 0);
   return std::make_shared<DisplayView>(std::move(options));
 }
 

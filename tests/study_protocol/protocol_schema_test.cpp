@@ -206,7 +206,7 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
            {"display",
             R"({"distance_meters": 100, "radius_meters": 0.01})",
             {},
-            {"camera", "profile", "distance_meters", "radius_meters"}}}) {
+            {"camera", "profile", "distance_meters", "radius_meters", "head", "mean_luminance", "image_rows"}}}) {
     Json description = def("view");
     Json properties{{"$schema", Json::object()}, {"comment", Json::object()}, {"kind", Json::object()}};
     for (const std::vector<std::string>* names : {&options.required, &options.others}) {

@@ -15,7 +15,10 @@ const std::vector<ViewExample>& viewExamples() {
       {"ocri", R"({"kind": "ocri", "camera": "eoc-h", "eye_offset_meters": [0.3, 0, 0], "image_scale": 2})"},
       {"camera", R"({"kind": "camera", "camera": "panorama"})"},
       {"camera", R"({"kind": "camera", "camera": "ddoc"})"},
-      {"display", R"({"kind": "display", "profile": "test", "distance_meters": 7.5, "radius_meters": 4})"}};
+      {"display", R"({"kind": "display", "profile": "test", "distance_meters": 7.5, "radius_meters": 4})"},
+      {"display", R"({"kind": "display", "profile": "test", "distance_meters": 7.5, "radius_meters": 4, "camera": "di",
+                      "head": {"sway_degrees": 8, "images": 5}, "made_at": "each", "mean_luminance": 0.02,
+                      "image_rows": 100})"}};
   return kExamples;
 }
 
