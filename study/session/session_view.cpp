@@ -53,12 +53,16 @@ SessionScreen SessionFlow::State::screen() const {
   return std::visit([&](const auto& step) { return screenOf(step); }, agenda.front());
 }
 
-std::string SessionFlow::State::nameOf(const TrialStep& step) const {
+std::string SessionFlow::State::blindNameOf(const TrialStep& step) const {
   const TrialPlan& plan = step.plan;
-  const ProtocolBlock& block = blockOf(plan.block);
-  return fmt::format("{}{}, {}, {}, {}", trial ? "" : "before ",
+  return fmt::format("{}{}, {}", trial ? "" : "before ",
                      plan.practice ? "practice" : fmt::format("trial {} of {}", plan.index + 1, schedule.trials.size()),
-                     block.name, protocol.nameOf(plan.view), taskOf(plan).caseInfo(plan.caseIndex).label);
+                     blockOf(plan.block).name);
+}
+
+std::string SessionFlow::State::nameOf(const TrialStep& step) const {
+  return fmt::format("{}, {}, {}", blindNameOf(step), protocol.nameOf(step.plan.view),
+                     taskOf(step.plan).caseInfo(step.plan.caseIndex).label);
 }
 
 }  // namespace ocelli

@@ -53,6 +53,12 @@ class SayingSink final : public FakeSink {
     }
     store_.inputs(number, records);
   }
+  void gaze(int number, std::span<const GazeRecord> records) override {
+    for (const GazeRecord& record : records) {
+      digest_.add(record);
+    }
+    store_.gaze(number, records);
+  }
   void trialEnds(int number, const TrialRecord& record, std::function<void()>) override {
     const AcknowledgedTrial trial{record.plan.index,     record.attempt,        record.plan.practice,
                                   nameOf(record.ending), record.outcome.answer, digest_.value()};

@@ -265,7 +265,7 @@ TEST_F(StudyDatabaseTest, KeepsRecordedRowsAsTheyAre) {
   }
   SQLite::Database raw(file_.string(), SQLite::OPEN_READWRITE);
   for (const char* table :
-       {"study", "subject", "session", "run", "consent", "answer", "trial", "frame", "input", "event", "audit"}) {
+       {"study", "subject", "session", "run", "consent", "answer", "trial", "frame", "input", "gaze", "event", "audit"}) {
     const std::string name = table;
     ASSERT_GT(raw.execAndGet("SELECT count(*) FROM " + name).getInt(), 0) << name;
     EXPECT_THROW(raw.exec("DELETE FROM " + name), SQLite::Exception) << name;
