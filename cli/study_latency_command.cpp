@@ -46,10 +46,11 @@ LatencyReport byBytes(const LatencyChoice& choice, LatencyText& text) {
     throw InputError("no device is named that could answer a byte", "--responses", "such as serial:/dev/ttyUSB0");
   }
   const auto device = openResponseDevice(choice.responses, {});
-  text = {device->description(),
-          fmt::format("byte 0x{:02x}, which the device sends back", byte),
-          {"the way of the byte to the device over the serial line and its driver"},
-          {"what the contact of a button adds: its travel, and its bounce", "the interval in which USB asks a converter"}};
+  text = {
+      device->description(),
+      fmt::format("byte 0x{:02x}, which the device sends back", byte),
+      {"the way of the byte to the device over the serial line and its driver"},
+      {"what the contact of a button adds: its travel, and its bounce", "the interval in which USB asks a converter"}};
   return measureLatency(
       *device,
       [&]() -> std::optional<int64_t> {

@@ -168,9 +168,9 @@ void addScreenOptions(CLI::App& command, RunChoice& choice) {
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
   command
-      .add_option("--responses", choice.responses,
-                  "What subjects answer with besides keyboard and mouse; may be given several times: " +
-                      responseDeviceForms())
+      .add_option(
+          "--responses", choice.responses,
+          "What subjects answer with besides keyboard and mouse; may be given several times: " + responseDeviceForms())
       ->type_name("DEVICE")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
@@ -180,9 +180,7 @@ void addScreenOptions(CLI::App& command, RunChoice& choice) {
       ->check(CLI::Range(0.0, 100.0))
       ->type_name("MS")
       ->capture_default_str();
-  command
-      .add_option("--gaze", choice.gaze,
-                  "Record where the subject looks, from an eye tracker: " + gazeInputForms())
+  command.add_option("--gaze", choice.gaze, "Record where the subject looks, from an eye tracker: " + gazeInputForms())
       ->type_name("INPUT");
   command
       .add_option("--live", choice.live,

@@ -1,5 +1,5 @@
-// libFuzzer target: any bytes as lines of an eye tracker. What is read is finite and on a screen, and the same in pieces
-// of whole lines as at once.
+// libFuzzer target: any bytes as lines of an eye tracker. What is read is finite and on a screen, and the same in
+// pieces of whole lines as at once.
 #include <cmath>
 #include <cstdlib>
 #include <string_view>

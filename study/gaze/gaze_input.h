@@ -65,8 +65,8 @@ class GazeInput {
   std::unique_ptr<State> state_;
 };
 
-/// "udp:HOST:PORT": shares of the screen where ",norm" follows, else pixels. Throws as open() does, and InputError for a
-/// kind that there is not.
+/// "udp:HOST:PORT": shares of the screen where ",norm" follows, else pixels. Throws as open() does, and InputError for
+/// a kind that there is not.
 std::unique_ptr<GazeBytes> openGazeBytes(const std::string& text);
 GazeUnit gazeUnitOf(const std::string& text);
 

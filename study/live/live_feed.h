@@ -57,7 +57,7 @@ class LiveFeed : public SessionSink {
   std::shared_ptr<LiveBoard> board_;
   LiveOptions options_;
   TimeLeft timeLeft_;
-  LiveStatus status_{};  ///< what adds up
+  LiveStatus status_{};      ///< what adds up
   std::string condition_{};  ///< of the trial that runs
   int64_t now_ = 0;
   std::optional<int64_t> posted_{};

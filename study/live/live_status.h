@@ -10,10 +10,10 @@ namespace ocelli {
 
 /// A trial that has ended.
 struct LiveTrial {
-  int number = 0;  ///< in the schedule, from 1; 0 for practice
-  std::string outcome;  ///< "right", "wrong", "time over" or "broken off"
+  int number = 0;              ///< in the schedule, from 1; 0 for practice
+  std::string outcome;         ///< "right", "wrong", "time over" or "broken off"
   double responseSeconds = 0;  ///< 0 where it was broken off
-  std::string condition{};  ///< empty where it is hidden
+  std::string condition{};     ///< empty where it is hidden
 };
 
 struct LiveDevice {
@@ -28,9 +28,9 @@ struct LiveWarning {
 };
 
 struct LiveStatus {
-  std::string step;           ///< "trial 12 of 24, find stationary"
-  std::string state;          ///< "running", "paused", "calls you" or "ended"
-  std::string condition{};    ///< of the trial that runs; empty where it is hidden, and between trials
+  std::string step;         ///< "trial 12 of 24, find stationary"
+  std::string state;        ///< "running", "paused", "calls you" or "ended"
+  std::string condition{};  ///< of the trial that runs; empty where it is hidden, and between trials
   bool hidesCondition = true;
   int trialsDone = 0;
   int trials = 0;
@@ -48,10 +48,10 @@ struct LiveStatus {
   long long lastDropped = 0;
   std::map<std::string, int> verdicts{};  ///< trials of each
 
-  std::vector<LiveTrial> lastTrials{};    ///< the newest first
+  std::vector<LiveTrial> lastTrials{};  ///< the newest first
   std::vector<LiveDevice> devices{};
-  std::vector<LiveWarning> warnings{};    ///< the newest first
-  int warningCount = 0;                   ///< of all
+  std::vector<LiveWarning> warnings{};  ///< the newest first
+  int warningCount = 0;                 ///< of all
 };
 
 /// JSON; `ageSeconds` is how old the status is.

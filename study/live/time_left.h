@@ -27,7 +27,7 @@ class TimeLeft {
 
  private:
   double typicalSeconds_;
-  std::optional<int64_t> last_{};  ///< end of the trial before
+  std::optional<int64_t> last_{};    ///< end of the trial before
   std::vector<double> intervals_{};  ///< seconds
 };
 

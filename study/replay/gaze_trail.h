@@ -1,5 +1,5 @@
-// Where a subject looked at a moment of a replay, and shortly before: a ring with a trail, white with a dark edge, which
-// stands out from every scene, for colour-blind people too.
+// Where a subject looked at a moment of a replay, and shortly before: a ring with a trail, white with a dark edge,
+// which stands out from every scene, for colour-blind people too.
 #pragma once
 
 #include <span>

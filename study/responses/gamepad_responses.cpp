@@ -24,31 +24,21 @@ enum class PartKind { kButton, kAxis };
 struct GamepadPart {
   const char* name;
   PartKind kind;
-  size_t index;      ///< of GamepadState
-  double sign;       ///< of an axis
-  const char* key;   ///< where no map is given; empty for none
+  size_t index;     ///< of GamepadState
+  double sign;      ///< of an axis
+  const char* key;  ///< where no map is given; empty for none
 };
 constexpr std::array kParts{
-    GamepadPart{"South", PartKind::kButton, 0, 1, "Space"},
-    GamepadPart{"East", PartKind::kButton, 1, 1, "Enter"},
-    GamepadPart{"West", PartKind::kButton, 2, 1, ""},
-    GamepadPart{"North", PartKind::kButton, 3, 1, ""},
-    GamepadPart{"LeftBumper", PartKind::kButton, 4, 1, ""},
-    GamepadPart{"RightBumper", PartKind::kButton, 5, 1, ""},
-    GamepadPart{"Back", PartKind::kButton, 6, 1, ""},
-    GamepadPart{"Start", PartKind::kButton, 7, 1, "Enter"},
-    GamepadPart{"LeftStick", PartKind::kButton, 9, 1, ""},
-    GamepadPart{"RightStick", PartKind::kButton, 10, 1, ""},
-    GamepadPart{"Up", PartKind::kButton, 11, 1, "Up"},
-    GamepadPart{"Right", PartKind::kButton, 12, 1, "Right"},
-    GamepadPart{"Down", PartKind::kButton, 13, 1, "Down"},
-    GamepadPart{"Left", PartKind::kButton, 14, 1, "Left"},
-    GamepadPart{"StickRight", PartKind::kAxis, 0, 1, "Right"},
-    GamepadPart{"StickLeft", PartKind::kAxis, 0, -1, "Left"},
-    GamepadPart{"StickDown", PartKind::kAxis, 1, 1, "Down"},
-    GamepadPart{"StickUp", PartKind::kAxis, 1, -1, "Up"},
-    GamepadPart{"LeftTrigger", PartKind::kAxis, 4, 1, ""},
-    GamepadPart{"RightTrigger", PartKind::kAxis, 5, 1, ""},
+    GamepadPart{"South", PartKind::kButton, 0, 1, "Space"},    GamepadPart{"East", PartKind::kButton, 1, 1, "Enter"},
+    GamepadPart{"West", PartKind::kButton, 2, 1, ""},          GamepadPart{"North", PartKind::kButton, 3, 1, ""},
+    GamepadPart{"LeftBumper", PartKind::kButton, 4, 1, ""},    GamepadPart{"RightBumper", PartKind::kButton, 5, 1, ""},
+    GamepadPart{"Back", PartKind::kButton, 6, 1, ""},          GamepadPart{"Start", PartKind::kButton, 7, 1, "Enter"},
+    GamepadPart{"LeftStick", PartKind::kButton, 9, 1, ""},     GamepadPart{"RightStick", PartKind::kButton, 10, 1, ""},
+    GamepadPart{"Up", PartKind::kButton, 11, 1, "Up"},         GamepadPart{"Right", PartKind::kButton, 12, 1, "Right"},
+    GamepadPart{"Down", PartKind::kButton, 13, 1, "Down"},     GamepadPart{"Left", PartKind::kButton, 14, 1, "Left"},
+    GamepadPart{"StickRight", PartKind::kAxis, 0, 1, "Right"}, GamepadPart{"StickLeft", PartKind::kAxis, 0, -1, "Left"},
+    GamepadPart{"StickDown", PartKind::kAxis, 1, 1, "Down"},   GamepadPart{"StickUp", PartKind::kAxis, 1, -1, "Up"},
+    GamepadPart{"LeftTrigger", PartKind::kAxis, 4, 1, ""},     GamepadPart{"RightTrigger", PartKind::kAxis, 5, 1, ""},
 };
 
 bool isPressed(const GamepadPart& part, const GamepadState& state, bool before) {
@@ -156,10 +146,11 @@ std::unique_ptr<ResponseDevice> openGamepad(const std::string& text, const Respo
 }  // namespace
 
 ResponseDeviceKind gamepadResponses() {
-  return {"gamepad", "gamepad[:BUTTON=KEY,...]",
-          "the first gamepad. Without a map the directional pad and the left stick are the arrows, South is Space, East "
-          "and Start are Enter",
-          openGamepad};
+  return {
+      "gamepad", "gamepad[:BUTTON=KEY,...]",
+      "the first gamepad. Without a map the directional pad and the left stick are the arrows, South is Space, East "
+      "and Start are Enter",
+      openGamepad};
 }
 
 }  // namespace ocelli

@@ -23,17 +23,17 @@ struct LatencyOptions {
 };
 
 struct LatencyReport {
-  int trials = 0;      ///< stimuli that were given
-  int missed = 0;      ///< of these, without an answer
-  int unexpected = 0;  ///< presses that came when none was due
+  int trials = 0;                      ///< stimuli that were given
+  int missed = 0;                      ///< of these, without an answer
+  int unexpected = 0;                  ///< presses that came when none was due
   std::vector<double> milliseconds{};  ///< of each answer, in their order
 };
 
 /// Quantile of the latencies by nearest rank, as that of 95 % is the 48th of 50; nothing where there are none.
 std::optional<double> latencyQuantile(const LatencyReport& report, double share);
 
-/// `stimulus` gives one and returns when, of the steady clock; nothing where it could not be given, which ends the test.
-/// `after` is called once the answer came, or did not. On the main thread.
+/// `stimulus` gives one and returns when, of the steady clock; nothing where it could not be given, which ends the
+/// test. `after` is called once the answer came, or did not. On the main thread.
 LatencyReport measureLatency(ResponseDevice& device, const std::function<std::optional<int64_t>()>& stimulus,
                              const std::function<void()>& after, const LatencyOptions& options);
 

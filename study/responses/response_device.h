@@ -46,7 +46,8 @@ class ResponseDevice {
 
 /// What devices need of the system beside files.
 struct ResponseTools {
-  /// The first gamepad that is connected; nothing where there is none. On the main thread. Empty: there are no gamepads.
+  /// The first gamepad that is connected; nothing where there is none. On the main thread. Empty: there are no
+  /// gamepads.
   std::function<std::optional<GamepadState>()> readGamepad{};
 };
 

@@ -179,10 +179,11 @@ std::unique_ptr<ResponseDevice> openSerial(const std::string& text, const Respon
 }  // namespace
 
 ResponseDeviceKind serialResponses() {
-  return {"serial", "serial:DEVICE[,BAUD][,BYTE=KEY...]",
-          "a box on a serial line: each byte that it sends is a key, \"-KEY\" that it is released. 115200 bits a second "
-          "where no rate is given; without a map digits and letters are the keys of that name",
-          openSerial};
+  return {
+      "serial", "serial:DEVICE[,BAUD][,BYTE=KEY...]",
+      "a box on a serial line: each byte that it sends is a key, \"-KEY\" that it is released. 115200 bits a second "
+      "where no rate is given; without a map digits and letters are the keys of that name",
+      openSerial};
 }
 
 }  // namespace ocelli

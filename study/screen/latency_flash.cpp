@@ -64,7 +64,9 @@ class BesideWindow : public ResponseDevice {
 class FlashScreen {
  public:
   explicit FlashScreen(GlWindow& window)
-      : window_(window), scope_(window.context()), target_(window.context(), window.pixelWidth(), window.pixelHeight()) {
+      : window_(window),
+        scope_(window.context()),
+        target_(window.context(), window.pixelWidth(), window.pixelHeight()) {
     show(false);
   }
 

@@ -25,9 +25,9 @@ RunDevices::RunDevices(const Protocol& protocol, const StudyRunOptions& options)
   std::vector<std::unique_ptr<ResponseDevice>> devices;
   for (const std::string& each : options.responses) {
     devices.push_back(openResponseDevice(each, {[] {
-                                                  initializeGlfw();
-                                                  return readFirstGamepad();
-                                                }}));
+                                           initializeGlfw();
+                                           return readFirstGamepad();
+                                         }}));
   }
   responses_ = std::make_unique<ResponseInput>(std::move(devices), options.debounceMilliseconds);
   if (!options.gaze.empty()) {
@@ -91,8 +91,8 @@ std::vector<LiveDevice> RunDevices::liveDevices(const std::vector<std::string>& 
     }
   }
   for (size_t i = 0; i < markers.size(); ++i) {
-    list.push_back({"markers " + markers[i], fmt::format("{} sent, {} lost", counts[i].sent, counts[i].lost),
-                    counts[i].lost > 0});
+    list.push_back(
+        {"markers " + markers[i], fmt::format("{} sent, {} lost", counts[i].sent, counts[i].lost), counts[i].lost > 0});
   }
   if (gaze_ != nullptr) {
     const GazeCounts gaze = gaze_->counts();

@@ -157,8 +157,10 @@ class ScreenRenderer {
       for (const std::string& device : options_.responses->lost()) {
         flow_.report("responses_lost", device);
         flow_.pause(protocol_.texts.say("paused_moment"));
-        console_.print(fmt::format("{} is gone, and the session paused: connect it, quit, and go on with: ocelli study "
-                                   "resume; or answer with the keyboard: resume", device));
+        console_.print(
+            fmt::format("{} is gone, and the session paused: connect it, quit, and go on with: ocelli study "
+                        "resume; or answer with the keyboard: resume",
+                        device));
       }
     }
     if (options_.gaze != nullptr) {

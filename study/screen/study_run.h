@@ -30,7 +30,7 @@ struct StudyRunOptions {
   std::optional<uint64_t> seed{};  ///< instead of the protocol's, for a session that begins
   bool anyTime = false;            ///< although the time between sessions has not passed
   std::filesystem::path screenshots{};
-  std::vector<std::string> markers{};  ///< where markers go (study/markers/marker_output.h)
+  std::vector<std::string> markers{};    ///< where markers go (study/markers/marker_output.h)
   std::vector<std::string> responses{};  ///< what subjects answer with (study/responses/response_device.h)
   double debounceMilliseconds = kUsualDebounceMilliseconds;
   std::string gaze{};                 ///< where samples of gaze come from (study/gaze/gaze_input.h); empty for none

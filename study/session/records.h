@@ -47,11 +47,11 @@ struct InputRecord {
 
 /// Where the subject looked, as an eye tracker says, while a trial ran.
 struct GazeRecord {
-  int64_t nanoseconds = 0;  ///< when the sample came, as InputRecord::nanoseconds
-  double deviceTime = 0;    ///< by the tracker's clock, in its unit
-  bool valid = true;        ///< as the tracker says
-  double x = 0;             ///< pixels of the trial's screen, from its left edge; may lie outside of it
-  double y = 0;             ///< from its upper edge
+  int64_t nanoseconds = 0;        ///< when the sample came, as InputRecord::nanoseconds
+  double deviceTime = 0;          ///< by the tracker's clock, in its unit
+  bool valid = true;              ///< as the tracker says
+  double x = 0;                   ///< pixels of the trial's screen, from its left edge; may lie outside of it
+  double y = 0;                   ///< from its upper edge
   std::optional<double> pupil{};  ///< in the tracker's unit
 
   bool operator==(const GazeRecord&) const = default;

@@ -58,9 +58,9 @@ class Tracker {
   Tracker& operator=(const Tracker&) = delete;
 
   void send(const std::string& text) const {
-    EXPECT_EQ(sendto(socket_, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&address_),
-                     sizeof(address_)),
-              static_cast<ssize_t>(text.size()));
+    EXPECT_EQ(
+        sendto(socket_, text.data(), text.size(), 0, reinterpret_cast<const sockaddr*>(&address_), sizeof(address_)),
+        static_cast<ssize_t>(text.size()));
   }
 
  private:
@@ -151,7 +151,8 @@ class ManyBytes : public GazeBytes {
 
 TEST(GazeInput, KeepsTheFirstAndCountsTheRestWhereNobodyTakesThem) {
   GazeInput input(std::make_unique<ManyBytes>(), pixelLines(), 30);
-  for (const int64_t end = steadyNanoseconds() + 2'000'000'000; input.counts().samples < 100 && steadyNanoseconds() < end;) {
+  for (const int64_t end = steadyNanoseconds() + 2'000'000'000;
+       input.counts().samples < 100 && steadyNanoseconds() < end;) {
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
   const std::vector<GazeRecord> samples = input.take();

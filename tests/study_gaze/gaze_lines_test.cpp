@@ -13,7 +13,8 @@ GazeLines inPixels() {
 
 TEST(GazeLines, ReadsSeveralLinesOfADatagram) {
   GazeLines lines = inPixels();
-  const std::vector<GazeRecord> samples = lines.read("1042.5,960,600.25,1,3.4\r\n1043.5,961,601,1\n\n1044.5,0,0,0,", 77);
+  const std::vector<GazeRecord> samples =
+      lines.read("1042.5,960,600.25,1,3.4\r\n1043.5,961,601,1\n\n1044.5,0,0,0,", 77);
   ASSERT_EQ(samples.size(), 3u);
   EXPECT_EQ(samples[0], (GazeRecord{77, 1042.5, true, 960, 600.25, 3.4}));
   EXPECT_EQ(samples[1], (GazeRecord{77, 1043.5, true, 961, 601, {}}));
@@ -33,8 +34,8 @@ TEST(GazeLines, TakesSharesForPixelsOfTheScreen) {
 
 TEST(GazeLines, FollowsALineOfNames) {
   GazeLines lines = inPixels();
-  const std::vector<GazeRecord> samples =
-      lines.read("valid, pupil, y_norm, other, x_norm, time\n1,2.5,0.5,abc,0.25,9\ntime,x_px,y_px,valid\n10,5,6,true", 0);
+  const std::vector<GazeRecord> samples = lines.read(
+      "valid, pupil, y_norm, other, x_norm, time\n1,2.5,0.5,abc,0.25,9\ntime,x_px,y_px,valid\n10,5,6,true", 0);
   ASSERT_EQ(samples.size(), 2u);
   EXPECT_EQ(samples[0], (GazeRecord{0, 9, true, 480, 600, 2.5}));
   EXPECT_EQ(samples[1], (GazeRecord{0, 10, true, 5, 6, {}}));
@@ -59,7 +60,7 @@ TEST(GazeLines, CountsWhatIsMalformedAndGoesOn) {
   for (size_t i = 0; i < GazeLines::kMaxColumns; ++i) {
     tooMany += ",0";
   }
-  for (const std::string bad :
+  for (const std::string& bad :
        {std::string("hello"), std::string("1,2,3"), std::string("1,2,3,2"), std::string("1,nan,3,1"),
         std::string("inf,2,3,1"), std::string("1,2,3,1,big"), std::string("1,2e9,3,1"), std::string("1;2;3;1"),
         std::string("time,x_px,y_px"), std::string("time,x_px,y_px,x_norm,y_norm,valid"), std::string("1,0x10,3,1"),

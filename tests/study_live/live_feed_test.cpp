@@ -123,7 +123,8 @@ TEST(LiveFeed, tellsOfDevicesAndOfPauses) {
   session.run.flow.pause("");
   session.run.frame();
   EXPECT_EQ(session.status().at("state"), "paused");
-  EXPECT_EQ(session.status().at("devices")[0], json({{"name", "markers"}, {"state", "3 sent, 1 lost"}, {"trouble", true}}));
+  EXPECT_EQ(session.status().at("devices")[0],
+            json({{"name", "markers"}, {"state", "3 sent, 1 lost"}, {"trouble", true}}));
 }
 
 TEST(LiveFeed, passesEverythingOnWithAndWithoutABoard) {

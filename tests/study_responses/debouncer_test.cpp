@@ -9,8 +9,6 @@
 namespace ocelli::test {
 namespace {
 
-constexpr int64_t kMillisecond = 1'000'000;
-
 struct Passed {
   int64_t time = 0;
   bool pressed = false;

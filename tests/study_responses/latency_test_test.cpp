@@ -96,7 +96,8 @@ TEST(LatencyTest, CountsPressesThatNothingAsked) {
   LatencyOptions options = quick(1);
   options.minGapSeconds = options.maxGapSeconds = 0.1;
   box.send("1");
-  const LatencyReport report = measureLatency(*device, [] { return std::optional(steadyNanoseconds()); }, [] {}, options);
+  const LatencyReport report = measureLatency(
+      *device, [] { return std::optional(steadyNanoseconds()); }, [] {}, options);
   EXPECT_EQ(report.unexpected, 1);
   EXPECT_EQ(report.missed, 1);
 }
@@ -104,10 +105,16 @@ TEST(LatencyTest, CountsPressesThatNothingAsked) {
 TEST(LatencyTest, EndsWhereNoStimulusCanBeGiven) {
   const PseudoBox box;
   const auto device = openResponseDevice("serial:" + box.device(), {});
-  EXPECT_EQ(measureLatency(*device, [] { return std::optional<int64_t>(); }, [] {}, quick(5)).trials, 0);
+  EXPECT_EQ(measureLatency(
+                *device, [] { return std::optional<int64_t>(); }, [] {}, quick(5))
+                .trials,
+            0);
   LatencyOptions options = quick(5);
   options.interrupted = [] { return true; };
-  EXPECT_EQ(measureLatency(*device, [] { return std::optional(steadyNanoseconds()); }, [] {}, options).trials, 0);
+  EXPECT_EQ(measureLatency(
+                *device, [] { return std::optional(steadyNanoseconds()); }, [] {}, options)
+                .trials,
+            0);
 }
 
 TEST(LatencyReport, HasQuantilesByRank) {

@@ -16,6 +16,8 @@
 
 namespace ocelli::test {
 
+inline constexpr int64_t kMillisecond = 1'000'000;
+
 class PseudoBox {
  public:
   PseudoBox() {

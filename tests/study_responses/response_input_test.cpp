@@ -7,8 +7,6 @@
 namespace ocelli::test {
 namespace {
 
-constexpr int64_t kMillisecond = 1'000'000;
-
 /// Tells what it was given.
 class GivenDevice : public ResponseDevice {
  public:

@@ -566,5 +566,79 @@ TEST(SessionFlow, lateFramesMarkTheTrial) {
   EXPECT_EQ(run.flow.status().lastTiming.dropped, 1);
 }
 
+TEST(SessionFlow, gazeIsOfTheTrialThatRuns) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  const auto look = [&](int64_t nanoseconds, double x) {
+    const GazeRecord sample{nanoseconds, 0, true, x, 0, {}};
+    run.flow.gaze(std::span(&sample, 1));
+  };
+  look(run.now, -1);
+  run.goOn([&] { return run.inTrial(); });
+  look(run.now, -2);  // no frame of it has been shown
+  run.frame();
+  const int64_t begins = run.now;
+  look(begins - 1, -3);
+  for (int i = 0; i < 60; ++i) {
+    look(run.now, i);
+    run.frame();
+  }
+  run.answerTrial();
+  ASSERT_FALSE(run.inTrial());
+  look(run.now, -4);
+  run.goOn();
+  std::vector<double> kept;
+  int lastNumber = 0;
+  for (const test::TrialGaze& piece : small.sink.all<test::TrialGaze>()) {
+    lastNumber = std::max(lastNumber, piece.number);
+    for (const GazeRecord& record : piece.records) {
+      kept.push_back(record.x);
+      EXPECT_GE(record.nanoseconds, begins);
+    }
+  }
+  EXPECT_EQ(lastNumber, 0);
+  ASSERT_EQ(kept.size(), 60u);
+  for (int i = 0; i < 60; ++i) {
+    EXPECT_EQ(kept[static_cast<size_t>(i)], i);
+  }
+  // They come in pieces while the trial runs, so that a run that is killed loses little.
+  EXPECT_GT(small.sink.all<test::TrialGaze>().size(), 1u);
+}
+
+TEST(SessionFlow, aSessionIsTheSameWithAndWithoutGaze) {
+  std::vector<int64_t> calls;
+  for (const bool looks : {false, true}) {
+    Small small;
+    SessionRun run(small.protocol, small.schedule, small.sink);
+    run.whenShown = [&](int64_t nanoseconds) {
+      const GazeRecord sample{nanoseconds, 1, true, 5, 5, {}};
+      if (looks) {
+        run.flow.gaze(std::span(&sample, 1));
+      }
+    };
+    run.goOn();
+    calls.push_back(static_cast<int64_t>(small.sink.calls.size() - small.sink.all<test::TrialGaze>().size()));
+    EXPECT_EQ(small.sink.all<test::TrialGaze>().empty(), !looks);
+  }
+  EXPECT_EQ(calls[0], calls[1]);
+}
+
+TEST(SessionFlow, theBlindStepTellsNoConditionAndNoTitleOfAPage) {
+  Small small;
+  SessionRun run(small.protocol, small.schedule, small.sink);
+  int trials = 0;
+  run.goOn([&] {
+    const SessionStatus status = run.flow.status();
+    for (const TrialView view : {TrialView::kReference, TrialView::kOther}) {
+      EXPECT_EQ(status.blindStep.find(", " + small.protocol.nameOf(view)), std::string::npos) << status.blindStep;
+    }
+    EXPECT_FALSE(status.blindStep.starts_with("page "));
+    trials += status.blindStep.starts_with("trial ") ? 1 : 0;
+    return false;
+  });
+  EXPECT_GT(trials, 0);
+  EXPECT_TRUE(run.flow.status().ended);
+}
+
 }  // namespace
 }  // namespace ocelli

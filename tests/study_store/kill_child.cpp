@@ -85,6 +85,8 @@ void runSession(const Protocol& protocol, const SessionSchedule& schedule, const
     const size_t frames = 30 + random.below(80);
     for (size_t frame = 0; run.inTrial() && frame < frames; ++frame) {
       run.frame();
+      const GazeRecord sample{run.now, static_cast<double>(frame), true, static_cast<double>(random.below(640)), 0, {}};
+      run.flow.gaze(std::span(&sample, 1));
       // Slow enough for the log of a trial to come to the disk before the trial ends.
       std::this_thread::sleep_for(kPause);
       if (frame % 4 == 0) {

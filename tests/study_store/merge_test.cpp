@@ -53,7 +53,8 @@ class MergeTest : public testing::Test {
   static std::string contents(const std::filesystem::path& file) {
     std::string text;
     SQLite::Database database(file.string());
-    for (const char* table : {"subject", "session", "run", "consent", "answer", "event", "trial", "frame", "input", "gaze"}) {
+    for (const char* table :
+         {"subject", "session", "run", "consent", "answer", "event", "trial", "frame", "input", "gaze"}) {
       SQLite::Statement row(database, std::string("SELECT * FROM ") + table);
       while (row.executeStep()) {
         for (int i = 0; i < row.getColumnCount(); ++i) {
