@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oc_core/image/png_file.h"
+#include "study/session/records.h"
 #include "study/session/session_screen.h"
 
 namespace ocelli {
