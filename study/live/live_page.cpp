@@ -13,14 +13,18 @@ header { display: flex; flex-wrap: wrap; gap: .5rem 1.5rem; align-items: baselin
 h1 { font-size: 1.1rem; color: var(--soft); font-weight: 600; margin: 0; }
 #state { font-size: 1.75rem; line-height: 1.25; font-weight: 700; margin: .5rem 0 .25rem; max-width: none; }
 #step { margin: 0 0 1rem; max-width: none; }
-#state[data-state="calls you"], #state[data-state="paused"], #state[data-state="no connection"] { color: var(--caution); }
-button { font: inherit; color: var(--accent); background: var(--card); border: 1px solid var(--line); border-radius: 6px;
-  padding: .3rem .9rem; cursor: pointer; }
+#state[data-state="calls you"], #state[data-state="paused"], #state[data-state="no connection"] {
+  color: var(--caution); }
+button { font: inherit; color: var(--accent); background: var(--card); border: 1px solid var(--line);
+  border-radius: 6px; padding: .3rem .9rem; cursor: pointer; }
 button:focus-visible { outline: 3px solid var(--accent); outline-offset: 2px; }
-.bar { height: 1.1rem; border-radius: 6px; background: var(--card); border: 1px solid var(--line); overflow: hidden; }
+.bar { height: 1.1rem; border-radius: 6px; background: var(--card); border: 1px solid var(--line);
+  overflow: hidden; }
 .bar div { height: 100%; width: 0; background: var(--accent); }
-.cards { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(19rem, 1fr)); margin-top: 1rem; }
-.card { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: .9rem 1.1rem; min-width: 0; }
+.cards { display: grid; gap: 1rem; grid-template-columns: repeat(auto-fit, minmax(min(19rem, 100%), 1fr));
+  margin-top: 1rem; }
+.card { background: var(--card); border: 1px solid var(--line); border-radius: 8px; padding: .9rem 1.1rem;
+  min-width: 0; overflow-wrap: anywhere; }
 .card h2 { font-size: 1rem; margin: 0 0 .4rem; padding: 0; border: 0; color: var(--soft); font-weight: 600; }
 .big { font-size: 1.6rem; font-weight: 700; line-height: 1.2; margin: 0; font-variant-numeric: tabular-nums; }
 .card p { margin: .15rem 0; }
@@ -42,25 +46,32 @@ constexpr std::string_view kBody = R"html(<header>
 <main>
 <p id="state" role="status" aria-live="polite">Waiting for the program</p>
 <p id="step" class="soft"></p>
-<div class="bar" role="progressbar" aria-label="Trials done" aria-valuemin="0" aria-valuemax="100" id="bar"><div></div></div>
+<div class="bar" role="progressbar" aria-label="Trials done" aria-valuemin="0" aria-valuemax="100" id="bar">
+<div></div></div>
 <div class="cards">
 <section class="card"><h2>Progress</h2><p class="big" id="done">–</p><p class="soft" id="block"></p></section>
 <section class="card"><h2>Time left</h2><p class="big" id="left">–</p><p class="soft" id="elapsed"></p></section>
-<section class="card"><h2>Timing of frames</h2><p class="big" id="dropped">–</p><p class="soft" id="median"></p><p id="verdicts"></p></section>
-<section class="card"><h2>Last answers</h2><table><thead><tr><th scope="col">trial</th><th scope="col">answer</th><th scope="col">time</th></tr></thead><tbody id="answers"></tbody></table><p class="soft" id="hides"></p></section>
-<section class="card"><h2>Devices</h2><table><tbody id="devices"></tbody></table></section>
-<section class="card"><h2>Warnings</h2><ul id="warnings"></ul></section>
+<section class="card"><h2>Timing of frames</h2><p class="big" id="dropped">–</p><p class="soft" id="median"></p>
+<p id="verdicts"></p></section>
+<section class="card"><h2>Last answers</h2><table>
+<thead><tr><th scope="col">trial</th><th scope="col">answer</th><th scope="col">time</th></tr></thead>
+<tbody id="answers"></tbody></table><p class="soft" id="hides"></p></section>
+<section class="card"><h2>Devices</h2><ul id="devices"></ul></section>
+<section class="card"><h2>Warnings</h2><ul id="warnings"></ul><p class="soft" id="more"></p></section>
 </div>
 </main>
-<noscript><p>This page needs JavaScript to follow the session. The terminal of the program tells the same.</p></noscript>
+<noscript><p>This page needs JavaScript to follow the session. The terminal tells the same.</p></noscript>
 <script src="live.js"></script>
 )html";
 
 constexpr std::string_view kScript = R"js("use strict";
 const at = id => document.getElementById(id);
-const signs = {"right": "\u2713 right", "wrong": "\u2717 wrong", "time over": "\u29d6 time over", "broken off": "\u2013 broken off"};
-const states = {"running": "Running", "paused": "Paused", "calls you": "The session calls you", "ended": "The session has ended",
-  "not begun": "The checks before the session run", "no connection": "No connection: the session has ended, or the program has stopped"};
+const signs = {"right": "\u2713 right", "wrong": "\u2717 wrong", "time over": "\u25cb time over",
+  "broken off": "\u2013 broken off"};
+const states = {"running": "Running", "paused": "Paused", "calls you": "The session calls you",
+  "ended": "The session has ended",
+  "not begun": "The checks before the session run",
+  "no connection": "No connection: the session has ended, or the program has stopped"};
 const verdicts = {"good": "good", "dropped_frames": "frames dropped", "early_frames": "frames too early",
   "unstable_refresh": "screen not steady", "simulated_clock": "simulated clock"};
 const ms = value => value.toFixed(1) + "\u00a0ms";
@@ -72,21 +83,18 @@ function duration(seconds) {
 function say(id, text) {
   if (at(id).textContent !== text) at(id).textContent = text;
 }
-function fill(parent, rows, tag, none) {
-  const items = rows.length ? rows : [[none]];
-  parent.replaceChildren(...items.map(cells => {
-    const row = document.createElement(tag);
-    if (tag === "li") {
-      row.textContent = cells.join(" ");
-      return row;
-    }
-    for (const cell of cells) {
-      const td = document.createElement("td");
-      td.textContent = cell.text ?? cell;
-      if (cell.trouble) td.className = "trouble";
-      row.append(td);
-    }
-    return row;
+function element(tag, text, style) {
+  const made = document.createElement(tag);
+  made.textContent = text;
+  made.className = style ?? "";
+  return made;
+}
+function fill(parent, rows, row, cell, none) {
+  const lines = rows.length ? rows : [[{text: none, style: "soft"}]];
+  parent.replaceChildren(...lines.map(cells => {
+    const made = element(row, "");
+    made.append(...cells.map(each => element(cell, each.text ?? each, each.style)));
+    return made;
   }));
 }
 function showState(state) {
@@ -112,13 +120,18 @@ function show(s) {
   say("dropped", t.frames ? t.dropped + " of " + t.frames + " frames late" : "no trial yet");
   say("median", t.frames ? "last trial: " + t.last_dropped + " late, median " + ms(t.last_median_ms) + ", longest " +
     ms(t.last_longest_ms) : "");
-  say("verdicts", Object.entries(t.verdicts).map(([name, n]) => n + "\u00a0\u00d7\u00a0" + (verdicts[name] ?? name)).join(", "));
+  say("verdicts", Object.entries(t.verdicts).map(([name, n]) =>
+    n + "\u00a0\u00d7\u00a0" + (verdicts[name] ?? name)).join(", "));
   fill(at("answers"), s.last_trials.map(row => [row.trial + (row.condition ? " (" + row.condition + ")" : ""),
-    signs[row.outcome] ?? row.outcome, row.response_s === null ? "" : row.response_s.toFixed(2) + "\u00a0s"]), "tr", "none yet");
+    signs[row.outcome] ?? row.outcome, row.response_s === null ? "" : row.response_s.toFixed(2) + "\u00a0s"]),
+    "tr", "td", "none yet");
   say("hides", s.hides_condition ? "Conditions are hidden: who does not know them cannot give them away." : "");
-  fill(at("devices"), s.devices.map(d => [{text: (d.trouble ? "\u26a0 " : "") + d.name, trouble: d.trouble},
-    {text: d.state, trouble: d.trouble}]), "tr", "none");
-  fill(at("warnings"), s.warnings.map(w => ["\u26a0 " + w.text, "(" + duration(w.at_s) + " after the start)"]), "li", "none");
+  fill(at("devices"), s.devices.map(d => [
+    {text: (d.trouble ? "\u26a0 " : "") + d.name, style: d.trouble ? "trouble" : ""},
+    {text: d.state, style: d.trouble ? "trouble" : "soft"}]), "li", "div", "none");
+  fill(at("warnings"), s.warnings.map(w => ["\u26a0 " + w.text,
+    {text: duration(w.at_s) + " after the start", style: "soft"}]), "li", "div", "none");
+  say("more", s.warning_count > s.warnings.length ? "and " + (s.warning_count - s.warnings.length) + " before" : "");
 }
 let held = false;
 at("hold").addEventListener("click", () => {
