@@ -17,7 +17,7 @@ struct LiveTrial {
 };
 
 struct LiveDevice {
-  std::string name;   ///< "markers udp:10.0.0.5:5005"
+  std::string name;   ///< "markers udp"
   std::string state;  ///< "120 sent, 0 lost"
   bool hasTrouble = false;
 };

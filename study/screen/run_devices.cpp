@@ -19,6 +19,11 @@ std::string textOf(const GazeCounts& counts) {
                      counts.malformed, counts.lost);
 }
 
+/// What stands before the colon: the name of a file may have that of the subject in it.
+std::string deviceKindOf(const std::string& place) {
+  return place.substr(0, place.find(':'));
+}
+
 }  // namespace
 
 RunDevices::RunDevices(const Protocol& protocol, const StudyRunOptions& options) : options_(options) {
@@ -91,12 +96,13 @@ std::vector<LiveDevice> RunDevices::liveDevices(const std::vector<std::string>& 
     }
   }
   for (size_t i = 0; i < markers.size(); ++i) {
-    list.push_back(
-        {"markers " + markers[i], fmt::format("{} sent, {} lost", counts[i].sent, counts[i].lost), counts[i].lost > 0});
+    list.push_back({"markers " + deviceKindOf(markers[i]),
+                    fmt::format("{} sent, {} lost", counts[i].sent, counts[i].lost), counts[i].lost > 0});
   }
   if (gaze_ != nullptr) {
     const GazeCounts gaze = gaze_->counts();
-    list.push_back({"gaze " + options_.gaze, textOf(gaze), gaze.lost > 0 || gaze.malformed > 0 || gaze.samples == 0});
+    list.push_back({"gaze " + deviceKindOf(options_.gaze), textOf(gaze),
+                    gaze.lost > 0 || gaze.malformed > 0 || gaze.samples == 0});
   }
   return list;
 }

@@ -39,7 +39,7 @@ class Session:
     def __init__(self, ocelli, protocol, folder):
         self.screens = folder / "screens"
         command = [ocelli, "study", "run", protocol, "--db", folder / "tiny.db", "--subject", "S01", "--force",
-                   "--hash-frames", "5", "--screenshots", self.screens, "--markers", f"file:{folder / 'markers.csv'}",
+                   "--hash-frames", "5", "--screenshots", self.screens, "--markers", f"file:{folder / 'S01-markers.csv'}",
                    "--gaze", f"file:{folder / 'gaze.csv'}", "--live", "0"]
         self.program = subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
@@ -320,7 +320,7 @@ def check_database(path, way):
 
 def check_markers(folder):
     """The file tells of each trial at the moment that the database has for its first frame."""
-    with open(folder / "markers.csv", newline="") as file:
+    with open(folder / "S01-markers.csv", newline="") as file:
         markers = list(csv.DictReader(file))
     database = sqlite3.connect(folder / "tiny.db")
     check("starts", [(int(each["trial_number"]), int(each["nanoseconds"])) for each in markers
