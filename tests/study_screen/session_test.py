@@ -8,7 +8,9 @@ with 1, and says what is wrong, where something is.
 import csv
 import json
 import math
+import os
 import pathlib
+import pty
 import queue
 import shutil
 import sqlite3
@@ -18,6 +20,8 @@ import threading
 import time
 import urllib.request
 
+# A response box on a serial line: what is written to the first end comes out of the device of the second.
+BOX, BOX_DEVICE = pty.openpty()
 WIDTH, HEIGHT = map(int, sys.argv[5].split("x")) if len(sys.argv) > 5 else (1280, 800)
 PATIENCE = 90  # seconds that a step may take on a busy machine
 # Where the screens have their buttons, at this size.
@@ -40,7 +44,8 @@ class Session:
         self.screens = folder / "screens"
         command = [ocelli, "study", "run", protocol, "--db", folder / "tiny.db", "--subject", "S01", "--force",
                    "--hash-frames", "5", "--screenshots", self.screens, "--markers", f"file:{folder / 'S01-markers.csv'}",
-                   "--gaze", f"file:{folder / 'gaze.csv'}", "--live", "0"]
+                   "--gaze", f"file:{folder / 'gaze.csv'}", "--live", "0",
+                   "--responses", f"serial:{os.ttyname(BOX_DEVICE)},115200"]
         self.program = subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
         self.lines = queue.Queue()
@@ -183,7 +188,9 @@ class ByKeyboard:
 
     @staticmethod
     def count():
-        key("4")
+        """On the response box: a byte, which bounces."""
+        os.write(BOX, b"4")
+        os.write(BOX, b"4")
 
     @staticmethod
     def match():
@@ -352,6 +359,20 @@ def check_gaze(folder):
     check("end of gaze", "0 malformed lines, 0 lost" in detail, True)
 
 
+def check_responses(folder, way):
+    """The box had its presses where it was used; they are inputs of the trials like those of a keyboard."""
+    database = sqlite3.connect(folder / "tiny.db")
+    details = [detail for (detail,) in database.execute("SELECT detail FROM event WHERE what = 'responses'")]
+    box = [detail for detail in details if detail.startswith("serial:")]
+    check("box", [box[0].endswith("debounced 10 ms"), len(box)], [True, 2])
+    presses = int(box[1].split(": ")[-1].split()[0])
+    check("presses of the box", presses >= 4 if way == "keyboard" else presses == 0, True)
+    if way == "keyboard":
+        check("bounces of the box", int(box[1].split()[-2]) >= 2, True)
+        check("answers by the box", database.execute("SELECT count(DISTINCT trial_id) FROM input JOIN trial USING "
+                                                     "(trial_id) WHERE task = 'count' AND what = '4'").fetchone(), (2,))
+
+
 def check_page(statuses):
     """The page told of the session, and neither who the subject is nor which condition a trial had."""
     begun = [each for each in statuses if each["state"] != "not begun"]
@@ -360,7 +381,8 @@ def check_page(statuses):
     check("progress", done == sorted(done) and done[-1] >= 5 and begun[-1]["trials"] == 6, True)
     check("states", {"running", "paused"} <= {each["state"] for each in begun}, True)
     check("answers", any(each["last_trials"] for each in begun), True)
-    check("devices", {device["name"].split()[0] for device in begun[-1]["devices"]}, {"keyboard", "markers", "gaze"})
+    check("devices", {device["name"].split()[0] for device in begun[-1]["devices"]},
+          {"keyboard", "markers", "gaze", f"serial:{os.ttyname(BOX_DEVICE)},"})
     text = json.dumps(begun)
     check("blind", [word for word in ("S01", "ppc", '"gc"', ", gc", "all went well") if word in text], [])
 
@@ -378,6 +400,7 @@ def main():
     check_database(folder / "tiny.db", way)
     check_markers(folder)
     check_gaze(folder)
+    check_responses(folder, way)
     check_page(session.statuses)
     print("a session by", way, "is complete")
 

@@ -207,7 +207,7 @@ TEST_P(OldVersion, StillKeepsWhatIsRecorded) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Migrations, OldVersion, testing::Values(OldFile{1, 110}, OldFile{3, 503}),
-                         [](const auto& info) { return fmt::format("from{}", info.param.version); });
+                         [](const auto& old) { return fmt::format("from{}", old.param.version); });
 
 }  // namespace
 }  // namespace ocelli::test
