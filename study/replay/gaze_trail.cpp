@@ -51,10 +51,17 @@ std::vector<GazeMark> gazeTrail(std::span<const GazeRecord> samples, int64_t nan
   for (auto sample = end; sample != samples.begin();) {
     --sample;
     const double age = static_cast<double>(nanoseconds - sample->nanoseconds) * 1e-9 / kTrailSeconds;
-    if (!sample->valid || age > 1) {
+    if (age > 1 || (marks.empty() && !sample->valid)) {
       break;
     }
-    marks.push_back({{sample->x, sample->y}, age});
+    if (sample->valid) {
+      marks.push_back({{sample->x, sample->y}, age, true});
+    } else {
+      marks.back().joined = false;
+    }
+  }
+  if (!marks.empty()) {
+    marks.back().joined = false;  // the oldest
   }
   std::ranges::reverse(marks);
   return marks;
@@ -63,6 +70,9 @@ std::vector<GazeMark> gazeTrail(std::span<const GazeRecord> samples, int64_t nan
 void drawGaze(Image<Rgb8>& image, std::span<const GazeMark> marks) {
   const double unit = gazeUnit(image.width());
   for (size_t i = 1; i < marks.size(); ++i) {
+    if (!marks[i].joined) {
+      continue;
+    }
     const glm::dvec2 from = marks[i - 1].place;
     const glm::dvec2 to = marks[i].place;
     drawNear(image, glm::min(from, to), glm::max(from, to), unit * (1.5 - marks[i].age), unit,

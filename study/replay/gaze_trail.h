@@ -18,8 +18,8 @@ constexpr double gazeUnit(int screenWidth) {
   return screenWidth > 1280 ? screenWidth / 1280.0 : 1.0;
 }
 
-/// Of samples in the order in which they came: those of the last kTrailSeconds before that time, but for what came
-/// before a sample that is not valid. Empty where the newest is not valid.
+/// Of samples in the order in which they came: the valid ones of the last kTrailSeconds before that time. Empty where
+/// the newest sample is not valid: the eye was closed.
 std::vector<GazeMark> gazeTrail(std::span<const GazeRecord> samples, int64_t nanoseconds);
 
 /// Over an image of the whole screen.

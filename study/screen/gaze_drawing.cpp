@@ -20,8 +20,10 @@ void drawGazeMarks(StudyCanvas& canvas, std::span<const GazeMark> marks) {
   const double unit = gazeUnit(canvas.width());
   for (const auto& [color, thickness] : std::array{std::pair{kEdge, 3.0}, std::pair{kCore, 1.0}}) {
     for (size_t i = 1; i < marks.size(); ++i) {
-      const std::array points{marks[i - 1].place, marks[i].place};
-      canvas.line(points, color, unit * (thickness + 2 * (1 - marks[i].age)));
+      if (marks[i].joined) {
+        const std::array points{marks[i - 1].place, marks[i].place};
+        canvas.line(points, color, unit * (thickness + 2 * (1 - marks[i].age)));
+      }
     }
     canvas.ring(marks.back().place, unit * kGazeRadius, color, unit * (thickness + 2));
   }

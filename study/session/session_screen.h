@@ -52,7 +52,8 @@ std::optional<QuestionProblem> problemOf(const FormScreen& screen, size_t item);
 /// Where a subject looked, for replays.
 struct GazeMark {
   glm::dvec2 place{0};  ///< pixels of the screen
-  double age = 0;       ///< 0 for the newest, 1 where it vanishes
+  double age = 0;       ///< 0 when it came, 1 where it vanishes
+  bool joined = true;   ///< to the one before: nothing between them was not seen
 };
 
 struct TrialScreenView {

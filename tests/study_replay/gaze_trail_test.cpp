@@ -26,7 +26,12 @@ TEST(GazeTrail, IsOfTheLastThreeTenthsOfASecond) {
 
 TEST(GazeTrail, BreaksOffWhereNothingWasSeen) {
   std::vector<GazeRecord> samples{seen(0, 1, 1), {kTenth, 0, false, 0, 0, {}}, seen(2 * kTenth, 3, 3)};
-  EXPECT_EQ(gazeTrail(samples, 2 * kTenth).size(), 1u);
+  const std::vector<GazeMark> marks = gazeTrail(samples, 2 * kTenth);
+  ASSERT_EQ(marks.size(), 2u);
+  EXPECT_FALSE(marks[1].joined) << "what lies between was not seen";
+  samples[1].valid = true;
+  EXPECT_TRUE(gazeTrail(samples, 2 * kTenth)[1].joined);
+  samples[1].valid = false;
   EXPECT_TRUE(gazeTrail(samples, kTenth).empty()) << "the eye is closed";
 }
 

@@ -1,4 +1,4 @@
-// `ocelli study latency` as a shell sees it, with a box at a pseudo-terminal.
+// What `ocelli study` says of devices, as a shell sees it; `latency` with a box at a pseudo-terminal.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <poll.h>
@@ -19,6 +19,7 @@ namespace {
 
 using testing::AnyOf;
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kWorkFailed = 1;
 constexpr int kInputWrong = 2;
@@ -94,6 +95,20 @@ TEST(StudyLatency, SaysWhatIsWrong) {
     EXPECT_EQ(runProgram(std::string("study latency ") + arguments).exitCode, kInputWrong) << arguments;
   }
   EXPECT_EQ(runProgram("study latency --byte U --responses 'serial:/dev/no such box'").exitCode, kWorkFailed);
+}
+
+TEST(StudyCheck, TellsThatGazeMayBeRecordedAndThatNoConsentSaysSo) {
+  const TemporaryFolder folder;
+  auto protocol = nlohmann::json::parse(readFile(OCELLI_SOURCE_DIR "/tests/study_screen/tiny.json", 1'000'000));
+  const auto checked = [&] {
+    return runProgram("study check " + inQuotes(folder.write("tiny.json", protocol.dump()))).output;
+  };
+  EXPECT_THAT(checked(), HasSubstr("gaze      may be recorded: the consent must say so"));
+  EXPECT_THAT(checked(), Not(HasSubstr("no consent tells them so")));
+  protocol.erase("consent");
+  EXPECT_THAT(checked(), HasSubstr("where subjects look may be recorded, and no consent tells them so"));
+  protocol.erase("gaze");
+  EXPECT_THAT(checked(), Not(HasSubstr("may be recorded")));
 }
 
 TEST(StudyRun, RefusesGazeWhereTheProtocolDoesNotTellOfIt) {
