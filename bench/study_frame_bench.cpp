@@ -55,6 +55,9 @@ class TimedSink final : public SessionSink {
   void inputs(int number, std::span<const InputRecord> records) override {
     timed([&] { sink_.inputs(number, records); });
   }
+  void gaze(int number, std::span<const GazeRecord> records) override {
+    timed([&] { sink_.gaze(number, records); });
+  }
   void trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) override {
     timed([&] { sink_.trialEnds(number, record, std::move(acknowledged)); });
   }

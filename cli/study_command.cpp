@@ -14,6 +14,7 @@ void addStudyCommand(CLI::App& program, const CommandContext& context) {
   addStudyRunCommands(study, context);
   addStudySimulateCommand(study, context);
   addStudyReplayCommand(study, context);
+  addStudyLatencyCommand(study, context);
   addStudyDataCommands(study, context);
 }
 

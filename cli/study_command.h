@@ -14,6 +14,7 @@ void addStudyCheckCommand(CLI::App& study, const CommandContext& context);
 void addStudyRunCommands(CLI::App& study, const CommandContext& context);  ///< run, resume
 void addStudySimulateCommand(CLI::App& study, const CommandContext& context);
 void addStudyReplayCommand(CLI::App& study, const CommandContext& context);
+void addStudyLatencyCommand(CLI::App& study, const CommandContext& context);
 void addStudyDataCommands(CLI::App& study, const CommandContext& context);  ///< subjects, withdraw, merge, export
 
 }  // namespace ocelli

@@ -286,6 +286,7 @@ void addStudyExport(CLI::App& study, const CommandContext& context) {
       ->capture_default_str();
   command.add_flag("--frames", options.frames, "Also every frame of every trial: where one stood, and when");
   command.add_flag("--inputs", options.inputs, "Also every key, click and move of the mouse");
+  command.add_flag("--gaze", options.gaze, "Also where subjects looked, as eye trackers said");
   command.add_flag("--notes", options.notes, "Also what experimenters typed, which may name people");
   command.add_flag("--force", options.overwrite, "Replace an earlier export in that folder");
   context.finish(command,

@@ -9,6 +9,7 @@
 #include "cli/study_renderer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
+#include "study/replay/gaze_trail.h"
 #include "study/replay/path_plan.h"
 #include "study/replay/stored_replay.h"
 
@@ -63,7 +64,9 @@ void writeFrames(const ReplayChoice& choice, const ReplayStudy& study, const Tri
   ReplayOptions options;
   options.onFrame = [&](const FrameRecord& record, const TrialRun& run) {
     if (record.frame % choice.every == 0) {
-      writePng(folder / fmt::format("frame_{:06}.png", record.frame), paint(run.layout(), log.record.screen));
+      Image<Rgb8> image = paint(run.layout(), log.record.screen);
+      drawGaze(image, gazeTrail(log.gaze, record.shownNanoseconds));
+      writePng(folder / fmt::format("frame_{:06}.png", record.frame), image);
       ++written;
     }
     report(context.progress(), "drawing frames",

@@ -7,8 +7,13 @@
 #include "cli/study_command.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
+#include "study/gaze/gaze_input.h"
+#include "study/responses/response_input.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "study/screen/study_run.h"
+#endif
+#ifdef OCELLI_WITH_LIVE_PAGE
+#include "study/live/server/live_server.h"
 #endif
 
 namespace ocelli {
@@ -28,6 +33,11 @@ struct RunChoice {
   std::optional<uint64_t> seed;
   std::string screenshots;
   std::vector<std::string> markers;
+  std::vector<std::string> responses;
+  double debounce = kUsualDebounceMilliseconds;
+  std::string gaze;
+  std::optional<int> live;
+  bool liveConditions = false;
 };
 
 #ifdef OCELLI_WITH_OPENGL
@@ -71,9 +81,32 @@ StudyRunOptions optionsOf(const RunChoice& choice, const CommandContext& context
   options.seed = choice.seed;
   options.screenshots = choice.screenshots;
   options.markers = choice.markers;
+  options.responses = choice.responses;
+  options.debounceMilliseconds = choice.debounce;
+  options.gaze = choice.gaze;
+  options.liveShowsConditions = choice.liveConditions;
   options.interrupted = [] { return InterruptGuard::interrupted(); };
   options.tell = [context](const std::string& line) { context.note(line); };
   return options;
+}
+
+/// A session, with its page where one is asked for.
+template <class Run>
+void runWithPage(const RunChoice& choice, const CommandContext& context, const Run& run) {
+  StudyRunOptions options = optionsOf(choice, context);
+  if (!choice.live) {
+    report(run(options), choice, context);
+    return;
+  }
+#ifdef OCELLI_WITH_LIVE_PAGE
+  options.live = std::make_shared<LiveBoard>();
+  const LiveServer server(*choice.live, [board = options.live] { return board->json(); });
+  context.note("page      " + server.address());
+  report(run(options), choice, context);
+#else
+  throw InputError("this program was built without the page of a session", "--live",
+                   "build it with -DOCELLI_WITH_LIVE_PAGE=ON (docs/install.md)");
+#endif
 }
 
 void run(const RunChoice& choice, const CommandContext& context) {
@@ -91,12 +124,12 @@ void run(const RunChoice& choice, const CommandContext& context) {
   require(choice.subject, "--subject", "a pseudonymous id, such as S01");
   const Protocol protocol = readProtocol(choice.protocol);
   const InterruptGuard guard;
-  report(runStudy(protocol, optionsOf(choice, context)), choice, context);
+  runWithPage(choice, context, [&](const StudyRunOptions& options) { return runStudy(protocol, options); });
 }
 
 void resume(const RunChoice& choice, const CommandContext& context) {
   const InterruptGuard guard;
-  report(resumeStudy(optionsOf(choice, context)), choice, context);
+  runWithPage(choice, context, [](const StudyRunOptions& options) { return resumeStudy(options); });
 }
 #else
 void run(const RunChoice&, const CommandContext&) {
@@ -134,6 +167,28 @@ void addScreenOptions(CLI::App& command, RunChoice& choice) {
       ->type_name("OUTPUT")
       ->expected(1)
       ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option(
+          "--responses", choice.responses,
+          "What subjects answer with besides keyboard and mouse; may be given several times: " + responseDeviceForms())
+      ->type_name("DEVICE")
+      ->expected(1)
+      ->multi_option_policy(CLI::MultiOptionPolicy::TakeAll);
+  command
+      .add_option("--debounce", choice.debounce,
+                  "Milliseconds within which a key that changes again bounces, and counts once; 0 for none")
+      ->check(CLI::Range(0.0, 100.0))
+      ->type_name("MS")
+      ->capture_default_str();
+  command.add_option("--gaze", choice.gaze, "Record where the subject looks, from an eye tracker: " + gazeInputForms())
+      ->type_name("INPUT");
+  command
+      .add_option("--live", choice.live,
+                  "Show the session to the experimenter on a page at this port of 127.0.0.1; 0 takes a free one")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("PORT");
+  command.add_flag("--live-conditions", choice.liveConditions,
+                   "The page tells the condition of each trial, which is hidden otherwise");
 }
 
 }  // namespace

@@ -30,6 +30,7 @@ maze worlds/maze_corpus $seconds
 camera constructor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
+gaze study_gaze/corpus $seconds
 device_log display_driver_pacing/corpus $seconds
 wire_host display_driver_wire/host_corpus $seconds
 ply scene/ply_corpus $seconds

@@ -13,7 +13,7 @@
 -- Rows that were recorded stay as they are: triggers refuse to change or delete them. Only the end of a run or trial is
 -- filled in, once. Only a withdrawal deletes, and then all of a subject.
 PRAGMA application_id = 1331914092;  -- "Ocel"
-PRAGMA user_version = 3;
+PRAGMA user_version = 4;
 
 -- What is studied. One row.
 CREATE TABLE study (
@@ -204,6 +204,22 @@ CREATE TABLE input (
   FOREIGN KEY (trial_id, simulated) REFERENCES trial (trial_id, simulated)
 ) STRICT, WITHOUT ROWID;
 
+-- Where the subject looked during trials, as an eye tracker says (docs/gaze.md).
+CREATE TABLE gaze (
+  trial_id     INTEGER NOT NULL,
+  gaze_index   INTEGER NOT NULL,  -- of the trial, in the order in which samples came
+  came_ns      INTEGER NOT NULL,  -- when the sample came
+  device_time  REAL NOT NULL,  -- by the tracker's clock, in its unit
+  valid        INTEGER NOT NULL CHECK (valid IN (0, 1)),  -- whether the tracker saw where the subject looks
+  x_px         REAL,  -- pixels from the left edge of the screen; NULL where valid is 0
+  y_px         REAL,  -- pixels from its upper edge
+  pupil        REAL,  -- in the tracker's unit
+  simulated    INTEGER NOT NULL,
+  CHECK ((x_px IS NOT NULL) = valid AND (y_px IS NOT NULL) = valid),
+  PRIMARY KEY (trial_id, gaze_index),
+  FOREIGN KEY (trial_id, simulated) REFERENCES trial (trial_id, simulated)
+) STRICT, WITHOUT ROWID;
+
 -- Anything else that happened: 'pause', 'resume', 'note', 'redo', 'abort', 'break', 'page', 'clock_jump', ...
 CREATE TABLE event (
   event_id        INTEGER PRIMARY KEY,
@@ -297,6 +313,8 @@ CREATE TRIGGER frame_update BEFORE UPDATE ON frame
 BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: frame'); END;
 CREATE TRIGGER input_update BEFORE UPDATE ON input
 BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: input'); END;
+CREATE TRIGGER gaze_update BEFORE UPDATE ON gaze
+BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: gaze'); END;
 CREATE TRIGGER event_update BEFORE UPDATE ON event
 BEGIN SELECT RAISE(ABORT, 'recorded data cannot be changed: event'); END;
 CREATE TRIGGER audit_update BEFORE UPDATE ON audit
@@ -337,3 +355,6 @@ BEGIN SELECT RAISE(ABORT, 'recorded data cannot be deleted: frame'); END;
 CREATE TRIGGER input_delete BEFORE DELETE ON input
 WHEN NOT EXISTS (SELECT 1 FROM trial JOIN withdrawal USING (subject_id) WHERE trial.trial_id = OLD.trial_id)
 BEGIN SELECT RAISE(ABORT, 'recorded data cannot be deleted: input'); END;
+CREATE TRIGGER gaze_delete BEFORE DELETE ON gaze
+WHEN NOT EXISTS (SELECT 1 FROM trial JOIN withdrawal USING (subject_id) WHERE trial.trial_id = OLD.trial_id)
+BEGIN SELECT RAISE(ABORT, 'recorded data cannot be deleted: gaze'); END;

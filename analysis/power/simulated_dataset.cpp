@@ -29,6 +29,7 @@ class DatasetSink : public SessionSink {
   void trialBegins(int /*number*/, const TrialPlan& /*plan*/, int /*attempt*/) override {}
   void frames(int /*number*/, std::span<const FrameRecord> /*records*/) override {}
   void inputs(int /*number*/, std::span<const InputRecord> /*records*/) override {}
+  void gaze(int /*number*/, std::span<const GazeRecord> /*records*/) override {}
   void trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) override;
   void event(const EventRecord& /*record*/) override {}
   void sessionEnds(SessionEnding ending, const std::string& utc) override;

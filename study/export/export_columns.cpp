@@ -102,13 +102,19 @@ const std::vector<ColumnMeaning>& columnMeanings() {
       {"heading_rad", "rad", "where the subject looks, clockwise from north, seen from above"},
       {"pixel_hash", "", "hash of the image, hexadecimal, where it was read"},
       {"input_index", "", "number of the input in its trial, from 0"},
-      {"came_ns", "ns", "when the input came, since the start of the run, by a clock that never jumps"},
+      {"came_ns", "ns", "when the input or sample came, since the start of the run, by a clock that never jumps"},
       {"kind", "", "key, text, pointer_move, pointer_button, scroll, resize, drop or close"},
       {"pressed", "", "1: pressed, or held and repeated; 0: released"},
       {"modifiers", "", "1 shift + 2 control + 4 alt"},
       {"x", "", "pointer_move: place from the left (px); scroll: steps to the right"},
       {"y", "", "pointer_move: place from the top (px); scroll: steps up"},
       {"more_json", "", "what other kinds of input tell (JSON)"},
+      {"gaze_index", "", "number of the sample of gaze in its trial, from 0"},
+      {"device_time", "", "when the eye tracker took the sample, by its clock, in its unit"},
+      {"valid", "", "1: the eye tracker saw where the subject looks"},
+      {"x_px", "px", "where the subject looks, from the left edge of the screen; empty where valid is 0"},
+      {"y_px", "px", "where the subject looks, from the upper edge of the screen"},
+      {"pupil", "", "size of the pupil, in the eye tracker's unit"},
   };
   return meanings;
 }

@@ -150,6 +150,13 @@ ExportTable inputsTable() {
           "FROM input JOIN (SELECT trial_id, subject_id FROM trial) USING (trial_id) ORDER BY trial_id, input_index"};
 }
 
+ExportTable gazeTable() {
+  return {"gaze",
+          "SELECT row_number() OVER (ORDER BY trial_id, gaze_index) AS row_id, trial_id, subject_id, simulated, "
+          "gaze_index, came_ns, device_time, valid, x_px, y_px, pupil "
+          "FROM gaze JOIN (SELECT trial_id, subject_id FROM trial) USING (trial_id) ORDER BY trial_id, gaze_index"};
+}
+
 std::vector<std::string> tasksOf(SQLite::Database& database) {
   std::vector<std::string> tasks;
   SQLite::Statement row(database, "SELECT DISTINCT task FROM trial ORDER BY task");

@@ -28,6 +28,7 @@ ExportTable answersTable(const std::vector<ProtocolForm>& forms);
 ExportTable eventsTable(bool notes);
 ExportTable framesTable();
 ExportTable inputsTable();
+ExportTable gazeTable();
 
 /// Names of the tasks that trials were of.
 std::vector<std::string> tasksOf(SQLite::Database& database);

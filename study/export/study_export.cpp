@@ -56,6 +56,9 @@ std::vector<ExportTable> tablesBesideTrials(const Study& study, const ExportOpti
   if (options.inputs) {
     tables.push_back(inputsTable());
   }
+  if (options.gaze) {
+    tables.push_back(gazeTable());
+  }
   return tables;
 }
 

@@ -25,6 +25,7 @@ struct ExportOptions {
   ExportForm form = ExportForm::kCsv;
   bool frames = false;     ///< every frame of every trial
   bool inputs = false;     ///< every key and every move of the mouse
+  bool gaze = false;       ///< where subjects looked
   bool notes = false;      ///< what experimenters typed
   bool overwrite = false;  ///< into a folder that holds files: those of an earlier export go, others stay
 };

@@ -34,6 +34,7 @@ class MarkerFeed : public SessionSink {
   void trialBegins(int number, const TrialPlan& plan, int attempt) override;
   void frames(int number, std::span<const FrameRecord> records) override { inner_.frames(number, records); }
   void inputs(int number, std::span<const InputRecord> records) override { inner_.inputs(number, records); }
+  void gaze(int number, std::span<const GazeRecord> records) override { inner_.gaze(number, records); }
   void trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) override;
   void event(const EventRecord& record) override { inner_.event(record); }
   void sessionEnds(SessionEnding ending, const std::string& utc) override;

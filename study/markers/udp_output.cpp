@@ -5,16 +5,14 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/host_port.h"
 #include "study/markers/marker_output.h"
 
 namespace ocelli {
 namespace {
-
-constexpr int kMaxPort = 65535;
 
 class UdpMarkers : public MarkerOutput {
  public:
@@ -48,19 +46,14 @@ class UdpMarkers : public MarkerOutput {
 
 std::unique_ptr<MarkerOutput> openUdp(const std::string& text) {
   const std::string where = "--markers udp:" + text;
-  const size_t colon = text.rfind(':');
-  int port = 0;
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data() + (colon == std::string::npos ? text.size() : colon + 1), end, port);
-  if (colon == std::string::npos || colon == 0 || read.ec != std::errc() || read.ptr != end || port < 1 ||
-      port > kMaxPort) {
+  const std::optional<HostPort> place = hostPortFromText(text);
+  if (!place) {
     throw InputError("must be a host and a port from 1 to 65535", where, "such as udp:192.168.0.7:5005");
   }
   addrinfo hints{};
   hints.ai_socktype = SOCK_DGRAM;
   addrinfo* found = nullptr;
-  const std::string host = text.substr(0, colon);
-  const int problem = getaddrinfo(host.c_str(), text.c_str() + colon + 1, &hints, &found);
+  const int problem = getaddrinfo(place->host.c_str(), std::to_string(place->port).c_str(), &hints, &found);
   if (problem != 0) {
     throw InputError(fmt::format("this host is not known ({})", gai_strerror(problem)), where, "give its address");
   }

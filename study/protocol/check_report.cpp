@@ -295,9 +295,10 @@ Json conditionsJson(const Protocol& protocol) {
 }
 
 std::string headText(const Protocol& protocol) {
-  return fmt::format("{}: {}\n  sha256    {}\n  sessions  {}\n  blocks    {}{}\n  seed      {}\n", protocol.name,
+  return fmt::format("{}: {}\n  sha256    {}\n  sessions  {}\n  blocks    {}{}\n  seed      {}\n{}", protocol.name,
                      protocol.title, protocol.sha256, protocol.sessions, protocol.blocks.size(),
-                     protocol.shuffleBlocks ? ", their order counterbalanced" : "", protocol.seed);
+                     protocol.shuffleBlocks ? ", their order counterbalanced" : "", protocol.seed,
+                     protocol.gaze ? "  gaze      may be recorded: the consent must say so\n" : "");
 }
 
 }  // namespace

@@ -102,6 +102,7 @@ struct Protocol {
   std::vector<ProtocolPage> welcome{};
   std::vector<ProtocolBlock> blocks;
   bool shuffleBlocks = false;         ///< their order is counterbalanced over subjects
+  bool gaze = false;                  ///< sessions may record where subjects look, and the consent says so
   int breakSeconds = 60;              ///< the least length of a break
   std::vector<ProtocolForm> after{};  ///< asked at the end of every session, before the survey
   std::optional<ProtocolForm> survey{};

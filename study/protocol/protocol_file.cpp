@@ -255,6 +255,7 @@ Protocol protocolOf(const ProtocolText& source, const std::string& where) {
     protocol.surveyAfterLastSessionOnly =
         fields.boolean("survey_after_last_session_only", protocol.surveyAfterLastSessionOnly);
     protocol.shuffleBlocks = fields.boolean("shuffle_blocks", protocol.shuffleBlocks);
+    protocol.gaze = fields.boolean("gaze", protocol.gaze);
     protocol.breakSeconds = fields.integer("break_seconds", 0, 3600, protocol.breakSeconds);
     protocol.screen = screenGeometry(readStatedScreen(fields, ProtocolReading::kByStudy));
     protocol.timing = readTimingLimits(fields, ProtocolReading::kByStudy);

@@ -136,6 +136,9 @@ std::vector<std::string> warningsOf(const Protocol& protocol, uint64_t seed) {
         "protocols/languages/{}.json",
         catalogue.name, catalogue.language, catalogue.language));
   }
+  if (protocol.gaze && !protocol.consent) {
+    warnings.push_back("where subjects look may be recorded, and no consent tells them so");
+  }
   const FactorCrossing crossing = crossingOf(protocol.conditions.names);
   if (!crossing.missing.empty()) {
     warnings.push_back(

@@ -41,7 +41,8 @@ std::vector<TrialRow> ReplayStudy::trials(const TrialChoice& choice) const {
 }
 
 TrialLog ReplayStudy::logOf(const TrialRow& trial) const {
-  return {recordOf(trial), database_.frames(trial.trialId), database_.inputs(trial.trialId)};
+  return {recordOf(trial), database_.frames(trial.trialId), database_.inputs(trial.trialId),
+          database_.gaze(trial.trialId)};
 }
 
 const TaskBlock& ReplayStudy::blockOf(const TrialRow& trial) const {

@@ -17,6 +17,7 @@ struct TrialLog {
   TrialRecord record;
   std::vector<FrameRecord> frames;  ///< in order
   std::vector<InputRecord> inputs;  ///< likewise
+  std::vector<GazeRecord> gaze{};   ///< likewise; a replay does nothing with it but show it
 };
 
 struct ReplayVerdict {

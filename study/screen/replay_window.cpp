@@ -4,6 +4,7 @@
 #include <chrono>
 
 #include "oc_core/window/gl_window.h"
+#include "study/replay/gaze_trail.h"
 #include "study/screen/study_painter.h"
 
 namespace ocelli {
@@ -51,7 +52,7 @@ bool showReplay(const TaskBlock& block, const TrialLog& log, const Controls& con
     }
     drawnAt = elapsed();
     requireOpen(window, 0);
-    painter.draw(TrialScreenView{run.layout()});
+    painter.draw(TrialScreenView{run.layout(), false, false, gazeTrail(log.gaze, frame.shownNanoseconds)});
     window.show(painter.framebuffer(), screen.width, screen.height);
   };
   try {

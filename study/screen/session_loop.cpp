@@ -21,6 +21,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kPollSeconds = 0.1;
+constexpr double kDevicePollSeconds = 0.002;  ///< where a device tells of nothing by itself
 constexpr int64_t kNanosecondsPerSecond = 1'000'000'000;
 
 int64_t systemNow() {
@@ -139,6 +140,36 @@ class ScreenRenderer {
         takeInput(painter, {std::get<InputEvent>(timed.event), timed.nanoseconds - began_});
       }
     }
+    takeDevices(painter);
+  }
+
+  void takeKey(StudyPainter& painter, const KeyChange& change) {
+    const KeyEvent event{change.key, change.pressed, change.modifiers};
+    painter.handle(event);
+    flow_.handle({event, change.nanoseconds - began_});
+  }
+
+  void takeDevices(StudyPainter& painter) {
+    if (options_.responses != nullptr) {
+      for (const KeyChange& change : options_.responses->take(steadyNow())) {
+        takeKey(painter, change);
+      }
+      for (const std::string& device : options_.responses->lost()) {
+        flow_.report("responses_lost", device);
+        flow_.pause(protocol_.texts.say("paused_moment"));
+        console_.print(
+            fmt::format("{} is gone, and the session paused: connect it, quit, and go on with: ocelli study "
+                        "resume; or answer with the keyboard: resume",
+                        device));
+      }
+    }
+    if (options_.gaze != nullptr) {
+      std::vector<GazeRecord> samples = options_.gaze->take();
+      for (GazeRecord& sample : samples) {
+        sample.nanoseconds -= began_;
+      }
+      flow_.gaze(samples);
+    }
   }
 
   void press(Key key, int64_t nanoseconds) {
@@ -154,6 +185,13 @@ class ScreenRenderer {
     }
     if (const auto* button = std::get_if<PointerButtonEvent>(&timed.event)) {
       turning_ = button->button == PointerButton::kRight ? button->pressed : turning_;
+    }
+    if (const auto* key = std::get_if<KeyEvent>(&timed.event); key != nullptr && options_.responses != nullptr) {
+      for (const KeyChange& change :
+           options_.responses->takeKey({key->key, key->pressed, timed.nanoseconds + began_, key->modifiers})) {
+        takeKey(painter, change);
+      }
+      return;
     }
     const InputEvent event = inPixels(timed.event, pixelsPerUnit_);
     painter.handle(event);
@@ -296,8 +334,12 @@ class ScreenRenderer {
 /// Until the thread that draws has ended.
 void passEventsOn(GlWindow& window, Exchange& exchange, const SessionLoopOptions& options) {
   CursorMode cursor = CursorMode::kShown;
+  const bool polls = options.responses != nullptr && options.responses->mustBePolled();
   while (!exchange.over) {
-    std::vector<TimedWindowEvent> events = window.pollTimed(kPollSeconds);
+    std::vector<TimedWindowEvent> events = window.pollTimed(polls ? kDevicePollSeconds : kPollSeconds);
+    if (polls) {
+      options.responses->poll();
+    }
     if (!events.empty()) {
       const std::scoped_lock lock(exchange.mutex);
       exchange.events.insert(exchange.events.end(), std::make_move_iterator(events.begin()),

@@ -8,6 +8,8 @@
 #include <string>
 
 #include "oc_core/window/gl_window.h"
+#include "study/gaze/gaze_input.h"
+#include "study/responses/response_input.h"
 #include "study/screen/experimenter_console.h"
 #include "study/screen/timing_check.h"
 #include "study/session/session_flow.h"
@@ -20,6 +22,8 @@ struct SessionLoopOptions {
   double pacedHertz = 0;
   int hashEvery = 0;                    ///< every so many frames of a trial the hash of its image is stored; 0: none
   std::filesystem::path screenshots{};  ///< folder for an image of each screen that comes; empty for none
+  ResponseInput* responses = nullptr;   ///< debounces the keys of the window, and brings those of other devices
+  GazeInput* gaze = nullptr;            ///< where the subject looks; none where null
   /// Right after each frame was shown, with its time as records have it, on the thread that draws; must not wait.
   std::function<void(int64_t nanoseconds)> frameShown{};
   std::function<bool()> interrupted{};  ///< whether the program shall end; asked ten times a second

@@ -4,6 +4,7 @@
 
 #include "oc_core/gl/gl_api.h"
 #include "study/screen/form_drawing.h"
+#include "study/screen/gaze_drawing.h"
 #include "study/screen/page_drawing.h"
 #include "study/screen/screen_target.h"
 #include "study/screen/trial_overlay.h"
@@ -101,7 +102,10 @@ StudyFrame StudyPainter::draw(const SessionScreen& screen, double secondsSinceLa
           },
           [&](const ConsentScreen& consent) { frame.action = drawConsent(canvas, consent, state.scroll).action; },
           [&](const FormScreen& form) { frame.action = drawForm(canvas, form, state.scroll); },
-          [&](const TrialScreenView& view) { drawTrialOverlay(canvas, view.layout, state.views); },
+          [&](const TrialScreenView& view) {
+            drawTrialOverlay(canvas, view.layout, state.views);
+            drawGazeMarks(canvas, view.gaze);
+          },
           [&](const PauseScreen& pause) { drawPause(canvas, pause); },
       },
       screen);

@@ -4,10 +4,12 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "study/live/live_feed.h"
 #include "study/markers/marker_feed.h"
 #include "study/screen/calibration_drawing.h"
 #include "study/screen/frame_measurement.h"
 #include "study/screen/protocol_texts.h"
+#include "study/screen/run_devices.h"
 #include "study/screen/run_environment.h"
 #include "study/screen/session_loop.h"
 #include "study/screen/session_plan.h"
@@ -150,6 +152,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   for (const std::string& each : options.markers) {
     markerOutputs.push_back(openMarkerOutput(each));
   }
+  RunDevices devices(protocol, options);
   const Monitor monitor = chooseMonitor(protocol, options);
   tell(options, fmt::format("monitor   {}: {}", options.monitor, textOf(monitor)));
   GlWindow window(windowOptions(protocol, options));
@@ -226,7 +229,12 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   run.forced = forced;
   TrialStore store(database, protocol, run, schedule);
 
-  MarkerFeed feed(store, protocol, std::move(markerOutputs));
+  LiveOptions liveOptions{options.liveShowsConditions, {}};
+  const MarkerFeed* markers = nullptr;
+  liveOptions.devices = [&] { return devices.liveDevices(options.markers, markers->counts()); };
+  LiveFeed live(store, protocol, schedule, options.live, liveOptions);
+  MarkerFeed feed(live, protocol, std::move(markerOutputs));
+  markers = &feed;
   SessionFlow flow(protocol, schedule, plan.session.done, flowOptions, feed);
   tell(options,
        fmt::format("session   {} of {} of subject {}, {} trials, {} of them done; slot {}, {} first",
@@ -239,6 +247,7 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
     tell(options, "warning   this subject has another screen than in the first trial: " + *change);
     flow.report("screen_changed", *change);
   }
+  devices.begin(flow, flowOptions.screen);
   tell(options, "ready. Commands: pause, resume, redo, note TEXT, status, abort, quit, help");
 
   SessionLoopOptions loop;
@@ -247,10 +256,13 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
   loop.hashEvery = options.hashEvery;
   loop.screenshots = options.screenshots;
   loop.interrupted = options.interrupted;
+  loop.responses = &devices.responses();
+  loop.gaze = devices.gaze();
   int64_t lastShown = 0;
   loop.frameShown = [&](int64_t nanoseconds) {
     lastShown = nanoseconds;
     feed.frameShown(nanoseconds);
+    live.frameShown(nanoseconds, flow);
   };
   SessionEnding ending = SessionEnding::kFailed;
   {
@@ -264,6 +276,8 @@ SessionEnding runPlan(std::optional<StudyDatabase> known, const Protocol& protoc
     flow.report("markers", text);
     tell(options, "markers   " + text);
   }
+  devices.end(flow);
+  live.finish(flow);
   store.flush();
   if (const std::optional<std::string> failure = store.failure()) {
     throw WorkError("the end of the session could not be stored: " + *failure, options.database.string(),

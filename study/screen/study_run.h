@@ -12,7 +12,9 @@
 #include <string>
 #include <vector>
 
+#include "study/live/live_board.h"
 #include "study/protocol/protocol.h"
+#include "study/responses/response_input.h"
 #include "study/session/records.h"
 
 namespace ocelli {
@@ -28,7 +30,12 @@ struct StudyRunOptions {
   std::optional<uint64_t> seed{};  ///< instead of the protocol's, for a session that begins
   bool anyTime = false;            ///< although the time between sessions has not passed
   std::filesystem::path screenshots{};
-  std::vector<std::string> markers{};  ///< where markers go (study/markers/marker_output.h)
+  std::vector<std::string> markers{};    ///< where markers go (study/markers/marker_output.h)
+  std::vector<std::string> responses{};  ///< what subjects answer with (study/responses/response_device.h)
+  double debounceMilliseconds = kUsualDebounceMilliseconds;
+  std::string gaze{};                 ///< where samples of gaze come from (study/gaze/gaze_input.h); empty for none
+  std::shared_ptr<LiveBoard> live{};  ///< gets the status of the session
+  bool liveShowsConditions = false;   ///< LiveOptions::showsConditions
   std::function<bool()> interrupted{};
   std::function<void(const std::string& line)> tell{};  ///< what the experimenter reads before the session
 };

@@ -45,6 +45,18 @@ struct InputRecord {
   InputEvent event;
 };
 
+/// Where the subject looked, as an eye tracker says, while a trial ran.
+struct GazeRecord {
+  int64_t nanoseconds = 0;        ///< when the sample came, as InputRecord::nanoseconds
+  double deviceTime = 0;          ///< by the tracker's clock, in its unit
+  bool valid = true;              ///< as the tracker says
+  double x = 0;                   ///< pixels of the trial's screen, from its left edge; may lie outside of it
+  double y = 0;                   ///< from its upper edge
+  std::optional<double> pupil{};  ///< in the tracker's unit
+
+  bool operator==(const GazeRecord&) const = default;
+};
+
 /// Verdict on the timing of a trial's frames.
 struct TrialTiming {
   int64_t frames = 0;

@@ -48,6 +48,14 @@ void RunningTrial::frameShown(int64_t nanoseconds, std::optional<uint64_t> pixel
   run_->frameShown(tickAt(nanoseconds));
 }
 
+void RunningTrial::takeGaze(std::span<const GazeRecord> samples) {
+  for (const GazeRecord& sample : samples) {
+    if (!shown_.empty() && sample.nanoseconds >= shown_.front()) {
+      gaze_.push_back(sample);
+    }
+  }
+}
+
 void RunningTrial::handOver() {
   if (!frames_.empty()) {
     sink_.frames(number_, frames_);
@@ -56,6 +64,10 @@ void RunningTrial::handOver() {
   if (!inputs_.empty()) {
     sink_.inputs(number_, inputs_);
     inputs_.clear();
+  }
+  if (!gaze_.empty()) {
+    sink_.gaze(number_, gaze_);
+    gaze_.clear();
   }
 }
 

@@ -24,6 +24,8 @@ class RunningTrial {
   /// is yet to come, and where the trial is over before it.
   bool take(const TimedInput& input, int64_t now);
   void frameShown(int64_t nanoseconds, std::optional<uint64_t> pixelHash);
+  /// Keeps those that came since the first frame.
+  void takeGaze(std::span<const GazeRecord> samples);
   /// Of the next frame.
   int64_t nextFrame() const { return static_cast<int64_t>(shown_.size()); }
   /// When each frame was shown; the first of them began the trial.
@@ -44,6 +46,7 @@ class RunningTrial {
   std::vector<int64_t> shown_{};
   std::vector<FrameRecord> frames_{};  ///< not handed over yet
   std::vector<InputRecord> inputs_{};
+  std::vector<GazeRecord> gaze_{};
   int64_t handedOver_ = 0;  ///< when
 };
 

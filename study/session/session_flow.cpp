@@ -59,6 +59,12 @@ void SessionFlow::act(const FormAction& action, int64_t nanoseconds) {
   }
 }
 
+void SessionFlow::gaze(std::span<const GazeRecord> samples) {
+  if (state_->trial) {
+    state_->trial->takeGaze(samples);
+  }
+}
+
 void SessionFlow::update(int64_t nanoseconds) {
   state_->update(nanoseconds);
 }
@@ -88,11 +94,15 @@ SessionStatus SessionFlow::status() const {
                 : state.asksUnwell
                     ? "feels unwell"
                     : std::visit([&](const auto& step) { return state.nameOf(step); }, state.agenda.front());
+  status.blindStep = state.closingPage || state.asksUnwell
+                         ? status.step
+                         : std::visit([&](const auto& step) { return state.blindNameOf(step); }, state.agenda.front());
   status.progress = state.progress();
   status.paused = state.pauseReason.has_value();
   status.lastTiming = state.lastTiming;
   status.wantsExperimenter =
       state.asksUnwell || state.closingPage.has_value() || std::holds_alternative<CallStep>(state.agenda.front());
+  status.ended = state.closingPage.has_value();
   status.failure = state.failure;
   return status;
 }

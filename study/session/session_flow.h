@@ -23,6 +23,7 @@
 #include <functional>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -65,11 +66,13 @@ struct FormAction {
 
 /// What an experimenter's console shows.
 struct SessionStatus {
-  std::string step;  ///< "trial 12 of 24, find stationary, gc, location 3"
+  std::string step;       ///< "trial 12 of 24, find stationary, gc, location 3"
+  std::string blindStep;  ///< the same without what tells of a condition: "trial 12 of 24, find stationary"
   SessionProgress progress;
   bool paused = false;
   TrialTiming lastTiming{};  ///< of the last trial
   bool wantsExperimenter = false;
+  bool ended = false;     ///< a last page is shown
   std::string failure{};  ///< why the session failed
 };
 
@@ -90,6 +93,9 @@ class SessionFlow {
   /// In the order in which they came. The tick at which a trial takes an event follows from when it came.
   void handle(const TimedInput& input);
   void act(const FormAction& action, int64_t nanoseconds);
+  /// Samples of gaze that came since the last update, in order. Those of the trial that runs are stored with it, from
+  /// its first frame on; others are of no trial, and are not kept. They change nothing in the session.
+  void gaze(std::span<const GazeRecord> samples);
   /// Time has come to `nanoseconds`.
   void update(int64_t nanoseconds);
   /// The screen of the last update() was shown. `pixelHash` is of its trial image, where it was read.

@@ -49,10 +49,18 @@ struct FormScreen {
 /// What keeps an item of a form from being done: the id of a text with {least} and {most}; nothing where it is done.
 std::optional<QuestionProblem> problemOf(const FormScreen& screen, size_t item);
 
+/// Where a subject looked, for replays.
+struct GazeMark {
+  glm::dvec2 place{0};  ///< pixels of the screen
+  double age = 0;       ///< 0 when it came, 1 where it vanishes
+  bool joined = true;   ///< to the one before: nothing between them was not seen
+};
+
 struct TrialScreenView {
   TrialLayout layout;
   bool patchWhite = false;  ///< of the photodiode
   bool showsPatch = false;
+  std::vector<GazeMark> gaze{};  ///< the newest last; subjects do not see it
 };
 
 /// The experimenter, or the subject, stopped the session for a while.

@@ -21,6 +21,7 @@ class SessionSink {
   virtual void trialBegins(int number, const TrialPlan& plan, int attempt) = 0;
   virtual void frames(int number, std::span<const FrameRecord> records) = 0;
   virtual void inputs(int number, std::span<const InputRecord> records) = 0;
+  virtual void gaze(int number, std::span<const GazeRecord> records) = 0;
   /// One commit of its own. `acknowledged`, where given, is called on another thread once it is on the disk.
   virtual void trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged = {}) = 0;
   virtual void event(const EventRecord& record) = 0;

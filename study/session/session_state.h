@@ -146,6 +146,13 @@ struct SessionFlow::State {
   std::string nameOf(const PracticeStep&) const { return "practice"; }
   std::string nameOf(const CallStep&) const { return "practice failed, goes on by: resume"; }
   std::string nameOf(const TrialStep& step) const;
+  /// Without what tells of a condition: titles of pages may, as of the one that explains it.
+  std::string blindNameOf(const TextStep&) const { return "page"; }
+  std::string blindNameOf(const TrialStep& step) const;
+  template <class Step>
+  std::string blindNameOf(const Step& step) const {
+    return nameOf(step);
+  }
   std::string nameOf(const FeedbackStep&) const { return "feedback"; }
   std::string nameOf(const BreakStep&) const { return "break"; }
   std::string nameOf(const EndStep&) const { return "end"; }

@@ -53,13 +53,17 @@ SessionScreen SessionFlow::State::screen() const {
   return std::visit([&](const auto& step) { return screenOf(step); }, agenda.front());
 }
 
+std::string SessionFlow::State::blindNameOf(const TrialStep& step) const {
+  const TrialPlan& plan = step.plan;
+  return fmt::format("{}{}, {}", trial ? "" : "before ",
+                     plan.practice ? "practice" : fmt::format("trial {} of {}", plan.index + 1, schedule.trials.size()),
+                     blockOf(plan.block).name);
+}
+
 std::string SessionFlow::State::nameOf(const TrialStep& step) const {
   const TrialPlan& plan = step.plan;
-  const ProtocolBlock& block = blockOf(plan.block);
-  const bool isOpen = block.staircase && !plan.practice && !trial;  // which case comes
-  return fmt::format("{}{}, {}, {}, {}", trial ? "" : "before ",
-                     plan.practice ? "practice" : fmt::format("trial {} of {}", plan.index + 1, schedule.trials.size()),
-                     block.name, protocol.nameOf(plan.view),
+  const bool isOpen = blockOf(plan.block).staircase && !plan.practice && !trial;  // which case comes
+  return fmt::format("{}, {}, {}", blindNameOf(step), protocol.nameOf(plan.view),
                      isOpen ? "staircase" : taskOf(plan).caseInfo(plan.caseIndex).label);
 }
 

@@ -70,7 +70,8 @@ void mapRows(SQLite::Database& database, const std::set<std::string>& left) {
       "coalesce(t.trial_id, (SELECT coalesce(max(trial_id), 0) FROM main.trial) + "
       "row_number() OVER (PARTITION BY t.trial_id IS NULL ORDER BY s.trial_id)) AS new_id, "
       "(SELECT coalesce(max(frame) + 1, 0) FROM main.frame WHERE trial_id = t.trial_id) AS frames, "
-      "(SELECT coalesce(max(input_index) + 1, 0) FROM main.input WHERE trial_id = t.trial_id) AS inputs "
+      "(SELECT coalesce(max(input_index) + 1, 0) FROM main.input WHERE trial_id = t.trial_id) AS inputs, "
+      "(SELECT coalesce(max(gaze_index) + 1, 0) FROM main.gaze WHERE trial_id = t.trial_id) AS gazes "
       "FROM source.trial AS s JOIN merged_run AS r ON r.old_id = s.run_id "
       "LEFT JOIN main.trial AS t ON t.run_id = r.new_id AND t.trial_number = s.trial_number WHERE t.ending IS NULL;"
       "CREATE UNIQUE INDEX temp.merged_trial_old ON merged_trial (old_id)");
@@ -94,7 +95,8 @@ MergeReport countMissing(SQLite::Database& database) {
       "OR EXISTS (SELECT 1 FROM source.trial AS st JOIN merged_trial AS m ON m.old_id = st.trial_id "
       "WHERE st.run_id = r.old_id AND (NOT m.known OR st.ending IS NOT NULL "
       "OR EXISTS (SELECT 1 FROM source.frame WHERE trial_id = m.old_id AND frame >= m.frames) "
-      "OR EXISTS (SELECT 1 FROM source.input WHERE trial_id = m.old_id AND input_index >= m.inputs))))");
+      "OR EXISTS (SELECT 1 FROM source.input WHERE trial_id = m.old_id AND input_index >= m.inputs) "
+      "OR EXISTS (SELECT 1 FROM source.gaze WHERE trial_id = m.old_id AND gaze_index >= m.gazes))))");
   return report;
 }
 
@@ -137,6 +139,7 @@ void addRows(SQLite::Database& database) {
            ofRun + " " + ofTrial + " WHERE NOT m.known");
   copyRows(database, "frame", {{"trial_id", "m.new_id"}}, ofTrial + " WHERE s.frame >= m.frames");
   copyRows(database, "input", {{"trial_id", "m.new_id"}}, ofTrial + " WHERE s.input_index >= m.inputs");
+  copyRows(database, "gaze", {{"trial_id", "m.new_id"}}, ofTrial + " WHERE s.gaze_index >= m.gazes");
   endRunsAndTrials(database);
 }
 

@@ -13,7 +13,8 @@
 namespace ocelli {
 
 const std::vector<Migration>& migrations() {
-  static const std::vector<Migration> steps{{1, migrationOfVersion1()}, {2, migrationOfVersion2()}};
+  static const std::vector<Migration> steps{
+      {1, migrationOfVersion1()}, {2, migrationOfVersion2()}, {3, migrationOfVersion3()}};
   return steps;
 }
 

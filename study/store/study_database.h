@@ -52,6 +52,7 @@ class StudyDatabase {
   TrialRow trial(int64_t id) const;
   std::vector<FrameRecord> frames(int64_t trial) const;
   std::vector<InputRecord> inputs(int64_t trial) const;
+  std::vector<GazeRecord> gaze(int64_t trial) const;
   std::vector<StoredAnswer> answers(const std::string& subject) const;
   std::vector<StoredConsent> consents(const std::string& subject) const;
   std::vector<StoredEvent> events(const std::string& subject) const;

@@ -112,6 +112,14 @@ InputRecord readInput(StoredRow& row) {
   return input;
 }
 
+GazeRecord readGaze(StoredRow& row) {
+  GazeRecord sample{row.integer(), row.real(), row.flag()};
+  sample.x = row.optionalReal().value_or(0);
+  sample.y = row.optionalReal().value_or(0);
+  sample.pupil = row.optionalReal();
+  return sample;
+}
+
 template <class Row>
 std::optional<Row> firstOf(std::vector<Row> rows) {
   return rows.empty() ? std::nullopt : std::optional(std::move(rows.front()));
@@ -212,6 +220,13 @@ std::vector<InputRecord> StudyDatabase::inputs(int64_t trial) const {
                 "SELECT tick, came_ns, kind, what, pressed, modifiers, x, y, more_json FROM input WHERE trial_id = ? "
                 "ORDER BY input_index",
                 readInput, [trial](SQLite::Statement& statement) { statement.bind(1, trial); });
+}
+
+std::vector<GazeRecord> StudyDatabase::gaze(int64_t trial) const {
+  return rowsOf(state_->database, state_->path,
+                "SELECT came_ns, device_time, valid, x_px, y_px, pupil FROM gaze WHERE trial_id = ? "
+                "ORDER BY gaze_index",
+                readGaze, [trial](SQLite::Statement& statement) { statement.bind(1, trial); });
 }
 
 std::vector<StoredAnswer> StudyDatabase::answers(const std::string& subject) const {

@@ -108,6 +108,7 @@ struct TrialStore::State {
   // Of the session's thread.
   const int blocks;
   std::vector<int64_t> inputsOfTrial;  ///< so far, of each trial that began
+  std::vector<int64_t> gazeOfTrial;    ///< likewise
 
   mutable std::mutex mutex;
   std::condition_variable wake;
@@ -294,6 +295,7 @@ void TrialStore::trialBegins(int number, const TrialPlan& plan, int attempt) {
   OC_CHECK(number == static_cast<int>(state_->inputsOfTrial.size()), "trials are numbered one after another");
   OC_CHECK(plan.block >= 0 && plan.block < state_->blocks, "a trial is of a block of the protocol");
   state_->inputsOfTrial.push_back(0);
+  state_->gazeOfTrial.push_back(0);
   state_->put(TrialBegins{number, plan, attempt}, false);
 }
 
@@ -306,6 +308,13 @@ void TrialStore::inputs(int number, std::span<const InputRecord> records) {
   state_->checkBegun(number);
   int64_t& count = state_->inputsOfTrial[static_cast<size_t>(number)];
   state_->put(TrialInputs{number, count, {records.begin(), records.end()}}, false);
+  count += static_cast<int64_t>(records.size());
+}
+
+void TrialStore::gaze(int number, std::span<const GazeRecord> records) {
+  state_->checkBegun(number);
+  int64_t& count = state_->gazeOfTrial[static_cast<size_t>(number)];
+  state_->put(TrialGaze{number, count, {records.begin(), records.end()}}, false);
   count += static_cast<int64_t>(records.size());
 }
 

@@ -119,6 +119,9 @@ TrialWriter::TrialWriter(SQLite::Database& database, int64_t runId, RunRecord ru
       input_(database,
              "INSERT INTO input (trial_id, input_index, tick, came_ns, kind, what, pressed, modifiers, x, y, "
              "more_json, simulated) VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?, ?)"),
+      gaze_(database,
+            "INSERT INTO gaze (trial_id, gaze_index, came_ns, device_time, valid, x_px, y_px, pupil, simulated) "
+            "VALUES (?, ?, ?, ?, ?, ?, ?, ?, ?)"),
       trialEnds_(database, updateOfTrial()),
       sessionEnds_(database, "UPDATE run SET ending = ?2, ended_utc = ?3 WHERE run_id = ?1 AND ending IS NULL") {}
 
@@ -128,7 +131,7 @@ void TrialWriter::write(const StoreMessage& message) {
 
 void TrialWriter::reset() noexcept {
   for (SQLite::Statement* statement :
-       {&consent_, &answer_, &event_, &trialBegins_, &frame_, &input_, &trialEnds_, &sessionEnds_}) {
+       {&consent_, &answer_, &event_, &trialBegins_, &frame_, &input_, &gaze_, &trialEnds_, &sessionEnds_}) {
     statement->tryReset();
   }
 }
@@ -229,6 +232,27 @@ void TrialWriter::write(const TrialInputs& message) {
     bindOptional(input_, 10, columns.y);
     bindOptional(input_, 11, columns.moreJson);
     execute(input_);
+  }
+}
+
+void TrialWriter::write(const TrialGaze& message) {
+  const std::optional<int64_t> trial = idOf(message.number);
+  if (!trial) {
+    return;
+  }
+  gaze_.bind(1, *trial);
+  gaze_.bind(9, simulated_);
+  int64_t index = message.firstIndex;
+  for (const GazeRecord& record : message.records) {
+    gaze_.bind(2, index++);
+    gaze_.bind(3, record.nanoseconds);
+    gaze_.bind(4, record.deviceTime);
+    gaze_.bind(5, record.valid ? 1 : 0);
+    // Where a tracker saw no eye, what it sends as a place is none.
+    bindOptional(gaze_, 6, record.valid ? std::optional(record.x) : std::nullopt);
+    bindOptional(gaze_, 7, record.valid ? std::optional(record.y) : std::nullopt);
+    bindOptional(gaze_, 8, record.pupil);
+    execute(gaze_);
   }
 }
 

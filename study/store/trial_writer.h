@@ -27,6 +27,11 @@ struct TrialInputs {
   int64_t firstIndex = 0;  ///< of the trial
   std::vector<InputRecord> records;
 };
+struct TrialGaze {
+  int number = 0;
+  int64_t firstIndex = 0;  ///< of the trial
+  std::vector<GazeRecord> records;
+};
 struct TrialEnds {
   int number = 0;
   TrialRecord record;
@@ -37,7 +42,7 @@ struct SessionEnds {
   std::string utc;
 };
 using StoreMessage = std::variant<ConsentRecord, AnswerRecord, EventRecord, TrialBegins, TrialFrames, TrialInputs,
-                                  TrialEnds, SessionEnds>;
+                                  TrialGaze, TrialEnds, SessionEnds>;
 
 class TrialWriter {
  public:
@@ -45,8 +50,8 @@ class TrialWriter {
   TrialWriter(SQLite::Database& database, int64_t runId, RunRecord run, std::vector<std::string> blocks,
               ViewConditions conditions);
 
-  /// To be called within a transaction. A message of a transaction that failed may be written again. Frames and input
-  /// of a trial whose beginning was refused are dropped; its end throws.
+  /// To be called within a transaction. A message of a transaction that failed may be written again. Frames, input and
+  /// gaze of a trial whose beginning was refused are dropped; its end throws.
   void write(const StoreMessage& message);
   /// After an error: lets go of what the statements hold.
   void reset() noexcept;
@@ -58,6 +63,7 @@ class TrialWriter {
   void write(const TrialBegins& message);
   void write(const TrialFrames& message);
   void write(const TrialInputs& message);
+  void write(const TrialGaze& message);
   void write(const TrialEnds& message);
   void write(const SessionEnds& message);
   /// Nothing where its beginning was refused.
@@ -78,6 +84,7 @@ class TrialWriter {
   SQLite::Statement trialBegins_;
   SQLite::Statement frame_;
   SQLite::Statement input_;
+  SQLite::Statement gaze_;
   SQLite::Statement trialEnds_;
   SQLite::Statement sessionEnds_;
 };

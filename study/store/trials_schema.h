@@ -12,4 +12,7 @@ const char* migrationOfVersion1();
 /// SQL that makes a database of version 3 of one of version 2 (study/store/migration_2.sql).
 const char* migrationOfVersion2();
 
+/// SQL that makes a database of version 4 of one of version 3 (study/store/migration_3.sql).
+const char* migrationOfVersion3();
+
 }  // namespace ocelli

@@ -123,7 +123,7 @@ void deleteRows(SQLite::Database& database, const std::string& subject) {
   const std::string detail = withdrawalDetail(textOf(key, 0));
   key.reset();
   execute(database, "UPDATE withdrawal SET subject_id = ?, leftovers_pending = 1", subject);
-  for (const char* table : {"frame", "input"}) {
+  for (const char* table : {"frame", "input", "gaze"}) {
     execute(database,
             fmt::format("DELETE FROM {} WHERE trial_id IN (SELECT trial_id FROM trial WHERE subject_id = ?)", table),
             subject);

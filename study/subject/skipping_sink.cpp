@@ -49,6 +49,12 @@ void SkippingSink::inputs(int number, std::span<const InputRecord> records) {
   }
 }
 
+void SkippingSink::gaze(int number, std::span<const GazeRecord> records) {
+  if (const auto found = numbers_.find(number); found != numbers_.end()) {
+    sink_.gaze(found->second, records);
+  }
+}
+
 void SkippingSink::trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) {
   if (const auto found = numbers_.find(number); found != numbers_.end()) {
     TrialRecord passed = record;

@@ -17,6 +17,7 @@ class NoSink final : public SessionSink {
   void trialBegins(int, const TrialPlan&, int) override {}
   void frames(int, std::span<const FrameRecord>) override {}
   void inputs(int, std::span<const InputRecord>) override {}
+  void gaze(int, std::span<const GazeRecord>) override {}
   void trialEnds(int, const TrialRecord&, std::function<void()>) override {}
   void event(const EventRecord&) override {}
   void sessionEnds(SessionEnding, const std::string&) override {}
@@ -36,6 +37,7 @@ class SkippingSink final : public SessionSink {
   void trialBegins(int number, const TrialPlan& plan, int attempt) override;
   void frames(int number, std::span<const FrameRecord> records) override;
   void inputs(int number, std::span<const InputRecord> records) override;
+  void gaze(int number, std::span<const GazeRecord> records) override;
   void trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) override;
   void event(const EventRecord& record) override;
   void sessionEnds(SessionEnding ending, const std::string& utc) override;

@@ -15,7 +15,7 @@ namespace ocelli {
 inline constexpr int32_t kTrialsApplicationId = 0x4f63656c;
 /// `user_version` of files that this program writes, and the oldest that it reads as they are. An analysis asks for
 /// nothing that these do not have.
-inline constexpr int kTrialsSchemaVersion = 3;
+inline constexpr int kTrialsSchemaVersion = 4;
 inline constexpr int kOldestTrialsSchemaVersion = 1;
 
 /// Milliseconds for which a connection waits for a program that writes.

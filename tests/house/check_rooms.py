@@ -22,6 +22,7 @@ THIRD_PARTIES = {
     "hwy/": "hwy::hwy",
     "isa-l/": "PkgConfig::isal",
     "mpi.h": "MPI::MPI_CXX",
+    "microhttpd.h": "PkgConfig::microhttpd",
     "libusb.h": "PkgConfig::libusb",
     "umockdev.h": "PkgConfig::umockdev",
     "gio/": "PkgConfig::umockdev",

@@ -1,7 +1,7 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
-# in build_project.cmake. WITH_OPENGL, WITH_MPI: whether there is a component "opengl", "mpi". DOCUMENTATION:
-# docs/install.md.
+# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE: whether there is a component "opengl", "mpi",
+# "live". DOCUMENTATION: docs/install.md.
 
 # Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
 # `failed`.
@@ -154,6 +154,12 @@ if(WITH_MPI)
   must_fail_saying("MPI COMPONENTS CXX, which \"mpi\" needs" "${all}" -DCMAKE_DISABLE_FIND_PACKAGE_MPI=ON)
 else()
   must_fail_saying("There is no component \"mpi\"" "find_package(Ocelli REQUIRED COMPONENTS mpi)")
+endif()
+if(WITH_LIVE_PAGE)
+  find_needs(live TARGETS Ocelli::study_live Ocelli::study_live_server PACKAGES Eigen3 Boost assimp glfw3
+    LACKS assimp::assimp ${windows} ${usb} ${statistics})
+else()
+  must_fail_saying("There is no component \"live\"" "find_package(Ocelli REQUIRED COMPONENTS live)")
 endif()
 if(WITH_OPENGL)
   find_needs(opengl TARGETS Ocelli::viewer Ocelli::study_screen Ocelli::gl PACKAGES Eigen3 Boost assimp

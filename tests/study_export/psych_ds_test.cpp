@@ -28,7 +28,7 @@ class PsychDsTest : public testing::Test {
   PsychDsTest() {
     storeStudy(folder_ / "study.db");
     exportStudy(folder_ / "study.db", set_,
-                {.form = ExportForm::kPsychDs, .frames = true, .inputs = true, .notes = true});
+                {.form = ExportForm::kPsychDs, .frames = true, .inputs = true, .gaze = true, .notes = true});
   }
 
   TemporaryFolder folder_;

@@ -127,7 +127,7 @@ TEST_F(StudyExportTest, LeavesOutWhatExperimentersTyped) {
 }
 
 TEST_F(StudyExportTest, WritesFramesAndInputsWhereAskedFor) {
-  run({.frames = true, .inputs = true});
+  run({.frames = true, .inputs = true, .gaze = true});
   const Table frames(tables_ / "frames.csv");
   const StudyDatabase database = StudyDatabase::openForReading(file_);
   const std::vector<FrameRecord> stored = database.frames(1);
@@ -143,10 +143,16 @@ TEST_F(StudyExportTest, WritesFramesAndInputsWhereAskedFor) {
   const Table inputs(tables_ / "inputs.csv");
   EXPECT_EQ(inputs.at(0, "what"), "W");
   EXPECT_EQ(inputs.rows(), 14 * madeInputs().size());
+  const Table gaze(tables_ / "gaze.csv");
+  EXPECT_EQ(gaze.rows(), 14 * madeGaze().size());
+  EXPECT_EQ(std::stod(gaze.at(0, "y_px")), madeGaze()[0].y);
+  EXPECT_EQ(gaze.at(1, "pupil"), "");
+  EXPECT_EQ(gaze.at(2, "valid"), "0");
+  EXPECT_EQ(gaze.at(2, "x_px"), "");
 }
 
 TEST_F(StudyExportTest, ExplainsEveryColumnOfEveryTable) {
-  const ExportReport report = run({.frames = true, .inputs = true});
+  const ExportReport report = run({.frames = true, .inputs = true, .gaze = true});
   const Table columns(tables_ / "columns.csv");
   std::vector<std::string> explained;
   for (size_t row = 0; row < columns.rows(); ++row) {

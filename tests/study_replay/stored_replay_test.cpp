@@ -1,10 +1,13 @@
 #include "study/replay/stored_replay.h"
 
+#include <SQLiteCpp/Database.h>
 #include <gtest/gtest.h>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "study/replay/trial_frame.h"
 #include "study/session/trial_rows.h"
+#include "study/trial/trials_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/study_subject/simulated_sessions.h"
 
@@ -13,6 +16,21 @@ namespace {
 
 Image<Rgb8> views(const TrialLayout& layout, const TrialScreen& screen) {
   return viewsOf(layout, screen, rasterizeStudy);
+}
+
+/// Written by a program of that version, and brought up to date by this one.
+TEST(StoredReplay, ofADatabaseOfVersion3IsTheSame) {
+  const test::TemporaryFolder folder;
+  {
+    SQLite::Database old((folder / "old.db").string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
+    old.exec(readFile(OCELLI_SOURCE_DIR "/tests/study_store/version_3.sql", 1'000'000));
+    old.exec("PRAGMA application_id = " + std::to_string(kTrialsApplicationId) + "; PRAGMA user_version = 3");
+  }
+  const ReplayStudy study(folder / "old.db");
+  const ReplaySummary summary = study.check(study.trials({}), {});
+  EXPECT_TRUE(summary.allSame()) << summary.differences.front();
+  EXPECT_EQ(summary.trials, 6);
+  EXPECT_EQ(summary.framesSame, 503);
 }
 
 TEST(StoredReplay, ofAllSimulatedTrialsIsTheSame) {

@@ -8,7 +8,9 @@ with 1, and says what is wrong, where something is.
 import csv
 import json
 import math
+import os
 import pathlib
+import pty
 import queue
 import shutil
 import sqlite3
@@ -16,7 +18,10 @@ import subprocess
 import sys
 import threading
 import time
+import urllib.request
 
+# A response box on a serial line: what is written to the first end comes out of the device of the second.
+BOX, BOX_DEVICE = pty.openpty()
 WIDTH, HEIGHT = map(int, sys.argv[5].split("x")) if len(sys.argv) > 5 else (1280, 800)
 PATIENCE = 90  # seconds that a step may take on a busy machine
 # Where the screens have their buttons, at this size.
@@ -38,14 +43,41 @@ class Session:
     def __init__(self, ocelli, protocol, folder):
         self.screens = folder / "screens"
         command = [ocelli, "study", "run", protocol, "--db", folder / "tiny.db", "--subject", "S01", "--force",
-                   "--hash-frames", "5", "--screenshots", self.screens, "--markers", f"file:{folder / 'markers.csv'}"]
+                   "--hash-frames", "5", "--screenshots", self.screens, "--markers", f"file:{folder / 'S01-markers.csv'}",
+                   "--gaze", f"file:{folder / 'gaze.csv'}", "--live", "0",
+                   "--responses", f"serial:{os.ttyname(BOX_DEVICE)},115200"]
         self.program = subprocess.Popen([str(part) for part in command], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
                                         stderr=subprocess.STDOUT, text=True)
         self.lines = queue.Queue()
+        self.page = None  # the address of the page for the experimenter
+        self.statuses = []  # of that page, one a second
         threading.Thread(target=self.read, daemon=True).start()
+        threading.Thread(target=self.watch, daemon=True).start()
+        threading.Thread(target=self.look, args=(folder / "gaze.csv",), daemon=True).start()
+
+    def look(self, path):
+        """An eye tracker: 100 samples a second along a circle, each tenth of which saw nothing."""
+        with open(path, "a", buffering=1) as file:
+            for i in range(10**6):
+                angle = i / 50
+                x, y = 0.5 + 0.3 * math.cos(angle), 0.5 + 0.3 * math.sin(angle)
+                file.write(f"{i / 100},{x * WIDTH:.2f},{y * HEIGHT:.2f},{int(i % 10 != 0)},3.5\n")
+                time.sleep(0.01)
+
+    def watch(self):
+        while self.program.poll() is None:
+            try:
+                if self.page:
+                    with urllib.request.urlopen(self.page + "status.json", timeout=5) as answer:
+                        self.statuses.append(json.load(answer))
+            except OSError:
+                pass  # the program has ended meanwhile
+            time.sleep(1)
 
     def read(self):
         for line in self.program.stdout:
+            if line.startswith("page "):
+                self.page = line.split()[-1]
             self.lines.put(line.rstrip("\n"))
         self.lines.put(None)
 
@@ -156,7 +188,9 @@ class ByKeyboard:
 
     @staticmethod
     def count():
-        key("4")
+        """On the response box: a byte, which bounces."""
+        os.write(BOX, b"4")
+        os.write(BOX, b"4")
 
     @staticmethod
     def match():
@@ -293,7 +327,7 @@ def check_database(path, way):
 
 def check_markers(folder):
     """The file tells of each trial at the moment that the database has for its first frame."""
-    with open(folder / "markers.csv", newline="") as file:
+    with open(folder / "S01-markers.csv", newline="") as file:
         markers = list(csv.DictReader(file))
     database = sqlite3.connect(folder / "tiny.db")
     check("starts", [(int(each["trial_number"]), int(each["nanoseconds"])) for each in markers
@@ -305,10 +339,59 @@ def check_markers(folder):
     check("told", [detail.split(": ")[-1] for (detail,) in told], [f"{len(markers)} sent, 0 lost"])
 
 
+def check_gaze(folder):
+    """Each trial has samples of its own time, in order, as they were sent."""
+    database = sqlite3.connect(folder / "tiny.db")
+    trials = database.execute("SELECT trial_id, started_ns, ended_ns FROM trial").fetchall()
+    for trial, started, ended in trials:
+        samples = database.execute("SELECT came_ns, device_time, valid, x_px, pupil FROM gaze WHERE trial_id = ? "
+                                   "ORDER BY gaze_index", (trial,)).fetchall()
+        check("samples of a trial", len(samples) > (ended - started) / 1e9 * 20, True)  # a slow machine sends fewer
+        check("times", all(started <= each[0] <= ended for each in samples), True)
+        check("order", all(a[1] < b[1] for a, b in zip(samples, samples[1:])), True)
+        for _, device_time, valid, x, pupil in samples:
+            i = round(device_time * 100)
+            check("valid", valid, int(i % 10 != 0))
+            check("pupil", pupil, 3.5)
+            if valid:
+                check("place", abs(x - (0.5 + 0.3 * math.cos(i / 50)) * WIDTH) < 0.01, True)
+    detail = database.execute("SELECT detail FROM event WHERE what = 'gaze' ORDER BY event_id DESC LIMIT 1").fetchone()[0]
+    check("end of gaze", "0 malformed lines, 0 lost" in detail, True)
+
+
+def check_responses(folder, way):
+    """The box had its presses where it was used; they are inputs of the trials like those of a keyboard."""
+    database = sqlite3.connect(folder / "tiny.db")
+    details = [detail for (detail,) in database.execute("SELECT detail FROM event WHERE what = 'responses'")]
+    box = [detail for detail in details if detail.startswith("serial:")]
+    check("box", [box[0].endswith("debounced 10 ms"), len(box)], [True, 2])
+    presses = int(box[1].split(": ")[-1].split()[0])
+    check("presses of the box", presses >= 4 if way == "keyboard" else presses == 0, True)
+    if way == "keyboard":
+        check("bounces of the box", int(box[1].split()[-2]) >= 2, True)
+        check("answers by the box", database.execute("SELECT count(DISTINCT trial_id) FROM input JOIN trial USING "
+                                                     "(trial_id) WHERE task = 'count' AND what = '4'").fetchone(), (2,))
+
+
+def check_page(statuses):
+    """The page told of the session, and neither who the subject is nor which condition a trial had."""
+    begun = [each for each in statuses if each["state"] != "not begun"]
+    check("statuses", len(begun) > 10, True)
+    done = [each["trials_done"] for each in begun]
+    check("progress", done == sorted(done) and done[-1] >= 5 and begun[-1]["trials"] == 6, True)
+    check("states", {"running", "paused"} <= {each["state"] for each in begun}, True)
+    check("answers", any(each["last_trials"] for each in begun), True)
+    check("devices", {device["name"].split()[0] for device in begun[-1]["devices"]},
+          {"keyboard", "markers", "gaze", f"serial:{os.ttyname(BOX_DEVICE)},"})
+    text = json.dumps(begun)
+    check("blind", [word for word in ("S01", "ppc", '"gc"', ", gc", "all went well") if word in text], [])
+
+
 def main():
     ocelli, protocol, way, folder = sys.argv[1], sys.argv[2], sys.argv[3], pathlib.Path(sys.argv[4])
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
+    (folder / "gaze.csv").touch()
     session = Session(ocelli, protocol, folder)
     try:
         run(session, ByMouse if way == "mouse" else ByKeyboard)
@@ -316,6 +399,9 @@ def main():
         session.program.kill()
     check_database(folder / "tiny.db", way)
     check_markers(folder)
+    check_gaze(folder)
+    check_responses(folder, way)
+    check_page(session.statuses)
     print("a session by", way, "is complete")
 
 

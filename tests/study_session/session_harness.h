@@ -28,10 +28,14 @@ struct TrialInputs {
   int number = 0;
   std::vector<InputRecord> records;
 };
+struct TrialGaze {
+  int number = 0;
+  std::vector<GazeRecord> records;
+};
 struct SessionEnds {
   SessionEnding ending = SessionEnding::kCompleted;
 };
-using SinkCall = std::variant<ConsentRecord, AnswerRecord, TrialBegins, TrialFrames, TrialInputs, TrialEnds,
+using SinkCall = std::variant<ConsentRecord, AnswerRecord, TrialBegins, TrialFrames, TrialInputs, TrialGaze, TrialEnds,
                               EventRecord, SessionEnds>;
 
 class FakeSink : public SessionSink {
@@ -44,6 +48,9 @@ class FakeSink : public SessionSink {
   }
   void inputs(int number, std::span<const InputRecord> records) override {
     add(TrialInputs{number, {records.begin(), records.end()}});
+  }
+  void gaze(int number, std::span<const GazeRecord> records) override {
+    add(TrialGaze{number, {records.begin(), records.end()}});
   }
   void trialEnds(int number, const TrialRecord& record, std::function<void()>) override {
     add(TrialEnds{number, record});

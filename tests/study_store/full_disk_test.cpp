@@ -62,6 +62,7 @@ TEST(FullDisk, KeepsWhatWasStoredAndStoresTheRestOnceThereIsRoom) {
   for (const TrialRow& trial : database.trials("S01")) {
     EXPECT_EQ(database.frames(trial.trialId), madeFrames(0, kFramesOfTrial, trial.trialNumber));
     EXPECT_EQ(database.inputs(trial.trialId).size(), madeInputs().size());
+    EXPECT_EQ(database.gaze(trial.trialId), madeGaze());
   }
 }
 

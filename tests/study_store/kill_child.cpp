@@ -53,6 +53,12 @@ class SayingSink final : public FakeSink {
     }
     store_.inputs(number, records);
   }
+  void gaze(int number, std::span<const GazeRecord> records) override {
+    for (const GazeRecord& record : records) {
+      digest_.add(record);
+    }
+    store_.gaze(number, records);
+  }
   void trialEnds(int number, const TrialRecord& record, std::function<void()>) override {
     const AcknowledgedTrial trial{record.plan.index,     record.attempt,        record.plan.practice,
                                   nameOf(record.ending), record.outcome.answer, digest_.value()};
@@ -79,6 +85,8 @@ void runSession(const Protocol& protocol, const SessionSchedule& schedule, const
     const size_t frames = 30 + random.below(80);
     for (size_t frame = 0; run.inTrial() && frame < frames; ++frame) {
       run.frame();
+      const GazeRecord sample{run.now, static_cast<double>(frame), true, static_cast<double>(random.below(640)), 0, {}};
+      run.flow.gaze(std::span(&sample, 1));
       // Slow enough for the log of a trial to come to the disk before the trial ends.
       std::this_thread::sleep_for(kPause);
       if (frame % 4 == 0) {

@@ -222,6 +222,9 @@ class Harness {
     for (const InputRecord& input : database.inputs(trial.trialId)) {
       digest.add(input);
     }
+    for (const GazeRecord& sample : database.gaze(trial.trialId)) {
+      digest.add(sample);
+    }
     const TrialRecord record = recordOf(trial);
     return {record.plan.index,     record.attempt,        record.plan.practice,
             nameOf(record.ending), record.outcome.answer, digest.value()};

@@ -31,12 +31,18 @@ class TrialDigest {
     inputs_ =
         inputs_ * 1099511628211u + static_cast<uint64_t>(input.tick) + 31 * static_cast<uint64_t>(input.nanoseconds);
   }
-  uint64_t value() const { return frames_ ^ (inputs_ * 0x9e3779b97f4a7c15u); }
+  void add(const GazeRecord& sample) {
+    uint64_t bits = 0;
+    std::memcpy(&bits, &sample.x, sizeof bits);
+    gaze_ = (gaze_ * 1099511628211u + bits) ^ static_cast<uint64_t>(sample.nanoseconds);
+  }
+  uint64_t value() const { return frames_ ^ (inputs_ * 0x9e3779b97f4a7c15u) ^ (gaze_ * 0xbf58476d1ce4e5b9u); }
 
  private:
   void addBits(uint64_t bits) { frames_ = (frames_ ^ bits) * 1099511628211u; }
   uint64_t frames_ = 14695981039346656037u;
   uint64_t inputs_ = 1;
+  uint64_t gaze_ = 1;
 };
 
 struct AcknowledgedTrial {

@@ -123,6 +123,10 @@ std::vector<InputRecord> madeInputs() {
           {13, 4, CloseEvent{}}};
 }
 
+std::vector<GazeRecord> madeGaze() {
+  return {{14, 1042.5, true, 960.25, -1.0 / 3, 3.5}, {15, 1.5e15, true, 0, 1e-9, {}}, {16, -1, false, 0, 0, {}}};
+}
+
 void storeTrial(SessionSink& sink, int number, const TrialRecord& record, int frames, int salt,
                 std::function<void()> acknowledged) {
   sink.trialBegins(number, record.plan, record.attempt);
@@ -130,6 +134,7 @@ void storeTrial(SessionSink& sink, int number, const TrialRecord& record, int fr
     sink.frames(number, madeFrames(first, std::min(30, frames - first), salt));
   }
   sink.inputs(number, madeInputs());
+  sink.gaze(number, madeGaze());
   sink.trialEnds(number, record, std::move(acknowledged));
 }
 

@@ -21,6 +21,9 @@ std::vector<FrameRecord> madeFrames(int first, int count, int salt);
 /// One of each kind of event.
 std::vector<InputRecord> madeInputs();
 
+/// One that is valid with a pupil, one without, and one where nothing was seen.
+std::vector<GazeRecord> madeGaze();
+
 /// Hands a whole trial to the sink, frames in pieces of 30.
 void storeTrial(SessionSink& sink, int number, const TrialRecord& record, int frames, int salt,
                 std::function<void()> acknowledged = {});

@@ -53,7 +53,8 @@ class MergeTest : public testing::Test {
   static std::string contents(const std::filesystem::path& file) {
     std::string text;
     SQLite::Database database(file.string());
-    for (const char* table : {"subject", "session", "run", "consent", "answer", "event", "trial", "frame", "input"}) {
+    for (const char* table :
+         {"subject", "session", "run", "consent", "answer", "event", "trial", "frame", "input", "gaze"}) {
       SQLite::Statement row(database, std::string("SELECT * FROM ") + table);
       while (row.executeStep()) {
         for (int i = 0; i < row.getColumnCount(); ++i) {
@@ -95,6 +96,7 @@ TEST_F(MergeTest, BringsAllSubjectsWithAllTheyDid) {
     for (const TrialRow& trial : trials) {
       EXPECT_EQ(database.frames(trial.trialId), madeFrames(0, 40, trial.trialNumber + saltOf(subject)));
       EXPECT_EQ(database.inputs(trial.trialId).size(), madeInputs().size());
+      EXPECT_EQ(database.gaze(trial.trialId), madeGaze());
     }
   }
   SQLite::Database raw(target_.string());

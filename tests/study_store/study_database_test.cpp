@@ -264,8 +264,8 @@ TEST_F(StudyDatabaseTest, KeepsRecordedRowsAsTheyAre) {
     store.sessionEnds(SessionEnding::kCompleted, "2026-03-01T13:00:00.000Z");
   }
   SQLite::Database raw(file_.string(), SQLite::OPEN_READWRITE);
-  for (const char* table :
-       {"study", "subject", "session", "run", "consent", "answer", "trial", "frame", "input", "event", "audit"}) {
+  for (const char* table : {"study", "subject", "session", "run", "consent", "answer", "trial", "frame", "input",
+                            "gaze", "event", "audit"}) {
     const std::string name = table;
     ASSERT_GT(raw.execAndGet("SELECT count(*) FROM " + name).getInt(), 0) << name;
     EXPECT_THROW(raw.exec("DELETE FROM " + name), SQLite::Exception) << name;

@@ -245,7 +245,7 @@ TEST_F(TrialStoreTest, MarksEveryRowOfSimulatedSubjects) {
     EXPECT_GT(raw.execAndGet(query + "1").getInt(), 0) << table;
     EXPECT_EQ(raw.execAndGet(query + "0").getInt(), 0) << table;
   }
-  for (const char* table : {"frame", "input"}) {
+  for (const char* table : {"frame", "input", "gaze"}) {
     const std::string query = std::string("SELECT count(*) FROM ") + table +
                               " JOIN trial USING (trial_id) WHERE subject_id = 'robot' AND " + table + ".simulated = ";
     EXPECT_GT(raw.execAndGet(query + "1").getInt(), 0) << table;

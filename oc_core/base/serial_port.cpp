@@ -1,0 +1,95 @@
+#include "oc_core/base/serial_port.h"
+
+#include <fcntl.h>
+#include <linux/serial.h>
+#include <sys/ioctl.h>
+#include <termios.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <charconv>
+#include <cstring>
+
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+struct BaudRate {
+  int bitsPerSecond;
+  speed_t speed;
+};
+constexpr std::array kRates{BaudRate{9600, B9600},     BaudRate{19200, B19200},   BaudRate{38400, B38400},
+                            BaudRate{57600, B57600},   BaudRate{115200, B115200}, BaudRate{230400, B230400},
+                            BaudRate{460800, B460800}, BaudRate{921600, B921600}};
+
+bool askForLowLatency(int descriptor) {
+  serial_struct settings{};
+  if (ioctl(descriptor, TIOCGSERIAL, &settings) != 0) {
+    return false;
+  }
+  settings.flags |= ASYNC_LOW_LATENCY;
+  return ioctl(descriptor, TIOCSSERIAL, &settings) == 0;
+}
+
+}  // namespace
+
+std::string baudRatesText() {
+  std::string text;
+  for (size_t i = 0; i < kRates.size(); ++i) {
+    text += (i == 0 ? "" : i + 1 == kRates.size() ? " or " : ", ") + std::to_string(kRates[i].bitsPerSecond);
+  }
+  return text;
+}
+
+SerialPlace serialPlaceFromText(const std::string& text, const std::string& where) {
+  const size_t comma = text.rfind(',');
+  SerialPlace place{text.substr(0, comma)};
+  if (comma != std::string::npos) {
+    const char* const end = text.data() + text.size();
+    const auto read = std::from_chars(text.data() + comma + 1, end, place.bitsPerSecond);
+    place.bitsPerSecond = read.ec == std::errc() && read.ptr == end ? place.bitsPerSecond : 0;
+  }
+  const bool isKnown = std::ranges::find(kRates, place.bitsPerSecond, &BaudRate::bitsPerSecond) != kRates.end();
+  if (place.device.empty() || !isKnown) {
+    throw InputError("must be a device, and may have a rate of " + baudRatesText(), where,
+                     "such as serial:/dev/ttyUSB0,115200");
+  }
+  return place;
+}
+
+SerialPort::SerialPort(const SerialPlace& place, const std::string& where) {
+  const auto* const rate = std::ranges::find(kRates, place.bitsPerSecond, &BaudRate::bitsPerSecond);
+  descriptor_ = open(place.device.c_str(), O_RDWR | O_NOCTTY | O_NONBLOCK | O_CLOEXEC);
+  if (descriptor_ < 0) {
+    throw WorkError(std::string("the device cannot be opened (") + std::strerror(errno) + ")", where,
+                    "check that it is plugged in, and that you are in the group of the device (often dialout)");
+  }
+  termios settings{};
+  if (tcgetattr(descriptor_, &settings) != 0) {
+    close(descriptor_);
+    throw InputError("this is no serial device", where, "such as serial:/dev/ttyUSB0");
+  }
+  cfmakeraw(&settings);
+  settings.c_cflag |= CLOCAL;
+  cfsetspeed(&settings, rate == kRates.end() ? B115200 : rate->speed);
+  if (tcsetattr(descriptor_, TCSANOW, &settings) != 0) {
+    const int problem = errno;
+    close(descriptor_);
+    throw WorkError(std::string("the device does not take this rate (") + std::strerror(problem) + ")", where,
+                    "another rate, as its manual says");
+  }
+  lowLatency_ = askForLowLatency(descriptor_);
+}
+
+SerialPort::~SerialPort() {
+  close(descriptor_);
+}
+
+bool SerialPort::send(unsigned char byte) const {
+  return write(descriptor_, &byte, 1) == 1;
+}
+
+}  // namespace ocelli
