@@ -24,11 +24,14 @@ class LayeredMesher {
         width_(layers[0].width()),
         height_(layers[0].height()) {}
 
-  Mesh mesh() {
+  Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
     addVertices();
     match();
     joinNeighbours();
     addSquares();
+    if (pixelOfVertex != nullptr) {
+      fillPixels(*pixelOfVertex);
+    }
     return std::move(mesh_);
   }
 
@@ -204,6 +207,23 @@ class LayeredMesher {
     }
   }
 
+  /// Of the samples, then of the corners of squares.
+  void fillPixels(std::vector<uint32_t>& pixelOfVertex) const {
+    pixelOfVertex.clear();
+    pixelOfVertex.reserve(mesh_.positions.size());
+    const auto add = [&](size_t sample) {
+      pixelOfVertex.push_back(static_cast<uint32_t>(layers_[0].t.index(pixel_[sample].x, pixel_[sample].y)));
+    };
+    for (size_t s = 0; s < z_.size(); ++s) {
+      add(s);
+    }
+    for (size_t s = 0; s < z_.size(); ++s) {
+      for (size_t corner = 0; corner < kSquareSides.size() && isOpen(s); ++corner) {
+        add(s);
+      }
+    }
+  }
+
   /// The change of 1/z for a pixel to the right and a pixel down.
   glm::vec2 gradient(int s) const {
     const auto slope = [&](const std::vector<int>& forward, const std::vector<int>& back) {
@@ -222,9 +242,12 @@ class LayeredMesher {
     return {slope(right_, left_), slope(below_, above_)};
   }
 
+  /// Whether its surface ends there.
+  bool isOpen(size_t sample) const { return trianglesAround_[sample] < kClosedTriangles; }
+
   void addSquares() {
     for (int s = 0; s < static_cast<int>(z_.size()); ++s) {
-      if (trianglesAround_[static_cast<size_t>(s)] < kClosedTriangles) {
+      if (isOpen(static_cast<size_t>(s))) {
         addSquare(s);
       }
     }
@@ -261,7 +284,7 @@ class LayeredMesher {
 
 }  // namespace
 
-Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options) {
+Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options, std::vector<uint32_t>* pixelOfVertex) {
   if (layers.empty()) {
     return {};
   }
@@ -269,7 +292,7 @@ Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options)
     OC_CHECK(layer.view == layers[0].view && layer.width() == layers[0].width() && layer.height() == layers[0].height(),
              "the layers of an image have one view and one size");
   }
-  return LayeredMesher(layers, options).mesh();
+  return LayeredMesher(layers, options).mesh(pixelOfVertex);
 }
 
 }  // namespace ocelli

@@ -13,7 +13,9 @@ namespace ocelli {
 /// The mesh of all layers: each pair of neighbouring pixels joins those samples, one to one and of any layers, that
 /// continue each other best, by the rules of imageMesh(); a single layer is joined as imageMesh() joins it.
 /// Vertices come in pixel order, the layers of a pixel from near to far, then the corners of squares. Layers must be of
-/// one view and size; they displace nothing. No layer gives an empty mesh.
-Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options = {});
+/// one view and size; they displace nothing. No layer gives an empty mesh. `pixelOfVertex` receives the index of the
+/// pixel that each vertex comes from.
+Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options = {},
+                 std::vector<uint32_t>* pixelOfVertex = nullptr);
 
 }  // namespace ocelli

@@ -1,0 +1,74 @@
+// A min-max pyramid over the cells of samples: where rays first meet a reference image, without missing any hit.
+//
+// The lowest level groups the cells of 4 x 4 pixels, the next one 4 x 4 of those groups, and so on. Each node knows the
+// least and the largest coordinates of each of its 16 children, in the world: bounds of the surfaces themselves hold
+// for every camera, however it displaces its samples or bends its rays, and a ray stays straight in them, where its
+// image in an occlusion camera is a curve. Nothing is built but these bounds, from the cells up, in a time in
+// proportion to the pixels.
+//
+// Nodes are opened from near to far, and the walk ends when nothing that is left begins before the first hit. Boxes are
+// grown by more than single precision rounds: a ray that meets a triangle meets all boxes around it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "oc_core/depth_rays/ray_cost.h"
+#include "oc_core/depth_rays/sample_cells.h"
+#include "oc_core/depth_rays/straight_ray.h"
+#include "oc_core/scene/box.h"
+
+namespace ocelli {
+
+class SamplePyramid {
+ public:
+  /// The cells must outlive it.
+  explicit SamplePyramid(const SampleCells& cells);
+
+  /// The first triangle that the ray meets. The ray has finite numbers and a direction. `cost` grows.
+  std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const;
+
+  /// The most steps that a ray can take: no node is opened twice, and no cell is tested twice.
+  size_t maxSteps() const { return nodes_.size() + filledCells_; }
+  Box bounds() const { return bounds_; }
+
+ private:
+  static constexpr int kSide = 4;
+  static constexpr size_t kChildren = kSide * kSide;
+  /// What a child is: a node, or the cell of a pixel.
+  static constexpr uint32_t kCellBit = 0x80000000u;
+
+  struct Node {
+    std::array<std::array<float, kChildren>, 3> lower;
+    std::array<std::array<float, kChildren>, 3> upper;
+    std::array<uint32_t, kChildren> child;
+    uint32_t count = 0;  ///< of children; the others are boxes that nothing meets
+  };
+  struct Child {
+    Box box;  ///< empty where there is none
+    uint32_t reference = 0;
+  };
+  /// One level of the pyramid of a grid.
+  struct Level {
+    int width = 0;
+    int height = 0;
+    std::vector<Child> children;
+  };
+
+  Level lowestLevel(const SampleGrid& grid, float margin) const;
+  Level grouped(const Level& level);
+  Child nodeOf(const std::array<const Child*, kChildren>& children, size_t count);
+
+  const SampleCells& cells_;
+  std::vector<Node> nodes_;
+  size_t filledCells_ = 0;
+  Child root_;
+  Box bounds_;
+};
+
+/// The slow reference: every triangle of every cell.
+std::optional<TriangleMeeting> meetEveryCell(const SampleCells& cells, const StraightRay& ray);
+
+}  // namespace ocelli
