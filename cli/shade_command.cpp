@@ -72,9 +72,9 @@ float largestSide(const Box& box) {
   return std::max({box.size().x, box.size().y, box.size().z});
 }
 
-class Shading {
+class ShadeRun {
  public:
-  Shading(const ShadeChoice& choice, const CommandContext& context)
+  ShadeRun(const ShadeChoice& choice, const CommandContext& context)
       : choice_(choice),
         context_(context),
         effect_(shadeEffect(choice.effect)),
@@ -253,7 +253,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {
                    checkOutputs(*choice);
-                   Shading(*choice, context).run();
+                   ShadeRun(*choice, context).run();
                  });
 }
 

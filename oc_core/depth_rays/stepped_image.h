@@ -60,8 +60,8 @@ class SteppedImage {
     double share = 0;
     bool projects = false;
     glm::dvec2 place{0};
-    double inverse = 0;                  ///< 1/t of the ray
-    std::optional<double> shownInverse;  ///< 1/t of the sample; nothing where there is none
+    double inverse = 0;                       ///< 1/t of the ray
+    std::optional<double> shownInverse = {};  ///< 1/t of the sample; nothing where there is none
   };
 
   Probe probe(const StraightRay& ray, double share) const;

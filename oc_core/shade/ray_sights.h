@@ -43,7 +43,7 @@ struct SightInputs {
 
 struct BuiltSight {
   std::string name;
-  std::unique_ptr<RaySight> sight;
+  std::unique_ptr<RaySight> sight = {};
   double buildMilliseconds = 0;      ///< of images, or of the acceleration structure of the geometry
   double structureMilliseconds = 0;  ///< of cells and pyramid
   size_t samples = 0;                ///< of reference images

@@ -41,7 +41,7 @@ struct ShadeFigures {
   size_t missing = 0;
   size_t falseHits = 0;
   double psnrDecibels = 0;  ///< over the pixels of the rays; infinite where they are equal
-  RayCost cost;
+  RayCost cost = {};
   uint32_t maxSteps = 0;  ///< of a ray
   size_t samples = 0;
   size_t triangles = 0;

@@ -13,15 +13,15 @@ namespace ocelli {
 struct ShadeReport {
   std::string scene;
   std::string effect;
-  std::string version;
-  View view;           ///< of the picture
-  glm::ivec2 size{0};  ///< of the picture, pixels
-  View referenceView;  ///< of the reference images
+  std::string version = {};
+  View view = {};           ///< of the picture
+  glm::ivec2 size{0};       ///< of the picture, pixels
+  View referenceView = {};  ///< of the reference images
   glm::ivec2 referenceSize{0};
   float cellSide = 0;  ///< that they are made for, world units
   int environmentHeight = 0;
   int runs = 1;
-  std::vector<ShadeFigures> rows;
+  std::vector<ShadeFigures> rows = {};
 };
 
 /// One figure of a row.
