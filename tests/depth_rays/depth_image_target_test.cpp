@@ -117,7 +117,8 @@ TEST(DepthImageTarget, fromInsideOfAnObjectItsSurfaceIsHitFromBehind) {
   const DepthImageTarget target = depthImageOf(test::ballBeforePlane());
   const auto hit = target.hit({{0, 0, 0}, {0, 0, 3}});
   ASSERT_TRUE(hit);
-  EXPECT_NEAR(hit->position.z, 0.5f, 2e-3f) << "a ball of 48 segments";
+  // Facets of 7.5 degrees leave out 1e-3 of the ball in either direction, and lines between samples 3e-4.
+  EXPECT_NEAR(hit->position.z, 0.5f, 2.5e-3f);
 }
 
 TEST(DepthImageTarget, emptyImagesAreHitByNothing) {

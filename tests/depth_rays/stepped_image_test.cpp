@@ -42,7 +42,7 @@ TEST(SteppedImage, meetsAPlaneWhereItIs) {
 // cameras too; and the coarser the steps, the fewer there are.
 TEST(SteppedImage, findsMostOfTheFirstHits) {
   const Mesh mesh = test::ballBeforePlane();
-  for (const char* name : {"di", "spoc", "ddoc", "eoc-h", "panorama"}) {
+  for (const char* name : {"di", "rppc", "spoc", "ddoc", "eoc-h"}) {
     const Stepped stepped(name, mesh);
     const DepthImageTarget exact(stepped.images);
     size_t last = 0;

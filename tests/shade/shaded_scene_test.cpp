@@ -21,7 +21,7 @@ TEST(ShadedScene, builtinsComeWithTheirRoles) {
     EXPECT_EQ(scene.mirrors.size(), mirrors);
     EXPECT_EQ(scene.lenses.size(), lenses);
     EXPECT_GT(scene.cast.triangles.size(), 5000u);
-    EXPECT_LT(scene.billboards.triangles.size(), 1000u);
+    EXPECT_LT(scene.billboards.triangles.size(), 2000u);
     EXPECT_TRUE(scene.surroundings.empty());
     size_t triangles = scene.cast.triangles.size() + scene.billboards.triangles.size();
     for (const std::vector<Bender>* benders : {&scene.mirrors, &scene.lenses}) {
