@@ -79,15 +79,17 @@ class ShadeRun {
         context_(context),
         effect_(shadeEffect(choice.effect)),
         size_(imageSizeFromText(choice.size, "--size")),
-        referenceSize_(imageSizeFromText(choice.imageSize, "--image-size")),
-        view_(readViewOption(choice.view)) {
+        referenceSize_(imageSizeFromText(choice.imageSize, "--image-size")) {
     for (const std::string& name : choice.by) {
       checkSightName(name);
     }
     scene_ = loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options,
                              context.progress());
-    rays_ = raysOf(effect_, scene_, PinholeCamera(view_, size_.width, size_.height));
+    requireSenders(effect_, scene_);
     senders_ = boundsOf(effect_.senders(scene_));
+    view_ = choice.view.empty() ? pictureView(senders_) : readViewOption(choice.view);
+    rays_ = raysOf(effect_, scene_, PinholeCamera(view_, size_.width, size_.height));
+    cell_.shape = ViewCell::Shape::kSphere;
     cell_.sideRadii = choice.cell.empty() ? largestSide(senders_) : cellSideFromText(choice.cell, "--cell");
     reference_.emplace(referenceView(scene_.cast, senders_, referenceSize_.width, referenceSize_.height),
                        referenceSize_.width, referenceSize_.height);

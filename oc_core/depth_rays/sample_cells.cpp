@@ -11,12 +11,12 @@ namespace {
 
 constexpr size_t kGrain = 1 << 14;
 
-/// The number of the cell of each triangle of a part.
+/// The number of the cell of each triangle of a part, whose layers follow each other.
 std::vector<uint32_t> cellsOf(const MeshedImages& part, uint32_t firstPixel) {
   std::vector<uint32_t> cells(part.mesh.triangles.size());
   parallelFor(cells.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      cells[i] = firstPixel + part.pixelOfVertex[part.mesh.triangles[i].x];
+      cells[i] = firstPixel + part.sampleOfVertex[part.mesh.triangles[i].x];
     }
   });
   return cells;
@@ -32,7 +32,7 @@ SampleCells::Place SampleCells::placeOf(uint32_t triangle) const {
       std::prev(std::upper_bound(grids.begin(), grids.end(), cell,
                                  [](uint32_t value, const SampleGrid& each) { return value < each.firstPixel; }));
   const auto pixel = static_cast<int>(cell - grid->firstPixel);
-  return {grid->firstImage, pixel % grid->width, pixel / grid->width};
+  return {grid->image, pixel % grid->width, pixel / grid->width};
 }
 
 SampleCells sampleCells(const ReferenceImages& images) {
@@ -40,12 +40,13 @@ SampleCells sampleCells(const ReferenceImages& images) {
   std::vector<uint32_t> cellOfTriangle;
   uint32_t pixels = 0;
   for (MeshedImages& part : meshEach(images)) {
-    const ReferenceImage& image = images[part.first];
-    cells.grids.push_back({part.first, image.width(), image.height(), pixels});
     const std::vector<uint32_t> more = cellsOf(part, pixels);
     cellOfTriangle.insert(cellOfTriangle.end(), more.begin(), more.end());
-    pixels += static_cast<uint32_t>(image.t.size());
-    if (cells.grids.size() == 1) {
+    for (size_t i = part.first; i < part.end; ++i) {
+      cells.grids.push_back({i, images[i].width(), images[i].height(), pixels});
+      pixels += static_cast<uint32_t>(images[i].t.size());
+    }
+    if (part.first == 0) {
       cells.mesh = std::move(part.mesh);
     } else {
       append(cells.mesh, part.mesh);

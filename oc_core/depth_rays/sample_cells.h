@@ -14,9 +14,9 @@
 
 namespace ocelli {
 
-/// The cells of one image, or of all layers of a layered one.
+/// The cells of one image of the union; each layer of a layered one has its own.
 struct SampleGrid {
-  size_t firstImage = 0;  ///< of the union
+  size_t image = 0;
   int width = 0;
   int height = 0;
   uint32_t firstPixel = 0;  ///< in SampleCells::firstTriangle
@@ -32,7 +32,7 @@ struct SampleCells {
   size_t cellCount() const { return firstTriangle.size() - 1; }
   /// Where a triangle lies.
   struct Place {
-    size_t image = 0;  ///< of the union; the first layer of a layered one
+    size_t image = 0;  ///< of the union
     int x = 0;
     int y = 0;
   };

@@ -30,13 +30,13 @@ void forMeshedRanges(const ReferenceImages& images, const Body& body) {
 }
 
 Mesh meshOfRange(const ReferenceImages& images, size_t first, size_t end, const ImageMeshOptions& options,
-                 std::vector<uint32_t>* pixelOfVertex) {
+                 std::vector<uint32_t>* sampleOfVertex) {
   const auto part = images.begin() + static_cast<std::ptrdiff_t>(first);
   if (end - first > 1) {
-    return layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}, options, pixelOfVertex);
+    return layeredMesh({part, part + static_cast<std::ptrdiff_t>(end - first)}, options, sampleOfVertex);
   }
-  return part->rows == ImageRows::kAligned ? imageMesh(*part, options, pixelOfVertex)
-                                           : rowMesh(*part, options, pixelOfVertex);
+  return part->rows == ImageRows::kAligned ? imageMesh(*part, options, sampleOfVertex)
+                                           : rowMesh(*part, options, sampleOfVertex);
 }
 
 }  // namespace
@@ -58,7 +58,7 @@ std::vector<MeshedImages> meshEach(const ReferenceImages& images) {
   std::vector<MeshedImages> parts;
   forMeshedRanges(images, [&](size_t first, size_t end, const ImageMeshOptions& options) {
     MeshedImages part{first, end, {}, {}};
-    part.mesh = meshOfRange(images, first, end, options, &part.pixelOfVertex);
+    part.mesh = meshOfRange(images, first, end, options, &part.sampleOfVertex);
     parts.push_back(std::move(part));
   });
   return parts;

@@ -17,7 +17,8 @@ struct MeshedImages {
   size_t first = 0;  ///< of the union
   size_t end = 0;
   Mesh mesh;
-  std::vector<uint32_t> pixelOfVertex;  ///< the index of the pixel that each vertex comes from
+  /// Where each vertex comes from: the index of its pixel, plus the number of its layer times the pixels of one.
+  std::vector<uint32_t> sampleOfVertex;
 };
 
 /// The meshes that unionMesh() puts behind each other, in its order, and where their vertices come from.

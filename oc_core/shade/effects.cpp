@@ -25,12 +25,16 @@ const Effect& shadeEffect(const std::string& name) {
   throw InputError("there is no effect \"" + name + "\"", "--effect", "one of " + known);
 }
 
-SecondaryRays raysOf(const Effect& effect, const ShadedScene& scene, const PinholeCamera& camera) {
+void requireSenders(const Effect& effect, const ShadedScene& scene) {
   if (effect.senders(scene).empty()) {
     throw InputError("no object of this scene has the role that this effect needs",
                      "--effect " + std::string(effect.name),
                      "give one that role with --roles FILE.json, or choose another effect");
   }
+}
+
+SecondaryRays raysOf(const Effect& effect, const ShadedScene& scene, const PinholeCamera& camera) {
+  requireSenders(effect, scene);
   SecondaryRays rays = effect.rays(scene, camera);
   if (rays.rays.empty()) {
     throw InputError("the picture shows nothing of what mirrors or refracts", "--view",

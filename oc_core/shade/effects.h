@@ -22,7 +22,10 @@ const std::vector<Effect>& shadeEffects();
 /// Throws InputError that lists them for another name.
 const Effect& shadeEffect(const std::string& name);
 
-/// The same, with what the scene needs for it: throws InputError where no object of the scene has the role.
+/// Throws InputError where no object of the scene has the role that the effect needs.
+void requireSenders(const Effect& effect, const ShadedScene& scene);
+
+/// Its rays. Throws as requireSenders() does, and where the picture shows none of those objects.
 SecondaryRays raysOf(const Effect& effect, const ShadedScene& scene, const PinholeCamera& camera);
 
 }  // namespace ocelli

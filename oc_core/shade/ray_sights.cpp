@@ -83,8 +83,7 @@ class DepthImageSight final : public RaySight {
   DepthImageSight(const SightInputs& in, const ReferenceImages& images)
       : target_(images),
         billboards_(in.scene.billboards),
-        map_(in.viewpoint, together({&in.scene.billboards, &in.scene.surroundings}), in.environmentHeight,
-             shadeBackground()),
+        map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()),
         reach_(reachOf(in.scene)) {}
 
   Sighting see(const SecondaryRay& ray, RayCost& cost) const override {

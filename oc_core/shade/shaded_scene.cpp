@@ -123,6 +123,16 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   return shaded;
 }
 
+View pictureView(const Box& senders) {
+  constexpr double kMargin = 1.5;
+  View view;
+  view.target = senders.center();
+  const auto distance = static_cast<double>(glm::distance(view.eye, view.target));
+  const double radius = kMargin * static_cast<double>(glm::length(senders.size())) / 2;
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(std::min(radius / distance, 1.0)));
+  return view;
+}
+
 View referenceView(const Mesh& cast, const Box& senders, int width, int height) {
   View view;
   view.eye = senders.center();

@@ -37,6 +37,10 @@ std::vector<RoledObject> rolesFor(const std::string& source, const std::string& 
 ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledObject>& roles,
                             const SceneOptions& options = {}, const Progress& progress = {});
 
+/// The default view of the picture: from where the default view of other commands looks, towards what sends the rays,
+/// and half as wide again as that is.
+View pictureView(const Box& senders);
+
 /// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
 /// them, and as wide as they are from there, with a margin. Throws InputError where they lie around that place, so that
 /// no image plane holds them.

@@ -27,11 +27,11 @@ struct Copy {
 };
 
 // Seen from the mirror's middle two near ones hide parts of the far ones behind them, and the fifth stands in the gap.
-constexpr std::array<Copy, 5> kBeforeMirror{{{-0.33f, 0.12f, 20, palette::skyBlue},
-                                             {-0.12f, 0.46f, -35, palette::yellow},
-                                             {-0.62f, 0.24f, 70, palette::vermilion},
-                                             {-0.44f, 0.86f, 10, palette::purple},
-                                             {-0.50f, 0.55f, 130, palette::green}}};
+constexpr std::array<Copy, 5> kBeforeMirror{{{-0.45f, 0.10f, 20, palette::skyBlue},
+                                             {-0.05f, 0.55f, -35, palette::yellow},
+                                             {-0.90f, 0.30f, 70, palette::vermilion},
+                                             {-0.35f, 1.05f, 10, palette::purple},
+                                             {-0.62f, 0.68f, 130, palette::green}}};
 // The same behind the ball of glass, for a viewer at +z.
 constexpr std::array<Copy, 5> kBehindLens{{{-0.24f, -0.10f, 20, palette::skyBlue},
                                            {0.26f, -0.14f, -35, palette::yellow},
@@ -44,8 +44,8 @@ Scene sceneAround(const BuiltinValues& values, Mesh shown, const glm::mat4& worl
                   const std::array<Copy, 5>& copies, float copySize) {
   Scene scene;
   Mesh room;
-  addCheckerFloor(room, {-1, -0.8f}, {1, 1}, kFloor, 12, 11, palette::slate(), palette::ivory());
-  addBrickWall(room, {-1, kFloor}, {1, 0.55f}, -0.8f, 9, 8);
+  addCheckerFloor(room, {-1.2f, -0.8f}, {1, 1.3f}, kFloor, 14, 13, palette::slate(), palette::ivory());
+  addBrickWall(room, {-1.2f, kFloor}, {1, 0.45f}, -0.8f, 9, 9);
   const size_t others = room.triangles.size() + shown.triangles.size();
   scene.add(std::move(room));
   scene.add(std::move(shown), worldFromShown);
@@ -72,10 +72,10 @@ Scene sceneAround(const BuiltinValues& values, Mesh shown, const glm::mat4& worl
 Scene buildMirror(const BuiltinValues& values) {
   Mesh teapot = makeTeapot(32);
   const Box box = boundsOf(teapot);
-  const float scale = 0.8f / box.size().x;
-  const glm::mat4 standing = glm::scale(placedAt({0.3f, kFloor, -0.15f}, -20), glm::vec3(scale)) *
+  const float scale = 1.1f / box.size().x;
+  const glm::mat4 standing = glm::scale(placedAt({0.3f, kFloor, -0.2f}, -20), glm::vec3(scale)) *
                              glm::translate(glm::mat4(1), {-box.center().x, -box.lower.y, -box.center().z});
-  return sceneAround(values, std::move(teapot), standing, kBeforeMirror, 0.34f);
+  return sceneAround(values, std::move(teapot), standing, kBeforeMirror, 0.46f);
 }
 
 Scene buildLens(const BuiltinValues& values) {

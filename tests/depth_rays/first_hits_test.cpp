@@ -20,7 +20,7 @@ size_t rayCount() {
 TEST(FirstHits, thePyramidFindsWhatTestingEveryTriangleFinds) {
   const Mesh mesh = test::thingsBeforeWall();
   std::vector<std::pair<std::string, std::unique_ptr<DepthImageTarget>>> targets;
-  test::forEachSampledScene(mesh, PinholeCamera({}, 60, 40),
+  test::forEachSampledScene(mesh, PinholeCamera({}, 30, 20),
                             [&](const std::string& name, const ReferenceImages& images) {
                               targets.emplace_back(name, std::make_unique<DepthImageTarget>(images));
                             });

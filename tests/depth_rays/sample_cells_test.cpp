@@ -37,13 +37,10 @@ TEST(SampleCells, trianglesLieAtTheirPixel) {
     for (uint32_t i = 0; i < cells.mesh.triangles.size(); ++i) {
       const SampleCells::Place place = cells.placeOf(i);
       const glm::vec3& corner = cells.mesh.positions[cells.mesh.triangles[i].x];
-      float nearest = 1e30f;
-      // A layer above the first one holds it, where the image is layered.
-      for (size_t k = place.image; k < images.size() && (k == place.image || images[k].layer > 0); ++k) {
-        if (const auto point = images[k].pointOf(place.x, place.y, images[k].reference())) {
-          nearest = std::min(nearest, glm::distance(*point, corner));
-        }
-      }
+      const ReferenceImage& image = images[place.image];
+      const auto point = image.pointOf(place.x, place.y, image.reference());
+      ASSERT_TRUE(point) << name;
+      const float nearest = glm::distance(*point, corner);
       // Of a panorama 90 pixels wide a pixel covers 0.7 units at the distance of 10.
       EXPECT_LT(nearest, images[0].wrapsAround ? 0.8f : 0.3f) << name;
       samples += nearest < 1e-5f;
