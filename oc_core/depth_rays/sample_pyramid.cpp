@@ -4,6 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <limits>
+#include <utility>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
@@ -16,8 +17,10 @@ constexpr float kFar = std::numeric_limits<float>::max();
 constexpr float kRounding = 1e-6f;
 /// What boxes are grown by, of the largest coordinate.
 constexpr float kMarginShare = 2.5e-7f;
-/// A grid of 32768 pixels a side has 8 levels, and grids are grouped as often; each leaves 15 children waiting.
+/// Ranges are halved evenly, so that 2^31 cells have less than 10 levels; each leaves 15 children waiting.
 constexpr size_t kMaxWaiting = 16 * 16;
+/// Of the extent of a block: where a gap is wider, its two sides get nodes of their own.
+constexpr float kGapShare = 0.15f;
 
 /// 1 / step, finite also where the ray runs along an axis: boxes are grown by more than it then moves across.
 glm::vec3 inverseOf(const glm::vec3& step) {
@@ -43,36 +46,39 @@ SamplePyramid::SamplePyramid(const SampleCells& cells) : cells_(cells), bounds_(
   OC_CHECK(cells.cellCount() < kCellBit, "a pyramid of 2^31 pixels or more");
   const glm::vec3 largest = bounds_.empty() ? glm::vec3(0) : glm::max(glm::abs(bounds_.lower), glm::abs(bounds_.upper));
   const float margin = kMarginShare * std::max({largest.x, largest.y, largest.z});
-  Level roots{0, 1, {}};
+  Children blocks;
   for (const SampleGrid& grid : cells.grids) {
-    Level level = lowestLevel(grid, margin);
-    while (level.children.size() > 1) {
-      level = grouped(level);
+    const Children ofPixel = cellsOf(grid, margin);
+    Children block;
+    for (int y = 0; y < grid.height; y += kSide) {
+      for (int x = 0; x < grid.width; x += kSide) {
+        block.clear();
+        for (int v = y; v < std::min(y + kSide, grid.height); ++v) {
+          for (int u = x; u < std::min(x + kSide, grid.width); ++u) {
+            const Child& cell =
+                ofPixel[static_cast<size_t>(v) * static_cast<size_t>(grid.width) + static_cast<size_t>(u)];
+            if (!cell.box.empty()) {
+              block.push_back(cell);
+            }
+          }
+        }
+        filledCells_ += block.size();
+        addBlock(block, blocks);
+      }
     }
-    if (!level.children.empty() && !level.children.front().box.empty()) {
-      roots.children.push_back(level.children.front());
-    }
   }
-  roots.width = static_cast<int>(roots.children.size());
-  while (roots.children.size() > 1) {
-    roots = grouped(roots);
-  }
-  if (!roots.children.empty()) {
-    root_ = roots.children.front();
-  }
-  for (size_t cell = 0; cell < cells.cellCount(); ++cell) {
-    filledCells_ += cells.firstTriangle[cell] < cells.firstTriangle[cell + 1] ? 1 : 0;
+  if (!blocks.empty()) {
+    root_ = treeOver(blocks);
   }
 }
 
-SamplePyramid::Level SamplePyramid::lowestLevel(const SampleGrid& grid, float margin) const {
-  Level level{grid.width, grid.height, {}};
-  level.children.resize(static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height));
+SamplePyramid::Children SamplePyramid::cellsOf(const SampleGrid& grid, float margin) const {
+  Children children(static_cast<size_t>(grid.width) * static_cast<size_t>(grid.height));
   constexpr size_t kGrain = 4096;
-  parallelFor(level.children.size(), kGrain, [&](size_t begin, size_t end) {
+  parallelFor(children.size(), kGrain, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const size_t cell = grid.firstPixel + i;
-      Child& child = level.children[i];
+      Child& child = children[i];
       child.reference = static_cast<uint32_t>(cell) | kCellBit;
       for (uint32_t t = cells_.firstTriangle[cell]; t < cells_.firstTriangle[cell + 1]; ++t) {
         const glm::uvec3& triangle = cells_.mesh.triangles[t];
@@ -86,49 +92,94 @@ SamplePyramid::Level SamplePyramid::lowestLevel(const SampleGrid& grid, float ma
       }
     }
   });
-  return level;
+  return children;
 }
 
-SamplePyramid::Level SamplePyramid::grouped(const Level& level) {
-  Level above{(level.width + kSide - 1) / kSide, (level.height + kSide - 1) / kSide, {}};
-  above.children.resize(static_cast<size_t>(above.width) * static_cast<size_t>(above.height));
-  for (int y = 0; y < above.height; ++y) {
-    for (int x = 0; x < above.width; ++x) {
-      std::array<const Child*, kChildren> children{};
-      size_t count = 0;
-      for (int v = kSide * y; v < std::min(kSide * (y + 1), level.height); ++v) {
-        for (int u = kSide * x; u < std::min(kSide * (x + 1), level.width); ++u) {
-          const Child& child =
-              level.children[static_cast<size_t>(v) * static_cast<size_t>(level.width) + static_cast<size_t>(u)];
-          if (!child.box.empty()) {
-            children[count++] = &child;
-          }
-        }
-      }
-      above.children[static_cast<size_t>(y) * static_cast<size_t>(above.width) + static_cast<size_t>(x)] =
-          nodeOf(children, count);
-    }
+void SamplePyramid::addBlock(std::span<Child> cells, Children& blocks) {
+  if (cells.empty()) {
+    return;
   }
-  return above;
+  // The widest gap that a plane across an axis finds between them.
+  float widest = 0;
+  int axisOfGap = 0;
+  size_t afterGap = 0;
+  glm::vec3 extent(0);
+  const auto sortAlong = [&](int axis) {
+    std::sort(cells.begin(), cells.end(), [axis](const Child& a, const Child& b) {
+      return std::pair(a.box.lower[axis], a.reference) < std::pair(b.box.lower[axis], b.reference);
+    });
+  };
+  for (int axis = 0; axis < 3 && cells.size() > 1; ++axis) {
+    sortAlong(axis);
+    float reached = cells[0].box.upper[axis];
+    for (size_t i = 1; i < cells.size(); ++i) {
+      if (const float gap = cells[i].box.lower[axis] - reached; gap > widest) {
+        widest = gap;
+        axisOfGap = axis;
+        afterGap = i;
+      }
+      reached = std::max(reached, cells[i].box.upper[axis]);
+    }
+    extent[axis] = reached - cells[0].box.lower[axis];
+  }
+  if (widest > kGapShare * std::max({extent.x, extent.y, extent.z})) {
+    sortAlong(axisOfGap);
+    addBlock(cells.first(afterGap), blocks);
+    addBlock(cells.subspan(afterGap), blocks);
+    return;
+  }
+  blocks.push_back(nodeOf(cells));
+}
+
+SamplePyramid::Child SamplePyramid::treeOver(std::span<Child> children) {
+  if (children.size() <= kChildren) {
+    return nodeOf(children);
+  }
+  std::vector<std::span<Child>> parts{children};
+  while (parts.size() < kChildren) {
+    std::vector<std::span<Child>> halves;
+    for (const std::span<Child>& part : parts) {
+      Box middles;
+      for (const Child& child : part) {
+        middles.add(child.box.center());
+      }
+      const glm::vec3 size = middles.size();
+      const int axis = size.x >= size.y && size.x >= size.z ? 0 : size.y >= size.z ? 1 : 2;
+      const size_t half = part.size() / 2;
+      const auto middle = part.begin() + static_cast<std::ptrdiff_t>(half);
+      std::nth_element(part.begin(), middle, part.end(), [axis](const Child& a, const Child& b) {
+        return std::pair(a.box.center()[axis], a.reference) < std::pair(b.box.center()[axis], b.reference);
+      });
+      halves.push_back(part.first(half));
+      halves.push_back(part.subspan(half));
+    }
+    parts = std::move(halves);
+  }
+  Children nodes;
+  for (const std::span<Child>& part : parts) {
+    nodes.push_back(treeOver(part));
+  }
+  return nodeOf(nodes);
 }
 
 /// A child alone needs no node above it.
-SamplePyramid::Child SamplePyramid::nodeOf(const std::array<const Child*, kChildren>& children, size_t count) {
-  if (count <= 1) {
-    return count == 0 ? Child{} : *children[0];
+SamplePyramid::Child SamplePyramid::nodeOf(std::span<const Child> children) {
+  const size_t count = children.size();
+  if (count == 1) {
+    return children[0];
   }
   Child whole{{}, static_cast<uint32_t>(nodes_.size())};
   Node& node = nodes_.emplace_back();
   node.count = static_cast<uint32_t>(count);
   for (size_t i = 0; i < kChildren; ++i) {
     for (int axis = 0; axis < 3; ++axis) {
-      node.lower[static_cast<size_t>(axis)][i] = i < count ? children[i]->box.lower[axis] : kFar;
-      node.upper[static_cast<size_t>(axis)][i] = i < count ? children[i]->box.upper[axis] : kFar;
+      node.lower[static_cast<size_t>(axis)][i] = i < count ? children[i].box.lower[axis] : kFar;
+      node.upper[static_cast<size_t>(axis)][i] = i < count ? children[i].box.upper[axis] : kFar;
     }
-    node.child[i] = i < count ? children[i]->reference : 0;
+    node.child[i] = i < count ? children[i].reference : 0;
     if (i < count) {
-      whole.box.add(children[i]->box.lower);
-      whole.box.add(children[i]->box.upper);
+      whole.box.add(children[i].box.lower);
+      whole.box.add(children[i].box.upper);
     }
   }
   return whole;

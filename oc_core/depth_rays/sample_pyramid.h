@@ -1,10 +1,11 @@
-// A min-max pyramid over the cells of samples: where rays first meet a reference image, without missing any hit.
+// A pyramid of bounds over the cells of samples: where rays first meet a reference image, without missing any hit.
 //
-// The lowest level groups the cells of 4 x 4 pixels, the next one 4 x 4 of those groups, and so on. Each node knows the
-// least and the largest coordinates of each of its 16 children, in the world: bounds of the surfaces themselves hold
-// for every camera, however it displaces its samples or bends its rays, and a ray stays straight in them, where its
-// image in an occlusion camera is a curve. Nothing is built but these bounds, from the cells up, in a time in
-// proportion to the pixels.
+// The lowest level groups the cells of 4 x 4 pixels; where a group holds surfaces with a gap between them, which an
+// image shows side by side, each gets a node of its own. Above it nodes group 16 by their places in the world:
+// neighbours in an image may lie far apart, as tiles, layers and the images of a union do. Each node knows the least
+// and the largest coordinates of each of its children, in the world: bounds of the surfaces themselves hold for every
+// camera, however it displaces its samples or bends its rays, and a ray stays straight in them, where its image in an
+// occlusion camera is a curve.
 //
 // Nodes are opened from near to far, and the walk ends when nothing that is left begins before the first hit. Boxes are
 // grown by more than single precision rounds: a ray that meets a triangle meets all boxes around it.
@@ -13,6 +14,7 @@
 #include <array>
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "oc_core/depth_rays/ray_cost.h"
@@ -50,16 +52,15 @@ class SamplePyramid {
     Box box;  ///< empty where there is none
     uint32_t reference = 0;
   };
-  /// One level of the pyramid of a grid.
-  struct Level {
-    int width = 0;
-    int height = 0;
-    std::vector<Child> children;
-  };
+  using Children = std::vector<Child>;
 
-  Level lowestLevel(const SampleGrid& grid, float margin) const;
-  Level grouped(const Level& level);
-  Child nodeOf(const std::array<const Child*, kChildren>& children, size_t count);
+  Children cellsOf(const SampleGrid& grid, float margin) const;
+  /// One node, or several where gaps part them.
+  void addBlock(std::span<Child> cells, Children& blocks);
+  /// One node over all of them.
+  Child treeOver(std::span<Child> children);
+  /// Of 16 at most.
+  Child nodeOf(std::span<const Child> children);
 
   const SampleCells& cells_;
   std::vector<Node> nodes_;
