@@ -13,7 +13,7 @@
 #include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/image/png_file.h"
-#include "oc_core/render/graph_depth_image.h"
+#include "oc_core/depth_rays/graph_depth_image.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/worlds/scene_source.h"

@@ -83,6 +83,7 @@ void flushStandardOutput();
 
 void addSceneCommand(CLI::App& program, const CommandContext& context);
 void addPresentCommand(CLI::App& program, const CommandContext& context);
+void addShadeCommand(CLI::App& program, const CommandContext& context);
 void addSliceCommand(CLI::App& program, const CommandContext& context);
 void addSolidityCommand(CLI::App& program, const CommandContext& context);
 void addVolumeCommand(CLI::App& program, const CommandContext& context);

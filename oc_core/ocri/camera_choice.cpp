@@ -219,10 +219,18 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
   return finished({choice.kind->draw(technique, {choice, reference, mesh, progress})}, choice, reference, mesh).front();
 }
 
+std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                  const ReferenceImages& images, const Progress& progress) {
+  return choice.kind->maps ? choice.kind->maps({choice, reference, mesh, progress}, images) : std::vector<CameraMap>{};
+}
+
 std::vector<RayFunction> cameraRays(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                     const ReferenceImages& images, const Progress& progress) {
-  return choice.kind->rays ? choice.kind->rays({choice, reference, mesh, progress}, images)
-                           : std::vector<RayFunction>{};
+  std::vector<RayFunction> rays;
+  for (CameraMap& map : cameraMaps(choice, reference, mesh, images, progress)) {
+    rays.push_back(std::move(map.ray));
+  }
+  return rays;
 }
 
 ReferenceImage raycastReferenceImage(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,

@@ -15,11 +15,12 @@
 
 namespace ocelli {
 
-/// The rays of a camera, which the function keeps.
+/// The map of a camera, whose functions keep it.
 template <Camera C>
-RayFunction raysOf(C camera) {
+CameraMap mapOf(C camera) {
   const auto shared = std::make_shared<const C>(std::move(camera));
-  return [shared](const glm::vec2& pixel) { return shared->rayPath(pixel); };
+  return {[shared](const glm::vec2& pixel) { return shared->rayPath(pixel); },
+          [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); }};
 }
 
 /// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.
@@ -51,8 +52,8 @@ RepresentationKind castRepresentation(const char* name, const char* description,
                 }
                 return cast(in);
               },
-          .rays = [makeCamera](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(makeCamera(in))};
+          .maps = [makeCamera](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+            return {mapOf(makeCamera(in))};
           },
           .castsRays = true};
 }

@@ -24,11 +24,14 @@ class LayeredMesher {
         width_(layers[0].width()),
         height_(layers[0].height()) {}
 
-  Mesh mesh() {
+  Mesh mesh(std::vector<uint32_t>* sampleOfVertex) {
     addVertices();
     match();
     joinNeighbours();
     addSquares();
+    if (sampleOfVertex != nullptr) {
+      fillSamples(*sampleOfVertex);
+    }
     return std::move(mesh_);
   }
 
@@ -53,8 +56,10 @@ class LayeredMesher {
     first_.push_back(0);
     for (int y = 0; y < height_; ++y) {
       for (int x = 0; x < width_; ++x) {
-        for (const ReferenceImage& layer : layers_) {
+        for (size_t i = 0; i < layers_.size(); ++i) {
+          const ReferenceImage& layer = layers_[i];
           if (const auto point = camera_.unproject(layer.undistorted(x, y))) {
+            sample_.push_back(static_cast<uint32_t>(i * layer.t.size() + layer.t.index(x, y)));
             mesh_.positions.push_back(*point);
             mesh_.colors.push_back(layer.color(x, y));
             z_.push_back(layer.t(x, y));
@@ -204,6 +209,16 @@ class LayeredMesher {
     }
   }
 
+  /// Of the samples, then of the corners of squares.
+  void fillSamples(std::vector<uint32_t>& sampleOfVertex) const {
+    sampleOfVertex = sample_;
+    for (size_t s = 0; s < z_.size(); ++s) {
+      for (size_t corner = 0; corner < kSquareSides.size() && isOpen(s); ++corner) {
+        sampleOfVertex.push_back(sample_[s]);
+      }
+    }
+  }
+
   /// The change of 1/z for a pixel to the right and a pixel down.
   glm::vec2 gradient(int s) const {
     const auto slope = [&](const std::vector<int>& forward, const std::vector<int>& back) {
@@ -222,9 +237,12 @@ class LayeredMesher {
     return {slope(right_, left_), slope(below_, above_)};
   }
 
+  /// Whether its surface ends there.
+  bool isOpen(size_t sample) const { return trianglesAround_[sample] < kClosedTriangles; }
+
   void addSquares() {
     for (int s = 0; s < static_cast<int>(z_.size()); ++s) {
-      if (trianglesAround_[static_cast<size_t>(s)] < kClosedTriangles) {
+      if (isOpen(static_cast<size_t>(s))) {
         addSquare(s);
       }
     }
@@ -254,6 +272,7 @@ class LayeredMesher {
   std::vector<int> first_;  ///< the first sample of each pixel, and one behind the last
   std::vector<float> z_;    ///< of each sample
   std::vector<Pixel> pixel_;
+  std::vector<uint32_t> sample_;                   ///< its pixel, plus its layer times the pixels of one
   std::vector<int> right_, left_, below_, above_;  ///< the sample that each sample is joined with, or kNone
   std::vector<uint8_t> trianglesAround_;           ///< of each sample's surface, in the four cells around it
   Mesh mesh_;
@@ -261,7 +280,8 @@ class LayeredMesher {
 
 }  // namespace
 
-Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options) {
+Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options,
+                 std::vector<uint32_t>* sampleOfVertex) {
   if (layers.empty()) {
     return {};
   }
@@ -269,7 +289,7 @@ Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options)
     OC_CHECK(layer.view == layers[0].view && layer.width() == layers[0].width() && layer.height() == layers[0].height(),
              "the layers of an image have one view and one size");
   }
-  return LayeredMesher(layers, options).mesh();
+  return LayeredMesher(layers, options).mesh(sampleOfVertex);
 }
 
 }  // namespace ocelli

@@ -13,7 +13,9 @@ namespace ocelli {
 /// The mesh of all layers: each pair of neighbouring pixels joins those samples, one to one and of any layers, that
 /// continue each other best, by the rules of imageMesh(); a single layer is joined as imageMesh() joins it.
 /// Vertices come in pixel order, the layers of a pixel from near to far, then the corners of squares. Layers must be of
-/// one view and size; they displace nothing. No layer gives an empty mesh.
-Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options = {});
+/// one view and size; they displace nothing. No layer gives an empty mesh. `sampleOfVertex` receives where each
+/// vertex comes from: the index of its pixel, plus the number of its layer times the pixels of one.
+Mesh layeredMesh(const ReferenceImages& layers, const ImageMeshOptions& options = {},
+                 std::vector<uint32_t>* sampleOfVertex = nullptr);
 
 }  // namespace ocelli

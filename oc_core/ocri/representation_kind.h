@@ -22,6 +22,7 @@
 #include "oc_core/base/registry.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/camera_option.h"
+#include "oc_core/ocri/set_difference.h"
 
 namespace ocelli {
 
@@ -39,6 +40,17 @@ struct ViewedPart {
   float reach = 0;         ///< its viewpoints lie within this distance of the reference eye, display radii
   float marginPixels = 0;  ///< it sees no farther than this beside the reference's image
 };
+
+/// Between the pixels of an image and the world, both ways: a camera whose type is not known.
+struct CameraMap {
+  RayFunction ray;
+  Projection project;
+};
+
+/// One map for each of the images that buildReferenceImages() makes of this choice: as cameraRays(), which are their
+/// rays.
+std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
+                                  const ReferenceImages& images, const Progress& progress = {});
 
 /// The images of an eye that moves, each from what the last one knew. Called by one thread at a time.
 class ImageSequence {
@@ -80,8 +92,8 @@ struct RepresentationKind {
   std::function<std::optional<ViewedPart>(const CameraChoice&, const PinholeCamera& reference)> viewed = {};
   /// The image drawn in another way; empty where there is one way only. Throws InputError for ways that it lacks.
   std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
-  /// The rays of each image. Builds the cameras, so it takes about as long.
-  std::function<std::vector<RayFunction>(const RepresentationInputs&, const ReferenceImages&)> rays = {};
+  /// The map of each image. Builds the cameras, so it takes about as long.
+  std::function<std::vector<CameraMap>(const RepresentationInputs&, const ReferenceImages&)> maps = {};
   /// Whether no renderer draws it but along its rays: `auto` then makes the acceleration structure too.
   bool castsRays = false;
   /// Why OpenGL cannot draw it; empty where it can.

@@ -47,15 +47,15 @@ CellCamera cellCamera(const Inputs& in) {
   return buildCellCamera(in.reference, in.mesh, in.choice.cell, in.progress, in.renderer);
 }
 
-// ---- their rays
+// ---- their maps
 
 /// Each image is of a pinhole, which it names.
-std::vector<RayFunction> pinholeRays(const Inputs&, const ReferenceImages& images) {
-  std::vector<RayFunction> rays;
+std::vector<CameraMap> pinholeMaps(const Inputs&, const ReferenceImages& images) {
+  std::vector<CameraMap> maps;
   for (const ReferenceImage& image : images) {
-    rays.push_back(raysOf(PinholeCamera(image.view, image.width(), image.height())));
+    maps.push_back(mapOf(PinholeCamera(image.view, image.width(), image.height())));
   }
-  return rays;
+  return maps;
 }
 
 // ---- their images, drawn in another way
@@ -189,7 +189,7 @@ RepresentationKind cornersRow(const char* name, const char* description, int cou
                 return buildCornerDepthImages(in.reference, in.mesh, cubeOf(in.choice), in.choice.count, in.renderer);
               },
           .viewed = viewedFromCell,
-          .rays = pinholeRays};
+          .maps = pinholeMaps};
 }
 
 class DdocSequence final : public ImageSequence {
@@ -215,8 +215,8 @@ RepresentationKind ddocRow(const char* name, const char* description, std::funct
           .rayCrossover = RayCrossover::kDdoc,
           .viewed = viewedDisplaced,
           .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, ddocCamera(in), in); },
-          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(ddocCamera(in))};
+          .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+            return {mapOf(ddocCamera(in))};
           }};
 }
 
@@ -246,8 +246,8 @@ RepresentationKind eocRow(const char* name, const char* description, const glm::
                 const EpipolarCamera camera = epipolarCamera(in, in.choice.segmentDirection);
                 return eocImage(castAlongRays(camera, in), camera, in.mesh);
               },
-          .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-            return {raysOf(epipolarCamera(in, in.choice.segmentDirection))};
+          .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+            return {mapOf(epipolarCamera(in, in.choice.segmentDirection))};
           }};
 }
 
@@ -270,14 +270,14 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
             }
             return part;
           },
-      .rays =
+      .maps =
           [withDdoc](const Inputs& in, const ReferenceImages&) {
-            std::vector<RayFunction> rays{raysOf(epipolarCamera(in, kHorizontalSegment)),
-                                          raysOf(epipolarCamera(in, kVerticalSegment))};
+            std::vector<CameraMap> maps{mapOf(epipolarCamera(in, kHorizontalSegment)),
+                                        mapOf(epipolarCamera(in, kVerticalSegment))};
             if (withDdoc) {
-              rays.push_back(raysOf(ddocCamera(in)));
+              maps.push_back(mapOf(ddocCamera(in)));
             }
-            return rays;
+            return maps;
           }};
 }
 
@@ -307,7 +307,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .refitShare = RefitShare::kDepthImage,
                   .viewed = viewedFromEye,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
-                  .rays = pinholeRays});
+                  .maps = pinholeMaps});
   rows.push_back({.name = "di-wide",
                   .description = "depth image as wide as what the view cell sees beside the reference frustum",
                   .options = {&kCellSide},
@@ -315,7 +315,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                     return {buildWideDepthImage(in.reference, in.mesh,
                                                 wideFactor(in.reference, in.mesh, cubeOf(in.choice)), in.renderer)};
                   },
-                  .rays = pinholeRays});
+                  .maps = pinholeMaps});
   rows.push_back(cornersRow(
       "corners-4", "depth images of the reference view and of the four corners of the view cell nearest to the scene",
       4));
@@ -326,7 +326,7 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .maxCount = kMaxLayers,
                   // Which sides of its surfaces are seen tells an object as a whole, so it looks at all of the scene.
                   .images = layeredDepthImage,
-                  .rays = pinholeRays,
+                  .maps = pinholeMaps,
                   .needsCpu = "peels layers, which only rasterisation on the CPU does"});
   rows.push_back(
       {.name = "rppc",
@@ -335,8 +335,8 @@ std::vector<RepresentationKind> builtinRepresentations() {
          return {buildReversePinholeImage(reversePinhole(in), in.reference, in.mesh, in.renderer)};
        },
        .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, reversePinhole(in), in); },
-       .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-         return {raysOf(reversePinhole(in))};
+       .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+         return {mapOf(reversePinhole(in))};
        }});
   rows.push_back({.name = "spoc",
                   .description = "single pole occlusion camera around the foreground",
@@ -346,16 +346,16 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   },
                   .rayCrossover = RayCrossover::kSpoc,
                   .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, spocCamera(in), in); },
-                  .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-                    return {raysOf(spocCamera(in))};
+                  .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+                    return {mapOf(spocCamera(in))};
                   }});
   rows.push_back({.name = "di+spoc",
                   .description = "depth image, and what the single pole occlusion camera adds to it",
                   .options = spocOptions(),
                   .images = spocUnion,
                   .rayCrossover = RayCrossover::kSpoc,
-                  .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-                    return {raysOf(in.reference), raysOf(spocCamera(in))};
+                  .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+                    return {mapOf(in.reference), mapOf(spocCamera(in))};
                   }});
   rows.push_back(ddocRow("ddoc", "depth discontinuity occlusion camera, radii from the view cell", {}));
   rows.push_back(ddocRow("ddoc-constant", "the same as the dissertation has it, with a constant radius of 15 pixels",
@@ -390,8 +390,8 @@ std::vector<RepresentationKind> builtinRepresentations() {
              const CellCamera camera = cellCamera(in);
              return cellImage(camera, castAlongRays(camera, in), in.mesh);
            },
-       .rays = [](const Inputs& in, const ReferenceImages&) -> std::vector<RayFunction> {
-         return {raysOf(cellCamera(in))};
+       .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+         return {mapOf(cellCamera(in))};
        }});
   rows.push_back(castRow<PanoramaCamera>(
       "panorama", "all directions from the eye, 360 by 180 degrees, as an equirectangular image (--size 1440x720)"));

@@ -61,11 +61,21 @@ class RowMesher {
         focal_(camera_.focalPixels()),
         rows_(static_cast<size_t>(image.height())) {}
 
-  Mesh mesh() {
+  Mesh mesh(std::vector<uint32_t>* pixelOfVertex) {
+    wantsPixels_ = pixelOfVertex != nullptr;
+    makeMesh();
+    if (wantsPixels_) {
+      *pixelOfVertex = std::move(pixelOfVertex_);
+    }
+    return std::move(mesh_);
+  }
+
+ private:
+  void makeMesh() {
     forRows([&](size_t y) { findSamples(y); });
     firstVertex_ = startsOf(rows_, [](const Row& row) { return row.samples.size(); });
     if (firstVertex_.back() == 0) {
-      return std::move(mesh_);
+      return;
     }
     forRows([&](size_t y) {
       for (RowSample& sample : rows_[y].samples) {
@@ -81,10 +91,7 @@ class RowMesher {
     forRows([&](size_t y) { closeStrip(y); });
     forRows([&](size_t y) { findOpen(rows_[y]); });
     writeMesh();
-    return std::move(mesh_);
   }
-
- private:
   template <class Body>
   void forRows(const Body& body) {
     parallelFor(rows_.size(), 8, [&](size_t begin, size_t end) {
@@ -120,6 +127,12 @@ class RowMesher {
     }
   }
 
+  void notePixel(size_t vertex, const RowSample& sample, size_t y) {
+    if (wantsPixels_) {
+      pixelOfVertex_[vertex] = static_cast<uint32_t>(image_.t.index(sample.column, static_cast<int>(y)));
+    }
+  }
+
   /// First the samples, then the corners of squares; first the triangles of strips, then those of squares; row by row.
   void writeMesh() {
     const std::vector<size_t> firstTriangle = startsOf(rows_, [](const Row& row) { return row.triangles.size(); });
@@ -130,11 +143,13 @@ class RowMesher {
       } else {
         mesh_.positions.resize(firstVertex_.back() + 4 * firstSquare.back());
         mesh_.colors.resize(mesh_.positions.size());
+        pixelOfVertex_.resize(wantsPixels_ ? mesh_.positions.size() : 0);
       }
     });
     forRows([&](size_t y) {
       const Row& row = rows_[y];
       for (const RowSample& sample : row.samples) {
+        notePixel(sample.vertex, sample, y);
         mesh_.positions[sample.vertex] = *camera_.unproject(sample.place);
         mesh_.colors[sample.vertex] = image_.color(sample.column, static_cast<int>(y));
       }
@@ -518,6 +533,7 @@ class RowMesher {
       const ImagePoint offset{along.u * share.x + across.u * share.y, along.v * share.x + across.v * share.y,
                               along.t * share.x + across.t * share.y};
       const ImagePoint q = squareCorner(sample.place, offset, focal_, options_);
+      notePixel(vertex, sample, y);
       mesh_.positions[vertex] = camera_.worldFromCamera(camera_.cameraFromImage(q));
       mesh_.colors[vertex++] = image_.color(sample.column, static_cast<int>(y));
     }
@@ -532,12 +548,14 @@ class RowMesher {
   std::vector<Row> rows_;
   std::vector<size_t> firstVertex_;  ///< of each row
   Mesh mesh_;
+  bool wantsPixels_ = false;
+  std::vector<uint32_t> pixelOfVertex_;
 };
 
 }  // namespace
 
-Mesh rowMesh(const ReferenceImage& image, const ImageMeshOptions& options) {
-  return RowMesher(image, options).mesh();
+Mesh rowMesh(const ReferenceImage& image, const ImageMeshOptions& options, std::vector<uint32_t>* pixelOfVertex) {
+  return RowMesher(image, options).mesh(pixelOfVertex);
 }
 
 }  // namespace ocelli

@@ -11,7 +11,8 @@
 namespace ocelli {
 
 /// World coordinates, linear colours. Vertices come in pixel order, first the samples, then the corners of squares at
-/// the rims of surfaces.
-Mesh rowMesh(const ReferenceImage& image, const ImageMeshOptions& options = {});
+/// the rims of surfaces. `pixelOfVertex` receives the index of the pixel that each vertex comes from.
+Mesh rowMesh(const ReferenceImage& image, const ImageMeshOptions& options = {},
+             std::vector<uint32_t>* pixelOfVertex = nullptr);
 
 }  // namespace ocelli

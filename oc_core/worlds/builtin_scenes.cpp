@@ -155,9 +155,10 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 }
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
-  static const std::vector<BuiltinScene> scenes{
-      teapotScene(), roomScene(), statuesScene(), crowdScene(),  fenceScene(), doorsScene(), boxesScene(),
-      mazeScene(),   townScene(), canyonScene(),  sphereScene(), torusScene(), boxScene(),   wavingScene()};
+  static const std::vector<BuiltinScene> scenes{teapotScene(), roomScene(),   statuesScene(), crowdScene(),
+                                                fenceScene(),  doorsScene(),  boxesScene(),   mazeScene(),
+                                                townScene(),   canyonScene(), sphereScene(),  torusScene(),
+                                                boxScene(),    wavingScene(), mirrorScene(),  lensScene()};
   return scenes;
 }
 
@@ -170,6 +171,11 @@ Scene makeBuiltinScene(const std::string& source) {
   Scene scene = builtin->build(values);
   scene.name = source;
   return scene;
+}
+
+const std::vector<RoledObject>& builtinRoles(const std::string& source) {
+  const std::vector<std::string> pieces = splitAtCommas(source.substr(kPrefix.size()));
+  return findScene(pieces[0], source).roles;
 }
 
 bool isMovingBuiltin(const std::string& source) {

@@ -18,6 +18,7 @@
 
 #include "oc_core/scene/moving_scene.h"
 #include "oc_core/scene/scene.h"
+#include "oc_core/worlds/object_roles.h"
 
 namespace ocelli {
 
@@ -60,6 +61,8 @@ struct BuiltinScene {
   std::function<Scene(const BuiltinValues&)> build;
   /// Of a scene that moves; empty where it stands still. `build` makes what it is at rest.
   std::function<std::unique_ptr<MovingScene>(const BuiltinValues&)> motion = {};
+  /// What its objects are to rays that go on from surfaces; none where nothing says so.
+  std::vector<RoledObject> roles = {};
 };
 
 const std::vector<BuiltinScene>& listBuiltinScenes();
@@ -69,6 +72,9 @@ bool isBuiltinScene(std::string_view source);
 /// Builds the scene that `source` ("builtin:NAME,key=value,...") names. Throws InputError that lists the valid names,
 /// keys or the range for an unknown scene, an unknown, repeated or malformed parameter, or a value out of range.
 Scene makeBuiltinScene(const std::string& source);
+
+/// The roles of its objects; none where it has none. Throws as makeBuiltinScene() does for an unknown one.
+const std::vector<RoledObject>& builtinRoles(const std::string& source);
 
 /// Whether the one that `source` names moves. Throws as makeBuiltinScene() does for an unknown one.
 bool isMovingBuiltin(const std::string& source);

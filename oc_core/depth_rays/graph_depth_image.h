@@ -19,7 +19,7 @@
 #include <vector>
 
 #include "oc_core/camera/frustum_pieces.h"
-#include "oc_core/render/graph_depth_samples.h"
+#include "oc_core/depth_rays/graph_depth_samples.h"
 
 namespace ocelli {
 

@@ -1,4 +1,4 @@
-#include "oc_core/render/graph_depth_samples.h"
+#include "oc_core/depth_rays/graph_depth_samples.h"
 
 #include <gtest/gtest.h>
 

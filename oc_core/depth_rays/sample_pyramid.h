@@ -1,0 +1,75 @@
+// A pyramid of bounds over the cells of samples: where rays first meet a reference image, without missing any hit.
+//
+// The lowest level groups the cells of 4 x 4 pixels; where a group holds surfaces with a gap between them, which an
+// image shows side by side, each gets a node of its own. Above it nodes group 16 by their places in the world:
+// neighbours in an image may lie far apart, as tiles, layers and the images of a union do. Each node knows the least
+// and the largest coordinates of each of its children, in the world: bounds of the surfaces themselves hold for every
+// camera, however it displaces its samples or bends its rays, and a ray stays straight in them, where its image in an
+// occlusion camera is a curve.
+//
+// Nodes are opened from near to far, and the walk ends when nothing that is left begins before the first hit. Boxes are
+// grown by more than single precision rounds: a ray that meets a triangle meets all boxes around it.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "oc_core/depth_rays/ray_cost.h"
+#include "oc_core/depth_rays/sample_cells.h"
+#include "oc_core/depth_rays/straight_ray.h"
+#include "oc_core/scene/box.h"
+
+namespace ocelli {
+
+class SamplePyramid {
+ public:
+  /// The cells must outlive it.
+  explicit SamplePyramid(const SampleCells& cells);
+
+  /// The first triangle that the ray meets. The ray has finite numbers and a direction. `cost` grows.
+  std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const;
+
+  /// The most steps that a ray can take: no node is opened twice, and no cell is tested twice.
+  size_t maxSteps() const { return nodes_.size() + filledCells_; }
+  Box bounds() const { return bounds_; }
+
+ private:
+  static constexpr int kSide = 4;
+  static constexpr size_t kChildren = kSide * kSide;
+  /// What a child is: a node, or the cell of a pixel.
+  static constexpr uint32_t kCellBit = 0x80000000u;
+
+  struct Node {
+    std::array<std::array<float, kChildren>, 3> lower;
+    std::array<std::array<float, kChildren>, 3> upper;
+    std::array<uint32_t, kChildren> child;
+    uint32_t count = 0;  ///< of children; the others are boxes that nothing meets
+  };
+  struct Child {
+    Box box;  ///< empty where there is none
+    uint32_t reference = 0;
+  };
+  using Children = std::vector<Child>;
+
+  Children cellsOf(const SampleGrid& grid, float margin) const;
+  /// One node, or several where gaps part them.
+  void addBlock(std::span<Child> cells, Children& blocks);
+  /// One node over all of them.
+  Child treeOver(std::span<Child> children);
+  /// Of 16 at most.
+  Child nodeOf(std::span<const Child> children);
+
+  const SampleCells& cells_;
+  std::vector<Node> nodes_;
+  size_t filledCells_ = 0;
+  Child root_;
+  Box bounds_;
+};
+
+/// The slow reference: every triangle of every cell.
+std::optional<TriangleMeeting> meetEveryCell(const SampleCells& cells, const StraightRay& ray);
+
+}  // namespace ocelli

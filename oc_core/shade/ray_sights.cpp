@@ -1,0 +1,169 @@
+#include "oc_core/shade/ray_sights.h"
+
+#include <chrono>
+
+#include "oc_core/base/error.h"
+#include "oc_core/depth_rays/depth_image_target.h"
+#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/shade/environment_map.h"
+
+namespace ocelli {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double millisecondsSince(Clock::time_point start) {
+  return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+}
+
+Mesh together(std::initializer_list<const Mesh*> parts) {
+  Mesh mesh;
+  for (const Mesh* part : parts) {
+    append(mesh, *part);
+  }
+  return mesh;
+}
+
+/// Long enough to reach everything from anywhere within.
+float reachOf(const ShadedScene& scene) {
+  Box box = boundsOf(scene.mirrors);
+  const Box lenses = boundsOf(scene.lenses);
+  for (const Box& other : {lenses, boundsOf(scene.cast), boundsOf(scene.billboards), boundsOf(scene.surroundings)}) {
+    if (!other.empty()) {
+      box.add(other.lower);
+      box.add(other.upper);
+    }
+  }
+  return 1.01f * glm::length(box.size());
+}
+
+RayPath pathOf(const SecondaryRay& ray, float reach) {
+  return {ray.origin, ray.origin + ray.direction * reach};
+}
+
+/// The geometry itself: the truth.
+class TracedSight final : public RaySight {
+ public:
+  explicit TracedSight(const ShadedScene& scene)
+      : mesh_(together({&scene.cast, &scene.billboards, &scene.surroundings})),
+        rays_(mesh_),
+        castTriangles_(scene.cast.triangles.size()),
+        reach_(reachOf(scene)) {}
+
+  Sighting see(const SecondaryRay& ray, RayCost&) const override {
+    const std::optional<Hit> hit = rays_.hit(pathOf(ray, reach_));
+    return hit ? Sighting{hit->color, hit->t, hit->element < castTriangles_} : Sighting{shadeBackground(), {}, false};
+  }
+  size_t triangles() const { return mesh_.triangles.size(); }
+
+ private:
+  Mesh mesh_;
+  RayScene rays_;
+  size_t castTriangles_;
+  float reach_;
+};
+
+class EnvironmentSight final : public RaySight {
+ public:
+  explicit EnvironmentSight(const SightInputs& in)
+      : map_(in.viewpoint, together({&in.scene.cast, &in.scene.billboards, &in.scene.surroundings}),
+             in.environmentHeight, shadeBackground()) {}
+
+  Sighting see(const SecondaryRay& ray, RayCost&) const override { return {map_.colorOf(ray.direction), {}, false}; }
+  bool hasDepth() const override { return false; }
+
+ private:
+  EnvironmentMap map_;
+};
+
+/// Reference images of the cast objects, billboards as they are, and an environment map of the rest.
+class DepthImageSight final : public RaySight {
+ public:
+  DepthImageSight(const SightInputs& in, const ReferenceImages& images)
+      : target_(images),
+        billboards_(in.scene.billboards),
+        map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()),
+        reach_(reachOf(in.scene)) {}
+
+  Sighting see(const SecondaryRay& ray, RayCost& cost) const override {
+    const RayPath path = pathOf(ray, reach_);
+    const std::optional<Hit> hit = target_.hit(path, cost);
+    const std::optional<Hit> billboard = billboards_.hit(path);
+    if (hit && (!billboard || hit->t <= billboard->t)) {
+      return {hit->color, hit->t, true};
+    }
+    return billboard ? Sighting{billboard->color, billboard->t, false}
+                     : Sighting{map_.colorOf(ray.direction), {}, false};
+  }
+  const DepthImageTarget& target() const { return target_; }
+
+ private:
+  DepthImageTarget target_;
+  RayScene billboards_;
+  EnvironmentMap map_;
+  float reach_;
+};
+
+BuiltSight buildTraced(const SightInputs& in) {
+  BuiltSight built{.name = kTraced};
+  const auto start = Clock::now();
+  auto sight = std::make_unique<TracedSight>(in.scene);
+  built.buildMilliseconds = millisecondsSince(start);
+  built.triangles = sight->triangles();
+  built.sight = std::move(sight);
+  return built;
+}
+
+BuiltSight buildEnvironment(const SightInputs& in) {
+  BuiltSight built{.name = kEnvironment};
+  const auto start = Clock::now();
+  built.sight = std::make_unique<EnvironmentSight>(in);
+  built.buildMilliseconds = millisecondsSince(start);
+  built.samples = 2 * static_cast<size_t>(in.environmentHeight) * static_cast<size_t>(in.environmentHeight);
+  return built;
+}
+
+BuiltSight buildDepthImages(const CameraChoice& choice, const SightInputs& in) {
+  BuiltSight built{.name = choice.name};
+  const auto start = Clock::now();
+  const ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
+  built.buildMilliseconds = millisecondsSince(start);
+  for (const ReferenceImage& image : images) {
+    built.samples += image.sampleCount();
+  }
+  const auto ready = Clock::now();
+  // Its environment map and billboards are those of every other camera: their time is no part of this one's.
+  static_cast<void>(DepthImageTarget(images));
+  built.structureMilliseconds = millisecondsSince(ready);
+  auto sight = std::make_unique<DepthImageSight>(in, images);
+  built.triangles = sight->target().cells().mesh.triangles.size();
+  built.sight = std::move(sight);
+  return built;
+}
+
+CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
+  const CameraChoice choice = cameraChoice(name, cell);
+  if (!choice.hasImages()) {
+    throw InputError("\"" + name + "\" is a mesh and has no image for rays to hit", "--by",
+                     "use traced, environment, or a camera of `ocelli camera list`");
+  }
+  return choice;
+}
+
+}  // namespace
+
+void checkSightName(const std::string& name) {
+  if (name != kTraced && name != kEnvironment) {
+    choiceOf(name, {});
+  }
+}
+
+BuiltSight buildSight(const std::string& name, const SightInputs& inputs) {
+  if (name == kTraced) {
+    return buildTraced(inputs);
+  }
+  return name == kEnvironment ? buildEnvironment(inputs) : buildDepthImages(choiceOf(name, inputs.cell), inputs);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,64 @@
+// What stands for a scene where secondary rays go, and what they see of it: the geometry itself, an environment map, or
+// the reference images of any camera.
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oc_core/base/progress.h"
+#include "oc_core/depth_rays/ray_cost.h"
+#include "oc_core/ocri/view_cell.h"
+#include "oc_core/shade/secondary_rays.h"
+
+namespace ocelli {
+
+/// What a ray sees.
+struct Sighting {
+  glm::vec3 color{0};  ///< linear
+  /// To the first hit of what depth images stand for, or of a billboard; nothing where the ray sees something else, or
+  /// where nothing tells distances.
+  std::optional<float> distance = {};
+  bool onCast = false;  ///< whether that is of an object that depth images stand for
+};
+
+class RaySight {
+ public:
+  virtual ~RaySight() = default;
+  /// `cost` grows by what it took in pyramids. Safe to call from many threads.
+  virtual Sighting see(const SecondaryRay& ray, RayCost& cost) const = 0;
+  /// Whether it tells distances.
+  virtual bool hasDepth() const { return true; }
+};
+
+struct SightInputs {
+  const ShadedScene& scene;
+  glm::vec3 viewpoint;             ///< of environment maps: the middle of what sends rays
+  const PinholeCamera& reference;  ///< of reference images
+  ViewCell cell;                   ///< that they are made for: what sends rays lies in it
+  int environmentHeight = 1024;
+  const Progress& progress;
+};
+
+struct BuiltSight {
+  std::string name;
+  std::unique_ptr<RaySight> sight = {};
+  double buildMilliseconds = 0;      ///< of images, or of the acceleration structure of the geometry
+  double structureMilliseconds = 0;  ///< of cells and pyramid
+  size_t samples = 0;                ///< of reference images
+  size_t triangles = 0;              ///< that rays can hit
+};
+
+inline constexpr const char* kTraced = "traced";
+inline constexpr const char* kEnvironment = "environment";
+
+/// `name` is "traced" (the geometry, by ray casting), "environment" (an environment map of all), or a camera, whose
+/// reference images of the cast objects are hit; an environment map shows what lies outside of them. Throws InputError
+/// for another name, for a representation without images, and where the images cannot be built.
+BuiltSight buildSight(const std::string& name, const SightInputs& inputs);
+
+/// Throws as buildSight() does for a name that it does not take.
+void checkSightName(const std::string& name);
+
+}  // namespace ocelli

@@ -1,0 +1,143 @@
+#include "oc_core/shade/secondary_rays.h"
+
+#include <algorithm>
+#include <memory>
+#include <optional>
+
+#include "oc_core/base/parallel.h"
+#include "oc_core/image/color.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/shade/vertex_normals.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kMaxInnerReflections = 4;
+/// What a ray inside of glass begins before the surface that it comes from, of the size of the object.
+constexpr float kStepInside = 1e-5f;
+
+/// What a pixel shows first.
+struct FirstSight {
+  const Bender* bender = nullptr;  ///< nothing: something else
+  Fragment fragment;
+  glm::vec3 color{0};
+};
+
+/// All that a picture shows, ready for rays.
+class Stage {
+ public:
+  Stage(const ShadedScene& scene, const std::vector<Bender>& benders) : benders_(benders) {
+    for (const Mesh* part : {&scene.cast, &scene.billboards, &scene.surroundings}) {
+      append(rest_, *part);
+    }
+    // Those of the other effect are seen as they are.
+    for (const std::vector<Bender>* all : {&scene.mirrors, &scene.lenses}) {
+      for (const Bender& bender : *all) {
+        if (all != &benders) {
+          append(rest_, bender.mesh);
+        }
+      }
+    }
+    restRays_ = std::make_unique<RayScene>(rest_);
+    for (const Bender& bender : benders) {
+      benderRays_.push_back(std::make_unique<RayScene>(bender.mesh));
+    }
+  }
+
+  FirstSight lookAlong(const RayPath& ray) const {
+    FirstSight first{nullptr, restRays_->intersect(ray), shadeBackground()};
+    if (first.fragment.covered()) {
+      first.color = colorOf(first.fragment, rest_);
+    }
+    for (size_t i = 0; i < benders_.size(); ++i) {
+      const Fragment fragment = benderRays_[i]->intersect(ray);
+      if (fragment.covered() && (!first.fragment.covered() || fragment.t < first.fragment.t)) {
+        first = {&benders_[i], fragment, glm::vec3(0)};
+      }
+    }
+    return first;
+  }
+  const RayScene& raysOf(const Bender& bender) const {
+    return *benderRays_[static_cast<size_t>(&bender - benders_.data())];
+  }
+
+ private:
+  const std::vector<Bender>& benders_;
+  Mesh rest_;
+  std::unique_ptr<RayScene> restRays_;
+  std::vector<std::unique_ptr<RayScene>> benderRays_;
+};
+
+/// `goOn(stage, bender, fragment, incoming)` is the ray from there.
+template <class GoOn>
+SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<Bender>& benders, const PinholeCamera& camera,
+                            const GoOn& goOn) {
+  const Stage stage(scene, benders);
+  SecondaryRays result{Image<glm::vec3>(camera.width(), camera.height()), {}};
+  std::vector<std::optional<SecondaryRay>> rayOf(result.base.size());
+  parallelFor(static_cast<size_t>(camera.height()), 4, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < camera.width(); ++x) {
+        const RayPath path = camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+        const FirstSight first = stage.lookAlong(path);
+        result.base(x, y) = first.color;
+        if (first.bender != nullptr) {
+          SecondaryRay ray = goOn(stage, *first.bender, first.fragment, glm::normalize(path.back() - path.front()));
+          ray.pixel = static_cast<uint32_t>(result.base.index(x, y));
+          rayOf[ray.pixel] = ray;
+        }
+      }
+    }
+  });
+  for (const std::optional<SecondaryRay>& ray : rayOf) {
+    if (ray) {
+      result.rays.push_back(*ray);
+    }
+  }
+  return result;
+}
+
+SecondaryRay throughGlass(const Stage& stage, const Bender& glass, const Fragment& entry, const glm::vec3& incoming) {
+  const auto index = static_cast<float>(glass.refractiveIndex);
+  const glm::vec3 size = boundsOf(glass.mesh).size();
+  const float step = kStepInside * glm::length(size);
+  glm::vec3 place = positionOf(entry, glass.mesh);
+  glm::vec3 direction = glm::refract(incoming, normalAt(entry, glass.mesh, glass.normals, incoming), 1 / index);
+  for (int i = 0; i <= kMaxInnerReflections; ++i) {
+    const glm::vec3 from = place + direction * step;
+    const Fragment exit = stage.raysOf(glass).intersect({from, from + direction * (4 * glm::length(size))});
+    if (!exit.covered()) {
+      break;  // it is open there, or no thicker than the step
+    }
+    place = positionOf(exit, glass.mesh);
+    const glm::vec3 normal = normalAt(exit, glass.mesh, glass.normals, direction);
+    const glm::vec3 out = glm::refract(direction, normal, index);
+    if (out != glm::vec3(0)) {
+      return {place, glm::normalize(out), 0};
+    }
+    direction = glm::normalize(glm::reflect(direction, normal));
+  }
+  return {place, glm::normalize(direction), 0};
+}
+
+}  // namespace
+
+glm::vec3 shadeBackground() {
+  return linearFromSrgb(glm::vec3(0.80f, 0.88f, 0.95f));
+}
+
+SecondaryRays reflectedRays(const ShadedScene& scene, const PinholeCamera& camera) {
+  return secondaryRays(
+      scene, scene.mirrors, camera,
+      [](const Stage&, const Bender& mirror, const Fragment& fragment, const glm::vec3& incoming) {
+        const glm::vec3 normal = normalAt(fragment, mirror.mesh, mirror.normals, incoming);
+        return SecondaryRay{positionOf(fragment, mirror.mesh), glm::normalize(glm::reflect(incoming, normal)), 0};
+      });
+}
+
+SecondaryRays refractedRays(const ShadedScene& scene, const PinholeCamera& camera) {
+  return secondaryRays(scene, scene.lenses, camera, throughGlass);
+}
+
+}  // namespace ocelli

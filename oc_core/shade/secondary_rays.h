@@ -1,0 +1,41 @@
+// The rays that go on from what mirrors or refracts, one a pixel.
+//
+// DEVIATION: what mirrors or refracts is not seen in itself or in others of its kind, with whatever stands for the
+// scene: the text leaves self-reflections out, too (section 3.5.2.4.1), so no comparison depends on it.
+#pragma once
+
+#include <vector>
+
+#include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/image.h"
+#include "oc_core/shade/shaded_scene.h"
+
+namespace ocelli {
+
+struct SecondaryRay {
+  glm::vec3 origin{0};
+  glm::vec3 direction{0};  ///< unit
+  uint32_t pixel = 0;      ///< its index in the picture
+};
+
+struct SecondaryRays {
+  /// The picture without them: linear colours of what is seen at once.
+  Image<glm::vec3> base;
+  std::vector<SecondaryRay> rays;  ///< by pixel
+};
+
+/// What is behind everything.
+glm::vec3 shadeBackground();
+
+/// At each pixel that shows a mirror: the view ray reflected about the interpolated normal (first order).
+SecondaryRays reflectedRays(const ShadedScene& scene, const PinholeCamera& camera);
+
+/// At each pixel that shows glass: the ray that leaves it again, after it was refracted where it enters, reflected
+/// inside where it cannot leave (four times at most), and refracted where it leaves. A ray that is still inside then
+/// goes on as it is. Light that a surface of glass reflects is left out.
+///
+/// DEVIATION: the text finds where the ray leaves in an image of the back faces; here it is traced through the object,
+/// which is exact and the same for all that stands for the scene.
+SecondaryRays refractedRays(const ShadedScene& scene, const PinholeCamera& camera);
+
+}  // namespace ocelli

@@ -1,0 +1,179 @@
+#include "oc_core/shade/shaded_scene.h"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <map>
+
+#include "oc_core/base/error.h"
+#include "oc_core/shade/vertex_normals.h"
+#include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/placement.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// The triangles of one object, with the vertices that they use.
+Mesh partOf(const GuidedScene& scene, uint32_t object) {
+  Mesh part;
+  std::vector<uint32_t> vertexOf(scene.mesh.positions.size(), 0xffffffffu);
+  for (size_t i = 0; i < scene.mesh.triangles.size(); ++i) {
+    if (scene.objectOfTriangle[i] != object) {
+      continue;
+    }
+    glm::uvec3 triangle = scene.mesh.triangles[i];
+    for (int corner = 0; corner < 3; ++corner) {
+      uint32_t& vertex = vertexOf[triangle[corner]];
+      if (vertex == 0xffffffffu) {
+        vertex = static_cast<uint32_t>(part.positions.size());
+        part.positions.push_back(scene.mesh.positions[triangle[corner]]);
+        part.colors.push_back(scene.mesh.color(triangle[corner]));
+      }
+      triangle[corner] = vertex;
+    }
+    part.triangles.push_back(triangle);
+  }
+  return part;
+}
+
+Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const Progress& progress) {
+  SceneOptions own = options;
+  own.fit = true;
+  Mesh mesh = loadScene(object.source, own, progress);
+  transform(mesh,
+            glm::scale(placedAt(object.center, object.turnDegrees), glm::vec3(static_cast<float>(object.radius))));
+  return mesh;
+}
+
+void addBender(std::vector<Bender>& benders, Mesh mesh, double refractiveIndex) {
+  Bender bender{std::move(mesh), {}, refractiveIndex};
+  bender.normals = vertexNormals(bender.mesh);
+  benders.push_back(std::move(bender));
+}
+
+}  // namespace
+
+std::string rolesFileBeside(const std::string& source) {
+  return fs::path(source).replace_extension(".roles.json").string();
+}
+
+std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile) {
+  if (!rolesFile.empty()) {
+    return readObjectRoles(rolesFile);
+  }
+  if (isBuiltinScene(source)) {
+    const std::vector<RoledObject>& roles = builtinRoles(source);
+    if (roles.empty()) {
+      throw InputError("nothing says which objects of this scene mirror, refract or cast", source,
+                       "give --roles FILE.json, or take builtin:mirror or builtin:lens");
+    }
+    return roles;
+  }
+  const std::string beside = rolesFileBeside(source);
+  std::error_code ignored;
+  if (!fs::exists(beside, ignored)) {
+    throw InputError("nothing says which objects of this scene mirror, refract or cast", source,
+                     "give --roles FILE.json, or put " + beside + " beside it");
+  }
+  return readObjectRoles(beside);
+}
+
+ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledObject>& roles,
+                            const SceneOptions& options, const Progress& progress) {
+  const GuidedScene scene = loadGuidedScene(source, options, progress);
+  std::map<uint32_t, RoledObject> roleOf;
+  for (const uint32_t object : scene.objectOfTriangle) {
+    roleOf.try_emplace(object, RoledObject{.object = object});
+  }
+  std::vector<std::pair<RoledObject, Mesh>> objects;
+  for (const RoledObject& role : roles) {
+    if (!role.source.empty()) {
+      objects.emplace_back(role, loadedObject(role, options, progress));
+    } else if (const auto found = roleOf.find(role.object); found != roleOf.end()) {
+      found->second = role;
+    } else {
+      throw InputError("this scene has no object " + std::to_string(role.object), source,
+                       "its objects are numbered from 0 to " +
+                           std::to_string(roleOf.empty() ? 0 : roleOf.rbegin()->first) + "; 0 is its structure");
+    }
+  }
+  for (const auto& [object, role] : roleOf) {
+    objects.emplace_back(role, partOf(scene, object));
+  }
+  ShadedScene shaded;
+  for (auto& [role, mesh] : objects) {
+    if (role.has(kMirrors)) {
+      addBender(shaded.mirrors, std::move(mesh), 1);
+    } else if (role.has(kRefracts)) {
+      addBender(shaded.lenses, std::move(mesh), role.refractiveIndex);
+    } else {
+      append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
+    }
+  }
+  if (shaded.cast.empty()) {
+    throw InputError("no object of this scene has the role \"cast\": there is nothing for a depth image to stand for",
+                     source, "give one that role with --roles FILE.json");
+  }
+  if (shaded.mirrors.empty() && shaded.lenses.empty()) {
+    throw InputError("no object of this scene mirrors or refracts", source,
+                     "give one the role \"mirror\" or \"refract\" with --roles FILE.json");
+  }
+  return shaded;
+}
+
+View pictureView(const Box& senders) {
+  constexpr double kMargin = 1.5;
+  View view;
+  view.target = senders.center();
+  const auto distance = static_cast<double>(glm::distance(view.eye, view.target));
+  const double radius = kMargin * static_cast<double>(glm::length(senders.size())) / 2;
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(std::min(radius / distance, 1.0)));
+  return view;
+}
+
+View referenceView(const Mesh& cast, const Box& senders, int width, int height) {
+  View view;
+  view.eye = senders.center();
+  view.target = boundsOf(cast).center();
+  const glm::vec3 way = view.target - view.eye;
+  if (!(glm::length(way) > 0)) {
+    throw InputError("the objects that are cast stand around what mirrors or refracts", "the roles",
+                     "move them apart, or give objects on the other side the role \"billboard\"");
+  }
+  view.up = std::abs(way.y) > 0.95f * glm::length(way) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  view.zNear = 1e-3f * glm::length(way);
+  view.fovVerticalDegrees = 90;
+  const PinholeCamera wide(view, width, height);
+  constexpr double kMargin = 1.04;
+  constexpr double kMaxTangent = 4;  // 152 degrees
+  double tangent = 0;
+  for (const glm::uvec3& triangle : cast.triangles) {
+    for (int corner = 0; corner < 3; ++corner) {
+      const glm::dvec3 p(wide.cameraFromWorld(cast.positions[triangle[corner]]));
+      const double aside = std::max(std::abs(p.y), std::abs(p.x) * height / width);
+      tangent = std::max(tangent, p.z > static_cast<double>(view.zNear) ? aside / p.z : 2 * kMaxTangent);
+    }
+  }
+  if (tangent * kMargin > kMaxTangent) {
+    throw InputError("the objects that are cast reach around what mirrors or refracts: no image plane holds them",
+                     "the roles", "give those beside and behind it another role, such as \"billboard\"");
+  }
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(tangent * kMargin));
+  return view;
+}
+
+Box boundsOf(const std::vector<Bender>& benders) {
+  Box box;
+  for (const Bender& bender : benders) {
+    const Box own = boundsOf(bender.mesh);
+    if (!own.empty()) {
+      box.add(own.lower);
+      box.add(own.upper);
+    }
+  }
+  return box;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,51 @@
+// A scene as `ocelli shade` takes it apart by the roles of its objects (object_roles.h).
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/worlds/object_roles.h"
+#include "oc_core/worlds/scene_source.h"
+
+namespace ocelli {
+
+/// An object that sends rays on.
+struct Bender {
+  Mesh mesh;
+  std::vector<glm::vec3> normals;
+  double refractiveIndex = 1;  ///< of one that refracts
+};
+
+struct ShadedScene {
+  std::vector<Bender> mirrors;
+  std::vector<Bender> lenses;
+  Mesh cast;          ///< what depth images stand for
+  Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
+  Mesh surroundings;  ///< the rest, which is met through an environment map alone
+};
+
+/// The file of roles beside the file of a scene: "teapot.roles.json" beside "teapot.obj".
+std::string rolesFileBeside(const std::string& source);
+
+/// The roles: of the file, where one is given; else of the file beside the scene, if there is one, or of the built-in
+/// scene. Throws InputError where nothing says them.
+std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile);
+
+/// Throws InputError where a role is of an object that the scene lacks, and where nothing has a role that rays need:
+/// nothing is `cast`, or nothing mirrors or refracts.
+ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledObject>& roles,
+                            const SceneOptions& options = {}, const Progress& progress = {});
+
+/// The default view of the picture: from where the default view of other commands looks, towards what sends the rays,
+/// and half as wide again as that is.
+View pictureView(const Box& senders);
+
+/// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
+/// them, and as wide as they are from there, with a margin. Throws InputError where they lie around that place, so that
+/// no image plane holds them.
+View referenceView(const Mesh& cast, const Box& senders, int width, int height);
+
+Box boundsOf(const std::vector<Bender>& benders);
+
+}  // namespace ocelli

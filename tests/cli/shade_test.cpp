@@ -1,0 +1,71 @@
+// `ocelli shade` from outside.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "oc_core/image/png_file.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/cli/run_program.h"
+
+namespace ocelli::test {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr const char* kSmallShade = "shade builtin:mirror --size 90x60 --image-size 90x60 --environment-height 64 ";
+
+TEST(Shade, writesAPicture) {
+  const TemporaryFolder folder;
+  const ProgramResult result = runProgram(kSmallShade + std::string("--by di -o ") + inQuotes(folder / "p.png"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_EQ(readPng(folder / "p.png").width(), 90);
+}
+
+TEST(Shade, comparesInAllItsForms) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      runProgram(kSmallShade + std::string("--by environment,di,spoc --json ") + inQuotes(folder / "x.json") +
+                 " --csv " + inQuotes(folder / "x.csv") + " --page " + inQuotes(folder / "page"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(result.output, HasSubstr("environment"));
+  const auto json = nlohmann::json::parse(fileBytes(folder / "x.json"));
+  ASSERT_EQ(json["by"].size(), 4u) << "traced stands first";
+  EXPECT_EQ(json["by"][0]["name"], "traced");
+  EXPECT_EQ(json["by"][0]["lost"], 0.0);
+  EXPECT_TRUE(json["by"][1]["lost"].is_null());
+  EXPECT_GT(json["by"][2]["psnr_db"], json["by"][1]["psnr_db"]);
+  EXPECT_GT(json["cast_rays"], 20);
+  const std::string csv = fileBytes(folder / "x.csv");
+  EXPECT_EQ(std::count(csv.begin(), csv.end(), '\n'), 5);
+  // Four pictures, two error maps, two maps of steps, and the page.
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder / "page"), {}), 9);
+}
+
+TEST(Shade, refractsThroughALens) {
+  const ProgramResult result = runProgram(
+      "shade builtin:lens --effect refraction --by di --json --size 90x60 --image-size 90x60 --environment-height 64");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_EQ(nlohmann::json::parse(result.output)["effect"], "refraction");
+}
+
+TEST(Shade, saysWhatIsWrong) {
+  const auto expectError = [](const std::string& arguments, const std::string& part) {
+    const ProgramResult result = runProgram(arguments);
+    EXPECT_EQ(result.exitCode, 2) << arguments;
+    EXPECT_THAT(result.error, HasSubstr(part)) << arguments;
+  };
+  expectError("shade builtin:mirror --compare", "--by");
+  expectError("shade builtin:mirror --by di", "nothing says what is wanted");
+  expectError("shade builtin:mirror --by di,ddoc -o x.png", "one picture is by one camera");
+  expectError("shade builtin:mirror --by dii --compare", "dii");
+  expectError("shade builtin:mirror --by geometry --compare", "no image for rays to hit");
+  expectError("shade builtin:mirror --effect glow --by di --compare", "reflection, refraction");
+  expectError("shade builtin:mirror --effect refraction --by di --compare", "has the role that this effect needs");
+  expectError("shade builtin:teapot --by di --compare", "--roles FILE.json");
+  expectError("shade builtin:mirror --by di --compare --size 0x0", "--size");
+}
+
+}  // namespace
+}  // namespace ocelli::test
