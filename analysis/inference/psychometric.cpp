@@ -14,17 +14,6 @@
 namespace ocelli {
 namespace {
 
-double logistic(double z) {
-  return 1 / (1 + std::exp(-z));
-}
-
-double weibull(double z) {
-  return -std::expm1(-std::exp(z));
-}
-
-constexpr std::array kShapes{PsychometricShape{"logistic", logistic, "a half"},
-                             PsychometricShape{"weibull", weibull, "1 - 1/e"}};
-
 // Where the search begins, and where it ends: far below what any data tell.
 constexpr int kThresholdSteps = 24;
 constexpr int kSlopeSteps = 8;
@@ -140,20 +129,6 @@ double standardErrorAt(const PsychometricModel& model, const std::vector<LevelCo
 }
 
 }  // namespace
-
-std::span<const PsychometricShape> psychometricShapes() {
-  return kShapes;
-}
-
-const PsychometricShape& psychometricShape(std::string_view name) {
-  for (const PsychometricShape& shape : kShapes) {
-    if (shape.name == name) {
-      return shape;
-    }
-  }
-  throw InputError(fmt::format("there is no psychometric function \"{}\"", name), "psychometricShape",
-                   "logistic or weibull");
-}
 
 std::vector<LevelCounts> levelCounts(const std::vector<double>& levels, const std::vector<bool>& right) {
   requireArgument(levels.size() == right.size(), "there is one answer a level", "levelCounts");

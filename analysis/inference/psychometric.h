@@ -11,34 +11,20 @@
 // likelihood is the same as if levels had been set beforehand.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "analysis/base/estimable.h"
 #include "analysis/base/estimate.h"
+#include "study/outline/psychometric_shape.h"
 
 namespace ocelli {
-
-/// F: from 0 to 1, rising.
-struct PsychometricShape {
-  const char* name;
-  double (*value)(double z);
-  const char* threshold;  ///< what F is at the threshold, in words
-};
-
-/// A row each: "logistic" (F is a half at the threshold) and "weibull" (1 - 1/e).
-std::span<const PsychometricShape> psychometricShapes();
-/// Throws InputError for another name.
-const PsychometricShape& psychometricShape(std::string_view name);
 
 inline constexpr double kThresholdReach = 2.302585;  ///< log 10 beyond the lowest and the highest level
 inline constexpr double kLapseWeight = 19;
 inline constexpr double kMaxLapse = 0.1;
 
 struct PsychometricModel {
-  const PsychometricShape* shape = &psychometricShapes().front();
+  const PsychometricShape* shape = &psychometricShape("logistic", "PsychometricModel");
   double guess = 0.5;              ///< 0 to below 1 - kMaxLapse
   double logSlopeMean = 1.386294;  ///< log 4: from a tenth to nine tenths of F the level triples
   double logSlopeDeviation = 1;

@@ -1,26 +1,9 @@
-// How the share of right answers grows with the level of a stimulus: psychometric functions, a row each.
-//
-//   p(level) = guess + (1 - guess - lapse) * F(ln level - ln threshold, slope)
-//
-// The greater a level, the easier. Levels are above 0.
+// A psychometric function: a shape (study/outline/psychometric_shape.h) with its numbers.
 #pragma once
 
-#include <span>
-#include <string>
-#include <string_view>
+#include "study/outline/psychometric_shape.h"
 
 namespace ocelli {
-
-struct PsychometricShape {
-  const char* name;         ///< in protocols
-  const char* description;  ///< with what F is at the threshold
-  /// F of the logarithm of level by threshold, 0 to 1.
-  double (*of)(double logLevel, double slope);
-};
-
-/// "weibull": 1 - exp(-(level / threshold)^slope), 0.632 at the threshold, as Watson (2017) has it; "logistic":
-/// 1 / (1 + (threshold / level)^slope), 0.5 at the threshold.
-std::span<const PsychometricShape> psychometricShapes();
 
 struct PsychometricFunction {
   const PsychometricShape* shape = nullptr;
@@ -31,7 +14,7 @@ struct PsychometricFunction {
 
   /// Chance of a right answer.
   double right(double logLevel) const {
-    return guessRate + (1 - guessRate - lapseRate) * shape->of(logLevel - logThreshold, slope);
+    return guessRate + (1 - guessRate - lapseRate) * shape->value(slope * (logLevel - logThreshold));
   }
 };
 

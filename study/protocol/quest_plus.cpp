@@ -115,8 +115,11 @@ std::optional<double> QuestPlus::threshold(std::span<const LevelAnswer> answers)
 }
 
 std::string QuestPlus::summary() const {
-  return fmt::format("QUEST+, {}; slopes {:g} to {:g}, lapses to {:g}, guesses {:g}", options_.shape->description,
-                     options_.minSlope, options_.maxSlope, options_.maxLapses, options_.guessRate);
+  return fmt::format(
+      "QUEST+, {}: {} of the way from guessing to the best at the threshold; slopes {:g} to {:g}, lapses to {:g}, "
+      "guesses {:g}",
+      options_.shape->name, options_.shape->threshold, options_.minSlope, options_.maxSlope, options_.maxLapses,
+      options_.guessRate);
 }
 
 std::unique_ptr<const Staircase> readQuestPlus(JsonFields& fields, const std::vector<double>& levels,
@@ -127,9 +130,7 @@ std::unique_ptr<const Staircase> readQuestPlus(JsonFields& fields, const std::ve
   for (const PsychometricShape& shape : psychometricShapes()) {
     names.emplace_back(shape.name);
   }
-  const std::string name = fields.choice("function", names, options.shape->name);
-  options.shape =
-      &psychometricShapes()[static_cast<size_t>(std::find(names.begin(), names.end(), name) - names.begin())];
+  options.shape = &psychometricShape(fields.choice("function", names, options.shape->name), fields.where());
   options.minSlope = fields.number("least_slope", 0.05, 50, options.minSlope);
   options.maxSlope = fields.number("most_slope", 0.05, 50, options.maxSlope);
   options.maxLapses = fields.number("most_lapses", 0, 0.3, options.maxLapses);

@@ -102,7 +102,6 @@ TEST(Psychometric, SaysWhatItLacks) {
   PsychometricModel wrong;
   wrong.guess = 1;
   EXPECT_THROW(fitPsychometric(wrong, {{0, 1, 2}, {1, 2, 2}}), InputError);
-  EXPECT_THROW(psychometricShape("step"), InputError);
   EXPECT_THROW(levelCounts({1, 0}, {true, true}), InputError);
 }
 

@@ -155,17 +155,12 @@ TEST(QuestPlus, MoreTrialsErrLess) {
       << "0.174 and 0.318 were measured in 500 runs; by the square root of the trials it is a half";
 }
 
-TEST(PsychometricShapes, AreWhatTheirNamesSay) {
-  const PsychometricShape& weibull = psychometricShapes()[0];
-  EXPECT_STREQ(weibull.name, "weibull");
-  EXPECT_NEAR(weibull.of(0, 3), 1 - std::exp(-1), 1e-15);
-  EXPECT_NEAR(weibull.of(std::log(2), 3), 1 - std::exp(-8), 1e-15);
-  const PsychometricShape& logistic = psychometricShapes()[1];
-  EXPECT_STREQ(logistic.name, "logistic");
-  EXPECT_NEAR(logistic.of(0, 3), 0.5, 1e-15);
-  EXPECT_NEAR(logistic.of(std::log(2), 3), 8.0 / 9, 1e-15);
-  const PsychometricFunction function{&logistic, std::log(0.2), 3, 0.25, 0.05};
+TEST(PsychometricFunction, RunsFromGuessingToTheBest) {
+  const PsychometricFunction function{&psychometricShape("logistic", "test"), std::log(0.2), 3, 0.25, 0.05};
   EXPECT_NEAR(function.right(std::log(0.2)), 0.25 + 0.7 / 2, 1e-15);
+  EXPECT_NEAR(function.right(std::log(0.4)), 0.25 + 0.7 * 8 / 9, 1e-15);
+  EXPECT_NEAR(function.right(-100), 0.25, 1e-15);
+  EXPECT_NEAR(function.right(100), 0.95, 1e-15);
 }
 
 }  // namespace
