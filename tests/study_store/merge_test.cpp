@@ -159,10 +159,13 @@ TEST_F(MergeTest, CompletesRunsOfWhichItHasACopyMadeMeanwhile) {
     store.frames(1, madeFrames(0, 30, 1));
     const std::vector<InputRecord> inputs = madeInputs();
     store.inputs(1, std::span(inputs).first(2));
+    const std::vector<GazeRecord> gaze = madeGaze();
+    store.gaze(1, std::span(gaze).first(1));
     store.flush();
     SQLite::Database((folder_ / "one.db").string()).exec("VACUUM INTO '" + (folder_ / "copy.db").string() + "'");
     store.frames(1, madeFrames(30, 30, 1));
     store.inputs(1, std::span(inputs).subspan(2));
+    store.gaze(1, std::span(gaze).subspan(1));
     store.trialEnds(1, madeTrial(schedule.trials[1], 1, 1));
     storeTrial(store, 2, madeTrial(schedule.trials[2], 1, 2), 40, 2);
     store.event({2, "", "note", "same"});

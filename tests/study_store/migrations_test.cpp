@@ -123,8 +123,8 @@ class OldVersion : public testing::TestWithParam<OldFile> {
     sql << in.rdbuf();
     SQLite::Database database(file_.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE);
     database.exec(sql.str());
-    database.exec(fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kTrialsApplicationId,
-                              GetParam().version));
+    database.exec(
+        fmt::format("PRAGMA application_id = {}; PRAGMA user_version = {}", kTrialsApplicationId, GetParam().version));
     before_ = rowsOf(database);
   }
 

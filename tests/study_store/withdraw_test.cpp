@@ -79,13 +79,16 @@ class WithdrawTest : public testing::Test {
       store.trialBegins(plan.index, plan, 1);
       std::vector<FrameRecord> frames = madeFrames(0, 300, plan.index);
       std::vector<InputRecord> inputs = madeInputs();
+      std::vector<GazeRecord> gaze = madeGaze();
       if (isThem) {
         frames[150].pose.x = kPlace;
         frames[151].pixelHash = kHash;
         inputs[3].nanoseconds = kTime;
+        gaze[0].x = kPlace;
       }
       store.frames(plan.index, frames);
       store.inputs(plan.index, inputs);
+      store.gaze(plan.index, gaze);
       store.trialEnds(plan.index, madeTrial(plan, 1, plan.index));
     }
     store.sessionEnds(SessionEnding::kCompleted, "2026-03-01T13:00:00.000Z");
