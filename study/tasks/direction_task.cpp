@@ -72,7 +72,6 @@ class DirectionBlock : public TaskBlock {
     CaseInfo info;
     info.label = objects_.caseOf(caseIndex).label;
     info.exposureSeconds = options_.exposureSeconds;
-    info.objects = 1;
     const double exposure = options_.exposureSeconds.value_or(0);
     info.longestSeconds = exposure + options_.answerLimitSeconds;
     info.typicalSeconds = exposure + std::min(kTypicalPointingSeconds, options_.answerLimitSeconds);
