@@ -41,7 +41,7 @@ struct DirectionStage {
   DirectionStage(const TrialScreen& screen, bool isExposed) {
     constexpr double kBesideShare = 0.25;  // of the width
     constexpr double kMargin = 0.04;       // of the width of what the dial stands in
-    constexpr double kMaxDial = 0.75;      // of the height
+    constexpr double kMaxDial = 0.65;      // of the height
     constexpr double kButtonHeight = 0.11;
     constexpr double kButtonWidth = 0.16;
     const PixelRect stage = stageOf(screen);
