@@ -16,6 +16,8 @@ constexpr double kEstimateAgainSeconds = 4;  ///< where nothing came of an answe
 /// One clicks on a mark of that size, pixels.
 constexpr double kMarkPixels = 6;
 constexpr double kMarkOnDial = 0.8;  ///< of its radius
+/// Pieces of floor are to the sides from there on, by their distance ahead.
+constexpr double kAsideShare = 0.1;
 constexpr double kTurn = 360;
 
 double withinTurn(double degrees) {
@@ -29,7 +31,7 @@ double SeemingPlace::degrees() const {
   return withinTurn(degreesFromRadians(std::atan2(right, ahead)));
 }
 
-std::optional<double> seemingFocalPixels(const Percept& seen, double eyeHeightMeters) {
+std::optional<double> seemingFocalPixels(const Percept& seen) {
   if (!seen.standing || seen.views.empty()) {
     return std::nullopt;
   }
@@ -37,10 +39,11 @@ std::optional<double> seemingFocalPixels(const Percept& seen, double eyeHeightMe
   const glm::dvec2 forward(std::sin(eye.headingRadians), -std::cos(eye.headingRadians));
   std::vector<double> focals;
   for (const FloorPatch& patch : seen.floor) {
-    const double ahead = glm::dot(patch.place - glm::dvec2(eye.x, eye.z), forward);
-    const double below = patch.centroid.y - seen.views.front().center().y;
-    if (patch.straight && ahead > 0 && below > 0) {
-      focals.push_back(below * ahead / eyeHeightMeters);
+    const glm::dvec2 way = patch.place - glm::dvec2(eye.x, eye.z);
+    const double ahead = glm::dot(way, forward);
+    const double right = glm::dot(way, glm::dvec2(-forward.y, forward.x));
+    if (patch.straight && ahead > 0 && std::abs(right) > kAsideShare * ahead) {
+      focals.push_back((patch.centroid.x - seen.views.front().center().x) * ahead / right);
     }
   }
   if (focals.empty()) {
@@ -101,7 +104,7 @@ void EstimatePolicy::judge(const Percept& seen, int64_t from) {
   }
   const PixelRect& view = seen.views[static_cast<size_t>(largest->view)];
   // Without a floor that tells, as if it were seen through a window in the place of the picture.
-  const double focal = seemingFocalPixels(seen, eyeHeight_).value_or(degreesFromRadians(vision_.pixelsPerDegree()));
+  const double focal = seemingFocalPixels(seen).value_or(degreesFromRadians(vision_.pixelsPerDegree()));
   estimate_ = estimateOf(seemingPlace(*largest, view, focal, eyeHeight_));
 }
 

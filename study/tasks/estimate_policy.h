@@ -20,10 +20,10 @@ struct SeemingPlace {
   double degrees() const;
 };
 
-/// The focal length of a picture, pixels, as its floor tells who knows how high the eye is: what is `ahead` on a floor
-/// shows `focal * height / ahead` below the horizon. The median over the pieces of floor that are seen along rays that
-/// do not bend. Nothing where there are none, and of several pictures side by side.
-std::optional<double> seemingFocalPixels(const Percept& seen, double eyeHeightMeters);
+/// The focal length of a picture, pixels, as its floor tells: what is `right` of the line of sight and `ahead` shows
+/// `focal * right / ahead` beside the middle. The median over the pieces of floor well to the sides that are seen along
+/// rays that do not bend. Nothing where there are none, and of several pictures side by side.
+std::optional<double> seemingFocalPixels(const Percept& seen);
 
 /// By where the object stands in a picture whose rows are level and whose horizon is in its middle. At the horizon and
 /// above it is far away: kFarMeters.

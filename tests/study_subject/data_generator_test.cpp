@@ -253,6 +253,12 @@ TEST(DataGenerator, everyTaskHasRightAndWrongOutcomes) {
       // Hardly any time and nearly always right, or the other way round.
       const bool isHigh = (kind.outcome == OutcomeKind::kAnswer) == isGood;
       effects.at(kind.name, kind.generator.effects.front().name) = isHigh ? 20 : -20;
+      if (kind.outcome == OutcomeKind::kEstimate) {
+        for (const GeneratorEffect& effect : kind.generator.effects) {
+          effects.at(kind.name, effect.name) = 0;
+        }
+        effects.at(kind.name, kind.generator.effects.front().name) = isGood ? 0 : 4 * kind.generator.rightWithin;
+      }
     }
     const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
     test::FakeSink sink;

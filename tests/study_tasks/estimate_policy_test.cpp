@@ -49,13 +49,13 @@ TEST(SeemingFocal, IsThatOfThePicture) {
     const auto run = block->start(test::planOf("distance", 0, view), kPolicyScreen);
     const Percept seen = VisibilitySensor(kPolicyScreen).look(run->layout(), true);
     // Patches are told by the means of a few rays.
-    EXPECT_NEAR(seemingFocalPixels(seen, 1.6).value() / truth, 1, 0.05);
+    EXPECT_NEAR(seemingFocalPixels(seen).value() / truth, 1, 0.05);
     Percept without = seen;
     without.floor.clear();
-    EXPECT_FALSE(seemingFocalPixels(without, 1.6).has_value());
+    EXPECT_FALSE(seemingFocalPixels(without).has_value());
     without = seen;
     without.standing.reset();
-    EXPECT_FALSE(seemingFocalPixels(without, 1.6).has_value());
+    EXPECT_FALSE(seemingFocalPixels(without).has_value());
   }
 }
 
