@@ -1,6 +1,7 @@
 // How a simulated observer says where an object is, as a number: it takes the picture for one along straight rays and
 // reads from it where the object seems to stand. It does not know of bent rays, so that what they do to an answer is
-// what they do to the picture. No constant of it belongs to a condition.
+// what they do to the picture. Of several pictures side by side it takes each for one of what is straight ahead. No
+// constant of it belongs to a condition.
 #pragma once
 
 #include <optional>
