@@ -4,6 +4,7 @@
 
 #include <array>
 #include <cmath>
+#include <vector>
 
 #include "oc_core/base/conventions.h"
 
@@ -54,25 +55,30 @@ void drawScale(StudyCanvas& canvas, const TrialLayout::Scale& scale) {
 void drawDial(StudyCanvas& canvas, const TrialLayout::Dial& dial) {
   constexpr int kTicks = 24;
   constexpr int kLongTicks = 6;  // every 90 degrees
+  constexpr int kSides = 360;    // of the circle
   const glm::dvec2 center = dial.place.center();
   const double text = canvas.look().textPixels(StudyText::kSmall);
-  const double radius = dial.place.width / 2 - canvas.length(4);
+  // The word stands above the circle, where the arrow does not hide it.
+  const double radius = dial.place.width / 2 - text - canvas.length(8);
+  const auto wayTo = [](double angle) { return glm::dvec2(std::sin(angle), -std::cos(angle)); };
   canvas.disc(center, radius, kStudyCard);
-  canvas.ring(center, radius, kStudyText, canvas.length(2));
+  std::vector<glm::dvec2> circle;
+  for (int i = 0; i <= kSides; ++i) {
+    circle.push_back(center + radius * wayTo(2 * kPi * i / kSides));
+  }
+  canvas.line(circle, kStudyText, canvas.length(2.5));
   for (int i = 0; i < kTicks; ++i) {
-    const double angle = 2 * kPi * i / kTicks;
-    const glm::dvec2 way(std::sin(angle), -std::cos(angle));
+    const glm::dvec2 way = wayTo(2 * kPi * i / kTicks);
     const bool isLong = i % kLongTicks == 0;
     drawLine(canvas, center + way * (radius - canvas.length(isLong ? 12 : 6)), center + way * radius,
              isLong ? kStudyText : kStudyTextDim, canvas.length(isLong ? 2.5 : 1.5));
   }
-  canvas.writeLine({StudyText::kSmall, kStudyText, kStudyCard, TextAlign::kCenter},
-                   {center.x, center.y - radius + canvas.length(16)}, canvas.texts().say("ahead"));
+  canvas.writeLine({StudyText::kSmall, kStudyText, kStudyBackground, TextAlign::kCenter},
+                   {center.x, center.y - radius - text - canvas.length(4)}, canvas.texts().say("ahead"));
   // The subject, who looks up.
   const double self = std::min(canvas.length(14), text);
   if (dial.degrees) {
-    const double angle = radiansFromDegrees(*dial.degrees);
-    const glm::dvec2 way(std::sin(angle), -std::cos(angle));
+    const glm::dvec2 way = wayTo(radiansFromDegrees(*dial.degrees));
     const glm::dvec2 side(-way.y, way.x);
     const double head = canvas.length(20);
     const glm::dvec2 tip = center + way * (radius - canvas.length(3));

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "study/screen/study_canvas.h"
+#include "study/task/trial_layout.h"
 
 namespace ocelli {
 

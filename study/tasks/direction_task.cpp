@@ -41,7 +41,7 @@ struct DirectionStage {
   DirectionStage(const TrialScreen& screen, bool isExposed) {
     constexpr double kBesideShare = 0.25;  // of the width
     constexpr double kMargin = 0.04;       // of the width of what the dial stands in
-    constexpr double kMaxDial = 0.75;      // of the height
+    constexpr double kMaxDial = 0.65;      // of the height
     constexpr double kButtonHeight = 0.11;
     constexpr double kButtonWidth = 0.16;
     const PixelRect stage = stageOf(screen);
@@ -72,7 +72,6 @@ class DirectionBlock : public TaskBlock {
     CaseInfo info;
     info.label = objects_.caseOf(caseIndex).label;
     info.exposureSeconds = options_.exposureSeconds;
-    info.objects = 1;
     const double exposure = options_.exposureSeconds.value_or(0);
     info.longestSeconds = exposure + options_.answerLimitSeconds;
     info.typicalSeconds = exposure + std::min(kTypicalPointingSeconds, options_.answerLimitSeconds);

@@ -79,7 +79,6 @@ class DistanceBlock : public TaskBlock {
   CaseInfo caseInfo(int caseIndex) const override {
     CaseInfo info;
     info.label = objects_.caseOf(caseIndex).label;
-    info.objects = 1;
     info.longestSeconds = options_.answerLimitSeconds;
     info.typicalSeconds = std::min(kTypicalDistanceSeconds, options_.answerLimitSeconds);
     return info;

@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/matrix.hpp>
+#include <glm/geometric.hpp>
+#include <vector>
 
 #include "oc_core/base/conventions.h"
 
@@ -15,6 +16,8 @@ constexpr double kEstimateAgainSeconds = 4;  ///< where nothing came of an answe
 /// One clicks on a mark of that size, pixels.
 constexpr double kMarkPixels = 6;
 constexpr double kMarkOnDial = 0.8;  ///< of its radius
+/// Pieces of floor are to the sides from there on, by their distance ahead.
+constexpr double kAsideShare = 0.1;
 constexpr double kTurn = 360;
 
 double withinTurn(double degrees) {
@@ -28,20 +31,35 @@ double SeemingPlace::degrees() const {
   return withinTurn(degreesFromRadians(std::atan2(right, ahead)));
 }
 
-std::optional<SeemingPlace> seemingPlace(const Sighting& object, const PixelRect& view, double eyeHeightMeters) {
-  if (!object.perspective) {
+std::optional<double> seemingFocalPixels(const Percept& seen) {
+  if (!seen.standing || seen.views.empty()) {
     return std::nullopt;
   }
-  // Rows of the picture lie across the line of sight, so that only what is ahead moves a place from row to row.
-  const glm::dmat2& map = object.perspective->pixelsFromMeters;
-  const double along = std::hypot(map[0][1], map[1][1]);
-  if (!(along > 0)) {
+  const WalkerPose& eye = *seen.standing;
+  const glm::dvec2 forward(std::sin(eye.headingRadians), -std::cos(eye.headingRadians));
+  std::vector<double> focals;
+  for (const FloorPatch& patch : seen.floor) {
+    const glm::dvec2 way = patch.place - glm::dvec2(eye.x, eye.z);
+    const double ahead = glm::dot(way, forward);
+    const double right = glm::dot(way, glm::dvec2(-forward.y, forward.x));
+    if (patch.straight && ahead > 0 && std::abs(right) > kAsideShare * ahead) {
+      focals.push_back((patch.centroid.x - seen.views.front().center().x) * ahead / right);
+    }
+  }
+  if (focals.empty()) {
     return std::nullopt;
   }
-  const double across = std::abs(glm::determinant(map)) / along;
+  const auto middle = focals.begin() + static_cast<std::ptrdiff_t>(focals.size() / 2);
+  std::nth_element(focals.begin(), middle, focals.end());
+  return *middle;
+}
+
+SeemingPlace seemingPlace(const Sighting& object, const PixelRect& view, double focalPixels, double eyeHeightMeters) {
+  const double below = object.upper.y - view.center().y;  // where it stands on the floor
+  const double far = focalPixels * eyeHeightMeters / kFarMeters;
   SeemingPlace place;
-  place.ahead = eyeHeightMeters * across / along;
-  place.right = (object.centroid.x - view.center().x) / across;
+  place.ahead = focalPixels * eyeHeightMeters / std::max(below, far);
+  place.right = place.ahead * (object.centroid.x - view.center().x) / focalPixels;
   return place;
 }
 
@@ -85,9 +103,9 @@ void EstimatePolicy::judge(const Percept& seen, int64_t from) {
     return;
   }
   const PixelRect& view = seen.views[static_cast<size_t>(largest->view)];
-  if (const std::optional<SeemingPlace> place = seemingPlace(*largest, view, eyeHeight_)) {
-    estimate_ = estimateOf(*place);
-  }
+  // Without a floor that tells, as if it were seen through a window in the place of the picture.
+  const double focal = seemingFocalPixels(seen).value_or(degreesFromRadians(vision_.pixelsPerDegree()));
+  estimate_ = estimateOf(seemingPlace(*largest, view, focal, eyeHeight_));
 }
 
 double EstimatePolicy::estimateOf(const SeemingPlace& place) {

@@ -1,6 +1,7 @@
 // How a simulated observer says where an object is, as a number: it takes the picture for one along straight rays and
 // reads from it where the object seems to stand. It does not know of bent rays, so that what they do to an answer is
-// what they do to the picture. No constant of it belongs to a condition.
+// what they do to the picture. Of several pictures side by side it takes each for one of what is straight ahead. No
+// constant of it belongs to a condition.
 #pragma once
 
 #include <optional>
@@ -20,11 +21,15 @@ struct SeemingPlace {
   double degrees() const;
 };
 
-/// By the perspective of the floor around it, in a picture whose rows are level. Seen from a height h, a metre across
-/// is d / h times as many pixels as a metre ahead where the floor is d ahead, whatever the field of view is: that is
-/// how flat the floor looks there. How far it is to the right follows from what a metre across is. Nothing where the
-/// picture does not show the floor.
-std::optional<SeemingPlace> seemingPlace(const Sighting& object, const PixelRect& view, double eyeHeightMeters);
+/// The focal length of a picture, pixels, as its floor tells: what is `right` of the line of sight and `ahead` shows
+/// `focal * right / ahead` beside the middle. The median over the pieces of floor well to the sides that are seen along
+/// rays that do not bend. Nothing where there are none, and of several pictures side by side.
+std::optional<double> seemingFocalPixels(const Percept& seen);
+
+/// By where the object stands in a picture whose rows are level and whose horizon is in its middle. At the horizon and
+/// above it is far away: kFarMeters.
+SeemingPlace seemingPlace(const Sighting& object, const PixelRect& view, double focalPixels, double eyeHeightMeters);
+inline constexpr double kFarMeters = 100;
 
 class EstimatePolicy final : public TaskPolicy {
  public:
@@ -32,7 +37,7 @@ class EstimatePolicy final : public TaskPolicy {
   EstimatePolicy(Asked asked, const PolicySetting& setting)
       : asked_(asked), vision_(setting.vision), eyeHeight_(setting.controls.eyeHeightMeters), random_(setting.seed) {}
 
-  bool wantsFloor() const override { return false; }
+  bool wantsFloor() const override { return true; }
   double effort(double seconds) const override { return seconds; }
   double think(const Percept& seen, int64_t from, int64_t now, MotorModel& motor) override;
 

@@ -43,7 +43,7 @@ Protocol withExamplesAsTrials(const Protocol& protocol) {
 class DefaultProtocol : public testing::TestWithParam<const char*> {};
 INSTANTIATE_TEST_SUITE_P(Shipped, DefaultProtocol,
                          testing::Values("short", "rosen2010-balanced", "nearer", "nearer-aside", "counting-heights",
-                                         "solidity"));
+                                         "estimates", "staircase", "solidity"));
 
 TEST_P(DefaultProtocol, ShowsInItsInstructionsATrialInEachConditionAlike) {
   const Protocol& protocol = shipped(GetParam());

@@ -128,8 +128,44 @@ TEST(ShortProtocol, TakesTenMinutes) {
   EXPECT_LT(seconds, 11 * 60);
 }
 
+TEST(EstimatesProtocol, AsksForBothNumbersInTenMinutesWithTruthsThatDiffer) {
+  const Protocol protocol = protocolOf("estimates");
+  ASSERT_EQ(protocol.blocks.size(), 2u);
+  EXPECT_THAT(warningsOf(protocol, protocol.seed), Each(HasSubstr("[fill in:")));
+  const double seconds = durationOf(partsOf(protocol, scheduleOf(protocol, 0, 1, 1))).typicalSeconds;
+  EXPECT_GT(seconds, 7 * 60);
+  EXPECT_LT(seconds, 11 * 60);
+  for (const ProtocolBlock& block : protocol.blocks) {
+    std::set<std::string> truths;
+    for (int i = 0; i < block.task->caseCount(); ++i) {
+      TrialPlan plan;
+      plan.caseIndex = i;
+      truths.insert(block.task->answerOf(plan));
+    }
+    EXPECT_EQ(static_cast<int>(truths.size()), block.task->caseCount()) << block.name;
+  }
+}
+
+TEST(StaircaseProtocol, LevelsAreByHowMuchTheFartherBallIsFarther) {
+  const Protocol protocol = protocolOf("staircase");
+  EXPECT_THAT(warningsOf(protocol, protocol.seed), Each(HasSubstr("[fill in:")));
+  const ProtocolBlock& block = protocol.blocks.at(0);
+  ASSERT_NE(block.staircase, nullptr);
+  EXPECT_GE(block.staircase->levels.back(), 10 * block.staircase->levels.front());
+  for (int i = 0; i < block.task->caseCount(); ++i) {
+    TrialPlan plan;
+    plan.caseIndex = i;
+    const auto run = block.task->start(plan, {640, 400, 60});
+    run->handle(KeyEvent{Key::kLeft, true, {}});
+    const std::map<std::string, double>& measures = run->outcome().value().measures;
+    const double left = measures.at("left_distance_m");
+    const double right = measures.at("right_distance_m");
+    EXPECT_NEAR(std::max(left, right) / std::min(left, right) - 1, measures.at("level"), 1e-4);
+  }
+}
+
 TEST(CheckReport, WarnsWhileTheConsentIsTheSample) {
-  for (const char* name : {"short", "rosen2010", "rosen2010-balanced", "nearer"}) {
+  for (const char* name : {"short", "rosen2010", "rosen2010-balanced", "nearer", "estimates", "staircase"}) {
     nlohmann::json json =
         nlohmann::json::parse(std::ifstream(OCELLI_SOURCE_DIR "/protocols/" + std::string(name) + ".json"));
     json["blocks"] = nlohmann::json::array({json.at("blocks").at(0)});

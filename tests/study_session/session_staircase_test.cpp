@@ -28,7 +28,7 @@ Protocol stairs() {
   return protocol;
 }
 
-/// The one that is answered always: right for one case alone, so that its staircase turns around it.
+/// The one that is answered always: right for digit 2 alone.
 constexpr Key kAnswer = Key::k2;
 
 /// Of the completed trials of the staircase, in order: "3 ppc right".
@@ -63,7 +63,7 @@ struct Whole {
   }
 };
 
-TEST(SessionStaircase, EachConditionClimbsAStaircaseOfItsOwn) {
+TEST(SessionStaircase, EachConditionStaysAtTheTopOfItsStaircaseWhereAllIsWrong) {
   const Whole whole;
   const std::vector<std::string> shown = shownIn(whole.protocol, whole.sink.calls);
   ASSERT_EQ(shown.size(), 16u);
@@ -90,7 +90,7 @@ TEST(SessionStaircase, GoesOnAtTheSameLevelsWhereverTheSessionWasCut) {
     Protocol protocol = stairs();
     protocol.resume = policy;
     const SessionSchedule schedule = test::smallSchedule(protocol);
-    // Right at each second trial of a condition, whatever it shows: the levels go down and up.
+    // Wrong in some trials, by their seeds, whatever they show: the levels go down and up.
     const auto go = [&](SessionRun& run) {
       while (!run.flow.isOver()) {
         const auto plan = run.flow.trialPlan();

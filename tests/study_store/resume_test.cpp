@@ -72,6 +72,30 @@ TEST_F(ResumeTest, KnowsWhatWasDone) {
   EXPECT_THAT(again.done.blocksPracticed, ElementsAre(0));
 }
 
+// What staircases go on from: the case that was shown, which need not be that of the schedule, and the last answer of a
+// trial that was done again.
+TEST_F(ResumeTest, KnowsWhatWasShownAndAnswered) {
+  {
+    TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);
+    TrialRecord first = madeTrial(schedule_.trials[0], 1, 1);
+    first.plan.caseIndex = 1;
+    first.outcome.correct = false;
+    storeTrial(store, 0, first, 1, 1);
+    first.attempt = 2;
+    first.outcome.correct = true;
+    storeTrial(store, 1, first, 1, 1);
+    TrialRecord aborted = madeTrial(schedule_.trials[1], 1, 1);
+    aborted.ending = TrialEnding::kAborted;
+    storeTrial(store, 2, aborted, 1, 1);
+  }
+  const AnsweredCases answered = next().done.answered;
+  ASSERT_EQ(answered.size(), 1u);
+  EXPECT_EQ(answered.at(0).block, schedule_.trials[0].block);
+  EXPECT_EQ(answered.at(0).view, schedule_.trials[0].view);
+  EXPECT_EQ(answered.at(0).caseIndex, 1);
+  EXPECT_TRUE(answered.at(0).correct);
+}
+
 TEST_F(ResumeTest, AsksAgainForAFormOfWhichAnAnswerIsMissing) {
   {
     TrialStore store(database_, protocol_, madeRun("S01", 1), schedule_);

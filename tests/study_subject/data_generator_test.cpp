@@ -4,6 +4,8 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
+#include <set>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/sha256.h"
@@ -253,6 +255,12 @@ TEST(DataGenerator, everyTaskHasRightAndWrongOutcomes) {
       // Hardly any time and nearly always right, or the other way round.
       const bool isHigh = (kind.outcome == OutcomeKind::kAnswer) == isGood;
       effects.at(kind.name, kind.generator.effects.front().name) = isHigh ? 20 : -20;
+      if (kind.outcome == OutcomeKind::kEstimate) {
+        for (const GeneratorEffect& effect : kind.generator.effects) {
+          effects.at(kind.name, effect.name) = 0;
+        }
+        effects.at(kind.name, kind.generator.effects.front().name) = isGood ? 0 : 4 * kind.generator.rightWithin;
+      }
     }
     const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
     test::FakeSink sink;
@@ -267,6 +275,34 @@ TEST(DataGenerator, everyTaskHasRightAndWrongOutcomes) {
       EXPECT_GT(outcome.responseTicks, 0);
     }
   }
+}
+
+TEST(DataGenerator, staircasesChooseTheCasesByTheAnswersDrawn) {
+  const Protocol protocol = protocolFromJsonText(R"({"name": "steps", "title": "Steps",
+    "mazes": {"hall": {"plan": ["+-+-+-+-+", "|       |", "+ +-+-+-+"]}},
+    "blocks": [{"name": "nearer", "title": "Nearer", "task": "nearer", "maze": "hall",
+      "start": {"row": 0, "column": 0, "heading": "east"}, "staircase": {"method": "up_down", "right_in_a_row": 1},
+      "cases": [
+        {"level": 0.5, "left": {"row": 0, "column": 2, "south": -0.2},
+                       "right": {"row": 0, "column": 3, "south": 0.2}},
+        {"level": 0.1, "left": {"row": 0, "column": 2, "south": -0.2},
+                       "right": {"row": 0, "column": 2, "east": 0.15, "south": 0.2}}]}]})",
+                                                 "test");
+  const SessionSchedule schedule = scheduleOf(protocol, 0, 1, 1);
+  test::FakeSink sink;
+  generateSession(protocol, {schedule, {}, 1, 1}, sink);
+  std::map<TrialView, std::optional<bool>> last;
+  std::set<double> levels;
+  for (const test::TrialEnds& end : sink.all<test::TrialEnds>()) {
+    // One down, one up: the lower of two levels after a right answer.
+    std::optional<bool>& before = last[end.record.plan.view];
+    const double level = before.value_or(false) ? 0.1 : 0.5;
+    EXPECT_EQ(end.record.info.level, level);
+    EXPECT_EQ(end.record.outcome.measures.at("level"), level);
+    levels.insert(level);
+    before = end.record.outcome.correct;
+  }
+  EXPECT_EQ(levels.size(), 2u);
 }
 
 TEST(DataGenerator, formsComeInTheSessionsThatThePersonWouldFillThemIn) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "oc_core/base/conventions.h"
@@ -16,8 +17,7 @@ namespace {
 
 constexpr TrialScreen kPolicyScreen{640, 400, 60};
 
-// A pinhole at the height h sees a floor at a distance d at the scale f / d across and f h / d^2 along the line of
-// sight, whatever f is.
+// A pinhole at the height h sees what is `ahead` on the floor at f h / ahead below the horizon.
 TEST(SeemingPlace, OfAPlanarPictureIsWhereTheObjectIs) {
   constexpr double kHeight = 1.6;
   const PixelRect view{100, 50, 640, 400};
@@ -25,22 +25,38 @@ TEST(SeemingPlace, OfAPlanarPictureIsWhereTheObjectIs) {
     for (const double ahead : {2.0, 9.0, 30.0}) {
       for (const double right : {-1.5, 0.0, 4.0}) {
         Sighting object;
-        object.centroid = {view.center().x + focal * right / ahead, 300};
-        // To the right by right / ahead, and down by h / ahead of the focal length; looking north.
-        PicturePerspective perspective;
-        perspective.pixelsFromMeters = {{focal / ahead, 0},  // a metre to the east
-                                        {focal * right / (ahead * ahead), focal * kHeight / (ahead * ahead)}};  // south
-        object.perspective = perspective;
-        const std::optional<SeemingPlace> place = seemingPlace(object, view, kHeight);
-        ASSERT_TRUE(place.has_value());
-        EXPECT_NEAR(place->ahead, ahead, 1e-9 * ahead);
-        EXPECT_NEAR(place->right, right, 1e-9 * ahead);
-        EXPECT_NEAR(place->meters(), std::hypot(ahead, right), 1e-9 * ahead);
-        EXPECT_NEAR(wrappedDegrees(place->degrees() - degreesFromRadians(std::atan2(right, ahead))), 0, 1e-9);
+        object.centroid = {view.center().x + focal * right / ahead, 0};
+        object.upper.y = view.center().y + focal * kHeight / ahead;
+        const SeemingPlace place = seemingPlace(object, view, focal, kHeight);
+        EXPECT_NEAR(place.ahead, ahead, 1e-9 * ahead);
+        EXPECT_NEAR(place.right, right, 1e-9 * ahead);
+        EXPECT_NEAR(place.meters(), std::hypot(ahead, right), 1e-9 * ahead);
+        EXPECT_NEAR(wrappedDegrees(place.degrees() - degreesFromRadians(std::atan2(right, ahead))), 0, 1e-9);
       }
     }
   }
-  EXPECT_FALSE(seemingPlace(Sighting{}, view, kHeight).has_value());
+  Sighting above;
+  above.upper.y = view.top;
+  EXPECT_NEAR(seemingPlace(above, view, 200, kHeight).ahead, kFarMeters, 1e-9);
+}
+
+TEST(SeemingFocal, IsThatOfThePicture) {
+  const auto block =
+      test::readBlock("distance", R"({"maze": "small", "start": {"row": 2, "column": 0, "heading": "east"},
+      "cases": [{"row": 2, "column": 3}]})");
+  const double truth = kPolicyScreen.width / 2.0 / std::tan(radiansFromDegrees(35));
+  for (const TrialView view : kViews) {
+    const auto run = block->start(test::planOf("distance", 0, view), kPolicyScreen);
+    const Percept seen = VisibilitySensor(kPolicyScreen).look(run->layout(), true);
+    // Patches are told by the means of a few rays.
+    EXPECT_NEAR(seemingFocalPixels(seen).value() / truth, 1, 0.05);
+    Percept without = seen;
+    without.floor.clear();
+    EXPECT_FALSE(seemingFocalPixels(without).has_value());
+    without = seen;
+    without.standing.reset();
+    EXPECT_FALSE(seemingFocalPixels(without).has_value());
+  }
 }
 
 /// What an observer that makes no errors of its own says.
@@ -57,7 +73,7 @@ EstimatedValue answerOf(const std::string& task, const TaskBlock& block, TrialVi
   MotorModel motor(factors, controls, seed);
   int64_t now = 0;
   for (int i = 0; i < 20 && !run->outcome(); ++i, now += 300'000'000) {
-    policy->think(eye.look(run->layout(), false), now, now + 300'000'000, motor);
+    policy->think(eye.look(run->layout(), true), now, now + 300'000'000, motor);
     for (const TimedInput& input : motor.take(now + 300'000'000)) {
       run->handle(input.event);
     }
@@ -74,23 +90,22 @@ std::string caseJson(int column, double south) {
          std::to_string(column) + R"(, "south": )" + std::to_string(south) + "}]}";
 }
 
-// The floor around an object is not one point of it, and 15 m away a metre of it is three rows of this picture: up to
-// a fifth was measured.
+// At 15 m a pixel of this picture is 2 % of the distance; the focal length is good to 5 %, and a ball hides the point
+// on which it stands.
 TEST(EstimatePolicy, TellsFromAPlanarPictureHowFarAndWhichWay) {
   std::vector<double> lengths;
   for (const int column : {2, 3, 4, 5}) {
     const auto far = test::readBlock("distance", caseJson(column, 0));
     const EstimatedValue length = answerOf("distance", *far, TrialView::kReference, 5);
-    EXPECT_LT(std::abs(length.signedError()), 0.25) << column << ": " << length.estimate;
+    EXPECT_LT(std::abs(length.signedError()), 0.12) << column << ": " << length.estimate;
     lengths.push_back(length.estimate);
     for (const double south : {-0.25, 0.25}) {
       const auto way = test::readBlock("direction", caseJson(column, south));
       const EstimatedValue direction = answerOf("direction", *way, TrialView::kReference, 5);
-      EXPECT_LT(std::abs(direction.signedError()), 4) << column << ": " << direction.estimate;
+      EXPECT_LT(std::abs(direction.signedError()), 2) << column << ": " << direction.estimate;
     }
   }
-  EXPECT_LT(lengths[0], lengths[1]);
-  EXPECT_LT(lengths[1], lengths[2]);
+  EXPECT_TRUE(std::is_sorted(lengths.begin(), lengths.end()));
 }
 
 TEST(EstimatePolicy, ErrsByTheFactorsOfTheSubject) {
@@ -102,7 +117,7 @@ TEST(EstimatePolicy, ErrsByTheFactorsOfTheSubject) {
   const VisibilitySensor eye(kPolicyScreen);
   const auto block = test::readBlock("distance", caseJson(3, 0));
   const auto run = block->start(test::planOf("distance", 0, TrialView::kReference), kPolicyScreen);
-  Percept seen = eye.look(run->layout(), false);
+  Percept seen = eye.look(run->layout(), true);
   double sum = 0;
   double squares = 0;
   constexpr int kSubjects = 200;
