@@ -5,13 +5,13 @@
 //       + subject + subjectGraph * [gc] + item + itemView * ([gc] - 1/2)     of a pair of conditions, "gc" the other
 //       + subject + subjectCondition + item + itemCondition                  of other numbers of conditions
 //
-// y is the mean of log seconds, the logit of a right answer, or the mean of the signed error of an estimate in the terms
-// of its unit (task_registry.h, OutcomeKind); of log seconds and of errors there is a residual too. The last four and the residual are normal with mean 0. Items are the cases of a block in a session,
-// the same for all subjects. "itemView" is by how much the effect of the view on an item differs from the mean effect;
-// half of it counts for each view, so that without an effect of the view times and shares of all items are the same in
-// both views. Of other numbers of conditions each subject, and each item, draws a number for each condition, with the
-// deviations subject_graph_sd and item_view_sd over the square root of 2: two conditions differ by as much as in a
-// pair.
+// y is the mean of log seconds, the logit of a right answer, or the mean of the signed error of an estimate in the
+// terms of its unit (task_registry.h, OutcomeKind); of log seconds and of errors there is a residual too. The last four
+// and the residual are normal with mean 0. Items are the cases of a block in a session, the same for all subjects.
+// "itemView" is by how much the effect of the view on an item differs from the mean effect; half of it counts for each
+// view, so that without an effect of the view times and shares of all items are the same in both views. Of other
+// numbers of conditions each subject, and each item, draws a number for each condition, with the deviations
+// subject_graph_sd and item_view_sd over the square root of 2: two conditions differ by as much as in a pair.
 #pragma once
 
 #include <optional>

@@ -28,8 +28,8 @@ struct EstimatedValue {
   double estimate = 0;
   double truth = 0;
 
-  /// Of lengths log(estimate / truth): 0.1 is some 10 percent too far, -0.1 too near. Of directions the degrees by which
-  /// the estimate lies clockwise of the truth, above -180 and to 180.
+  /// Of lengths log(estimate / truth): 0.1 is some 10 percent too far, -0.1 too near. Of directions the degrees by
+  /// which the estimate lies clockwise of the truth, above -180 and to 180.
   double signedError() const;
 };
 

@@ -20,6 +20,7 @@
 namespace ocelli::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -134,7 +135,8 @@ TEST_F(EstimatesReport, OfTwoConditionsHasBothUnits) {
   EXPECT_THAT(notesIn(document), testing::Contains(HasSubstr("estimates are exact")));
   EXPECT_EQ(tableNamed(document, "task-reach-right"), nullptr) << "right within a tolerance is no default model";
   const ReportTable* bias = tableNamed(document, "estimates-reach-bias");
-  EXPECT_THAT(explainCell(document.origins.tables, analysis_.data, bias->rows[0][1].id), HasSubstr("reach"));
+  EXPECT_THAT(explainCell(document.origins.tables, analysis_.data, bias->rows[0][1].id),
+              AllOf(HasSubstr("expected  measures\n"), HasSubstr("estimate_m "), HasSubstr(", truth_m ")));
 }
 
 TEST_F(EstimatesReport, OfThreeConditionsComparesWithTheFirst) {
