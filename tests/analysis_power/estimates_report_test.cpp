@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "analysis/dataset/exclusions.h"
 #include "analysis/power/power_simulation.h"
@@ -158,6 +159,32 @@ TEST_F(EstimatesReport, OfOneConditionComparesNothing) {
   EXPECT_THAT(document.failures, IsEmpty());
   EXPECT_EQ(tableNamed(document, "estimates-reach-exponents")->rows.size(), 1u);
   EXPECT_EQ(tableNamed(document, "estimates-bearing-turned"), nullptr);
+}
+
+/// One subject, few trials, estimates that are all exact, directions that go everywhere: reasons, and no failures.
+TEST_F(EstimatesReport, OfNextToNothingSaysWhatIsMissing) {
+  for (const int conditions : {1, 2, 3}) {
+    const Protocol protocol = shamProtocol(conditions);
+    for (const int subjects : {1, 2, 3}) {
+      for (const size_t trials : {size_t{1}, size_t{4}, size_t{1000}}) {
+        Dataset data = shamStudy(protocol, effects_, subjects, 9);
+        for (Trial& trial : data.trials) {
+          if (trial.task == "reach" && trials < 1000) {
+            trial.measures["estimate_m"] = trial.measures.at("truth_m");
+          } else if (trial.task == "bearing") {
+            trial.measures["estimate_degrees"] = 120.0 * (trial.caseIndex % 3);
+            trial.measures["truth_degrees"] = 0;
+          }
+        }
+        std::map<std::string, size_t> kept;
+        std::erase_if(data.trials, [&](const Trial& trial) { return ++kept[trial.subject + trial.task] > trials; });
+        analysis_ = applyPlan(std::move(data), quickPlan());
+        const ReportDocument document = studyReport(analysis_, paperTables(analysis_), {{}, "test"});
+        EXPECT_THAT(document.failures, IsEmpty()) << conditions << " " << subjects << " " << trials;
+        EXPECT_NE(tableNamed(document, "estimates-reach-counts"), nullptr);
+      }
+    }
+  }
 }
 
 TEST_F(EstimatesReport, TablesForOthersHaveErrors) {
