@@ -210,9 +210,17 @@ TestedModel testedModel(const PowerChoice& choice, const AnalysisPlan& plan, con
   if (!conditions.isPair() || !choice.contrast.empty()) {
     return contrastNamed(choice, plan, conditions);
   }
-  const bool isEstimate = isOfEstimates(choice.supposed.task);
-  const PlannedModel* model =
-      viewModelOf(plan, choice.supposed.task, isEstimate ? std::optional(ModelKind::kSignedErrorMixed) : std::nullopt);
+  const OutcomeKind outcome = taskKind(choice.supposed.task, "--task").outcome;
+  const bool isEstimate = outcome == OutcomeKind::kEstimate;
+  // The default plan models right answers of a task before its times; the effect that is supposed is one of the
+  // outcome.
+  std::optional<ModelKind> kind;
+  if (isEstimate) {
+    kind = ModelKind::kSignedErrorMixed;
+  } else if (outcome == OutcomeKind::kTime && choice.plan.empty()) {
+    kind = ModelKind::kLogNormalMixed;
+  }
+  const PlannedModel* model = viewModelOf(plan, choice.supposed.task, kind);
   if (model == nullptr) {
     throw InputError(fmt::format("the plan has no mixed model of {} with the term \"view\"", choice.supposed.task),
                      choice.plan.empty() ? "the default plan" : choice.plan,

@@ -2,6 +2,11 @@
 // of staircases. For any number of conditions.
 #pragma once
 
+#include <string>
+#include <vector>
+
+#include "analysis/base/estimable.h"
+#include "analysis/base/estimate.h"
 #include "analysis/report/report_task.h"
 
 namespace ocelli {

@@ -24,6 +24,8 @@
 #include "analysis/report/speed_accuracy_section.h"
 #include "analysis/report/view_words.h"
 #include "oc_core/base/csv.h"
+#include "study/trial/estimated_value.h"
+#include "study/trial/level_measures.h"
 
 namespace ocelli {
 namespace {
@@ -144,7 +146,7 @@ std::string trialsCsv(const Dataset& data) {
                                         [](const Trial& trial) { return estimatedValue(trial.measures).has_value(); });
   std::set<std::string> levels;
   for (const Trial& trial : data.trials) {
-    for (const char* measure : {"level", "guess_rate"}) {
+    for (const char* measure : {kLevelMeasure, kGuessRateMeasure}) {
       if (trial.measures.contains(measure)) {
         levels.insert(measure);
       }

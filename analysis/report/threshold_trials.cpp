@@ -5,23 +5,20 @@
 #include <optional>
 
 #include "analysis/report/right_answers.h"
+#include "study/trial/level_measures.h"
 
 namespace ocelli {
 namespace {
 
-constexpr const char* kLevel = "level";
-constexpr const char* kGuessRate = "guess_rate";
-constexpr double kUsualGuessRate = 0.5;
-
 std::optional<double> levelOf(const Trial& trial) {
-  const auto found = trial.measures.find(kLevel);
+  const auto found = trial.measures.find(kLevelMeasure);
   return found != trial.measures.end() && std::isfinite(found->second) && found->second > 0
              ? std::optional(found->second)
              : std::nullopt;
 }
 
 double guessRateOf(const Trial& trial) {
-  const auto found = trial.measures.find(kGuessRate);
+  const auto found = trial.measures.find(kGuessRateMeasure);
   return found == trial.measures.end() ? kUsualGuessRate : found->second;
 }
 

@@ -7,6 +7,8 @@
 #include <map>
 
 #include "oc_core/base/error.h"
+#include "study/trial/estimated_value.h"
+#include "study/trial/level_measures.h"
 
 namespace ocelli {
 namespace {
@@ -50,12 +52,37 @@ size_t commonStart(const std::string& a, const std::string& b) {
                    close.empty() ? "another cell" : fmt::format("one of the names of cells, such as {}", close));
 }
 
+/// What estimates and thresholds come from: "estimate_m 3.25, truth_m 4"; empty where a trial has none of it.
+std::string measuresText(const Trial& trial) {
+  std::map<std::string, double> told;
+  if (const std::optional<EstimatedValue> value = estimatedValue(trial.measures)) {
+    told = measuresOf(*value);
+  }
+  for (const char* name : {kLevelMeasure, kGuessRateMeasure}) {
+    if (const auto found = trial.measures.find(name); found != trial.measures.end()) {
+      told.insert(*found);
+    }
+  }
+  std::string text;
+  for (const auto& [name, value] : told) {
+    text += fmt::format("{}{} {:.6g}", text.empty() ? "" : ", ", name, value);
+  }
+  return text;
+}
+
 void appendTrials(std::string& text, const Cell& cell, const Dataset& data) {
   std::map<RowRef, const Trial*> trials;
+  bool anyMeasures = false;
   for (const Trial& trial : data.trials) {
     trials[{trial.source, trial.trialId}] = &trial;
   }
-  text += "source  trial_id  subject  session  case  view  response_s  time over  right  answer  expected\n";
+  for (const RowRef& row : cell.rows) {
+    const auto found = trials.find(row);
+    anyMeasures = anyMeasures || (found != trials.end() && !measuresText(*found->second).empty());
+  }
+  text +=
+      fmt::format("source  trial_id  subject  session  case  view  response_s  time over  right  answer  expected{}\n",
+                  anyMeasures ? "  measures" : "");
   const auto flag = [](const std::optional<bool>& value) { return !value ? "-" : *value ? "yes" : "no"; };
   for (const RowRef& row : cell.rows) {
     const auto found = trials.find(row);
@@ -64,11 +91,13 @@ void appendTrials(std::string& text, const Cell& cell, const Dataset& data) {
       continue;
     }
     const Trial& trial = *found->second;
-    fmt::format_to(std::back_inserter(text), "{}  {}  {}  {}  {}/{}  {}  {}  {}  {}  {}  {}\n", row.source + 1, row.row,
-                   oneLine(trial.subject), trial.session, oneLine(trial.block), oneLine(trial.caseLabel),
+    const std::string measures = measuresText(trial);
+    fmt::format_to(std::back_inserter(text), "{}  {}  {}  {}  {}/{}  {}  {}  {}  {}  {}  {}{}\n", row.source + 1,
+                   row.row, oneLine(trial.subject), trial.session, oneLine(trial.block), oneLine(trial.caseLabel),
                    data.conditions.nameOf(trial.view),
                    trial.responseSeconds ? fmt::format("{:.6g}", *trial.responseSeconds) : "-", flag(trial.censored),
-                   flag(trial.correct), oneLine(trial.answer), oneLine(trial.expected));
+                   flag(trial.correct), oneLine(trial.answer), oneLine(trial.expected),
+                   measures.empty() ? "" : "  " + measures);
   }
 }
 

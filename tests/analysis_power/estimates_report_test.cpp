@@ -4,6 +4,7 @@
 
 #include <cctype>
 #include <cmath>
+#include <map>
 
 #include "analysis/dataset/exclusions.h"
 #include "analysis/power/power_simulation.h"
@@ -20,6 +21,7 @@
 namespace ocelli::test {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -134,7 +136,8 @@ TEST_F(EstimatesReport, OfTwoConditionsHasBothUnits) {
   EXPECT_THAT(notesIn(document), testing::Contains(HasSubstr("estimates are exact")));
   EXPECT_EQ(tableNamed(document, "task-reach-right"), nullptr) << "right within a tolerance is no default model";
   const ReportTable* bias = tableNamed(document, "estimates-reach-bias");
-  EXPECT_THAT(explainCell(document.origins.tables, analysis_.data, bias->rows[0][1].id), HasSubstr("reach"));
+  EXPECT_THAT(explainCell(document.origins.tables, analysis_.data, bias->rows[0][1].id),
+              AllOf(HasSubstr("expected  measures\n"), HasSubstr("estimate_m "), HasSubstr(", truth_m ")));
 }
 
 TEST_F(EstimatesReport, OfThreeConditionsComparesWithTheFirst) {
@@ -156,6 +159,32 @@ TEST_F(EstimatesReport, OfOneConditionComparesNothing) {
   EXPECT_THAT(document.failures, IsEmpty());
   EXPECT_EQ(tableNamed(document, "estimates-reach-exponents")->rows.size(), 1u);
   EXPECT_EQ(tableNamed(document, "estimates-bearing-turned"), nullptr);
+}
+
+/// One subject, few trials, estimates that are all exact, directions that go everywhere: reasons, and no failures.
+TEST_F(EstimatesReport, OfNextToNothingSaysWhatIsMissing) {
+  for (const int conditions : {1, 2, 3}) {
+    const Protocol protocol = shamProtocol(conditions);
+    for (const int subjects : {1, 2, 3}) {
+      for (const size_t trials : {size_t{1}, size_t{4}, size_t{1000}}) {
+        Dataset data = shamStudy(protocol, effects_, subjects, 9);
+        for (Trial& trial : data.trials) {
+          if (trial.task == "reach" && trials < 1000) {
+            trial.measures["estimate_m"] = trial.measures.at("truth_m");
+          } else if (trial.task == "bearing") {
+            trial.measures["estimate_degrees"] = 120.0 * (trial.caseIndex % 3);
+            trial.measures["truth_degrees"] = 0;
+          }
+        }
+        std::map<std::string, size_t> kept;
+        std::erase_if(data.trials, [&](const Trial& trial) { return ++kept[trial.subject + trial.task] > trials; });
+        analysis_ = applyPlan(std::move(data), quickPlan());
+        const ReportDocument document = studyReport(analysis_, paperTables(analysis_), {{}, "test"});
+        EXPECT_THAT(document.failures, IsEmpty()) << conditions << " " << subjects << " " << trials;
+        EXPECT_NE(tableNamed(document, "estimates-reach-counts"), nullptr);
+      }
+    }
+  }
 }
 
 TEST_F(EstimatesReport, TablesForOthersHaveErrors) {
