@@ -124,7 +124,7 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
 }
 
 View pictureView(const Box& senders) {
-  constexpr double kMargin = 1.5;
+  constexpr double kMargin = 1.05;
   View view;
   view.target = senders.center();
   const auto distance = static_cast<double>(glm::distance(view.eye, view.target));

@@ -38,7 +38,7 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
                             const SceneOptions& options = {}, const Progress& progress = {});
 
 /// The default view of the picture: from where the default view of other commands looks, towards what sends the rays,
-/// and half as wide again as that is.
+/// and as wide as the sphere around that.
 View pictureView(const Box& senders);
 
 /// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
