@@ -41,10 +41,6 @@ struct ShadeChoice {
 };
 
 void checkOutputs(const ShadeChoice& choice) {
-  if (choice.by.empty()) {
-    throw InputError("nothing says what stands for the scene", "--by",
-                     "for example --by ddoc, or --by environment,di,cell with --compare");
-  }
   if (!choice.output.empty() && choice.by.size() != 1) {
     throw InputError("one picture is by one camera", "-o " + choice.output,
                      "give one name with --by, or use --page DIR");
@@ -219,9 +215,13 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
           "--by", choice->by,
           "What stands for the scene where rays go on: traced (the geometry), environment (an environment map), "
           "or the reference images of a camera: a name or a JSON file. Several with --compare or --page")
+      ->required()
       ->delimiter(',')
       ->type_name("NAME,...");
-  addViewOption(command, choice->view);
+  command
+      .add_option("--view", choice->view,
+                  "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
+      ->type_name("FILE.json");
   addSizeOption(command, choice->size);
   command.add_option("--image-size", choice->imageSize, "Size of the reference images in pixels")
       ->type_name("WIDTHxHEIGHT");
