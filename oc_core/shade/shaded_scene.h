@@ -11,15 +11,15 @@
 namespace ocelli {
 
 /// An object that sends rays on.
-struct Bender {
+struct SpecularObject {
   Mesh mesh;
   std::vector<glm::vec3> normals;
   double refractiveIndex = 1;  ///< of one that refracts
 };
 
 struct ShadedScene {
-  std::vector<Bender> mirrors;
-  std::vector<Bender> lenses;
+  std::vector<SpecularObject> mirrors;
+  std::vector<SpecularObject> lenses;
   Mesh cast;          ///< what depth images stand for
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
@@ -46,6 +46,6 @@ View pictureView(const Box& senders);
 /// no image plane holds them.
 View referenceView(const Mesh& cast, const Box& senders, int width, int height);
 
-Box boundsOf(const std::vector<Bender>& benders);
+Box boundsOf(const std::vector<SpecularObject>& objects);
 
 }  // namespace ocelli
