@@ -109,8 +109,8 @@ void measure(const BenchChoice& choice, size_t triangles) {
       triangles > 0 ? fmt::format("builtin:mirror,triangles={}", triangles) : std::string("builtin:mirror");
   const ShadedScene scene = loadShadedScene(source, rolesFor(source, ""));
   const Effect& effect = shadeEffect("reflection");
-  const SecondaryRays rays = raysOf(effect, scene, PinholeCamera(View{}, 720, 480));
   const Box senders = boundsOf(scene.mirrors);
+  const SecondaryRays rays = raysOf(effect, scene, PinholeCamera(pictureView(senders), 720, 480));
   const PinholeCamera reference(referenceView(scene.cast, senders, 720, 480), 720, 480);
   const glm::vec3 size = senders.size();
   const ViewCell cell{.sideRadii = std::max({size.x, size.y, size.z})};

@@ -1,5 +1,6 @@
 // A reflecting object in a maze (section 4.3.4.3, Figure 4.28): each reflected ray is intersected with one depth image
-// of a graph camera that sees the whole maze, and, to compare, with the maze itself.
+// of a graph camera that sees the whole maze: frustum by frustum, and through a pyramid over its samples; and, to
+// compare, with the maze itself.
 //
 // Writes both images side by side, and prints how far apart they are and what a ray costs in steps.
 #include <fmt/format.h>
@@ -12,8 +13,10 @@
 #include "oc_core/base/error.h"
 #include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
-#include "oc_core/image/png_file.h"
+#include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/depth_rays/graph_depth_image.h"
+#include "oc_core/image/png_file.h"
+#include "oc_core/ocri/placed_image.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/worlds/scene_source.h"
@@ -83,6 +86,9 @@ struct Tally {
   size_t fine = 0;
   size_t coarse = 0;
   double milliseconds = 0;
+  size_t pyramidRight = 0;  ///< as `right`, by the pyramid
+  RayCost pyramid;
+  double pyramidMilliseconds = 0;
 };
 
 class Demo {
@@ -91,6 +97,7 @@ class Demo {
       : scene_(scene),
         fragments_(rasterize(camera, scene.mesh)),
         depthImage_(camera, fragments_),
+        samples_({placedImage(camera, fragments_, scene.mesh, camera.root().view(), "graph camera")}),
         sceneRays_(scene.mesh),
         reflector_(makeReflector(choice.object, floorOf(choice), 0.22f * scene.guides.maze->cellSize)),
         objectRays_(reflector_.mesh),
@@ -160,6 +167,10 @@ class Demo {
     const auto start = std::chrono::steady_clock::now();
     const auto hit = depthImage_.intersect(glm::dvec3(origin), glm::dvec3(direction), {0.05, true}, &tally_.coarse);
     tally_.milliseconds += std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+    const auto pyramidStart = std::chrono::steady_clock::now();
+    const auto sample = samples_.hit({origin, origin + direction * 1e3f}, tally_.pyramid);
+    tally_.pyramidMilliseconds +=
+        std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - pyramidStart).count();
     if (hit) {
       const auto at = glm::clamp(glm::ivec2(hit->place), glm::ivec2(0),
                                  glm::ivec2(fragments_.width() - 1, fragments_.height() - 1));
@@ -168,6 +179,7 @@ class Demo {
     }
     if (truth.covered() && isSeen(meets)) {
       ++tally_.seen;
+      tally_.pyramidRight += sample && std::abs(sample->t - glm::distance(origin, meets)) < 0.05f;
       tally_.right += hit && std::abs(hit->distance - static_cast<double>(glm::distance(origin, meets))) < 0.05;
     }
     const glm::vec3 apart = glm::abs(images_.truth(x, y) - images_.approximation(x, y));
@@ -184,6 +196,7 @@ class Demo {
   const GuidedScene& scene_;
   FragmentImage fragments_;
   GraphDepthImage depthImage_;
+  DepthImageTarget samples_;
   RayScene sceneRays_;
   Reflector reflector_;
   RayScene objectRays_;
@@ -214,6 +227,10 @@ void run(const DemoChoice& choice) {
   fmt::print("steps a ray: {:.1f} pixel by pixel, {:.1f} with tiles; {:.1f} us a ray\n",
              static_cast<double>(tally.fine) / rays, static_cast<double>(tally.coarse) / rays,
              1000 * tally.milliseconds / rays);
+  fmt::print("pyramid: {:.1f} % found within 5 cm, {:.1f} steps a ray and {:.1f} boxes; {:.1f} us a ray\n",
+             100 * static_cast<double>(tally.pyramidRight) / static_cast<double>(tally.seen),
+             static_cast<double>(tally.pyramid.steps()) / rays, static_cast<double>(tally.pyramid.boxes) / rays,
+             1000 * tally.pyramidMilliseconds / rays);
   writePng(choice.image, srgbFromLinear(demo.sideBySide()));
 }
 

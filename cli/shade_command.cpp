@@ -41,10 +41,6 @@ struct ShadeChoice {
 };
 
 void checkOutputs(const ShadeChoice& choice) {
-  if (choice.by.empty()) {
-    throw InputError("nothing says what stands for the scene", "--by",
-                     "for example --by ddoc, or --by environment,di,cell with --compare");
-  }
   if (!choice.output.empty() && choice.by.size() != 1) {
     throw InputError("one picture is by one camera", "-o " + choice.output,
                      "give one name with --by, or use --page DIR");
@@ -81,7 +77,7 @@ class ShadeRun {
         size_(imageSizeFromText(choice.size, "--size")),
         referenceSize_(imageSizeFromText(choice.imageSize, "--image-size")) {
     for (const std::string& name : choice.by) {
-      checkSightName(name);
+      checkProxyName(name);
     }
     scene_ = loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options,
                              context.progress());
@@ -97,12 +93,12 @@ class ShadeRun {
 
   void run() {
     if (!choice_.comparesAnything()) {
-      const BuiltSight built = build(choice_.by.front());
-      write(shade(rays_, *built.sight));
+      const BuiltProxy built = build(choice_.by.front());
+      write(shade(rays_, *built.proxy));
       return;
     }
-    const BuiltSight truth = build(kTraced);
-    const ShadedPicture traced = shade(rays_, *truth.sight, choice_.runs);
+    const BuiltProxy truth = build(kTraced);
+    const ShadedPicture traced = shade(rays_, *truth.proxy, choice_.runs);
     add(truth, traced, traced);
     for (const std::string& name : choice_.by) {
       if (name == kTraced) {
@@ -111,8 +107,8 @@ class ShadeRun {
         }
         continue;
       }
-      const BuiltSight built = build(name);
-      const ShadedPicture picture = shade(rays_, *built.sight, choice_.runs);
+      const BuiltProxy built = build(name);
+      const ShadedPicture picture = shade(rays_, *built.proxy, choice_.runs);
       add(built, traced, picture);
       if (!choice_.output.empty()) {
         write(picture);
@@ -124,9 +120,9 @@ class ShadeRun {
  private:
   static constexpr uint32_t kBrightestSteps = 48;  ///< the text's mean at fine steps
 
-  BuiltSight build(const std::string& name) const {
+  BuiltProxy build(const std::string& name) const {
     const Progress progress = context_.progress();
-    return buildSight(name, {scene_, senders_.center(), *reference_, cell_, choice_.environmentHeight, progress});
+    return buildProxy(name, {scene_, senders_.center(), *reference_, cell_, choice_.environmentHeight, progress});
   }
 
   void write(const ShadedPicture& picture) const {
@@ -134,7 +130,7 @@ class ShadeRun {
     context_.note("wrote " + choice_.output);
   }
 
-  void add(const BuiltSight& built, const ShadedPicture& traced, const ShadedPicture& picture) {
+  void add(const BuiltProxy& built, const ShadedPicture& traced, const ShadedPicture& picture) {
     rows_.push_back(figuresOf(built, rays_, traced, picture, *reference_));
     images_.push_back(shadeImageNames(rows_.back(), rows_.size() - 1));
     if (choice_.page.empty()) {
@@ -219,9 +215,13 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
           "--by", choice->by,
           "What stands for the scene where rays go on: traced (the geometry), environment (an environment map), "
           "or the reference images of a camera: a name or a JSON file. Several with --compare or --page")
+      ->required()
       ->delimiter(',')
       ->type_name("NAME,...");
-  addViewOption(command, choice->view);
+  command
+      .add_option("--view", choice->view,
+                  "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
+      ->type_name("FILE.json");
   addSizeOption(command, choice->size);
   command.add_option("--image-size", choice->imageSize, "Size of the reference images in pixels")
       ->type_name("WIDTHxHEIGHT");

@@ -35,9 +35,10 @@ glm::vec3 inverseOf(const glm::vec3& step) {
   return inverse;
 }
 
+/// Without initial values: a ray needs few of the array of them.
 struct Waiting {
-  float entry = 0;
-  uint32_t reference = 0;
+  float entry;
+  uint32_t reference;
 };
 
 }  // namespace

@@ -62,9 +62,11 @@ std::optional<SteppedImage::Meeting> SteppedImage::meetWithin(const StraightRay&
   const double length = both ? glm::distance(a.place, b.place) : options_.coarsePixels * 2;
   // The ends of a piece of a curve may be closer than the piece is long: the first pieces are always halved.
   constexpr int kAlwaysHalved = 2;
+  // A piece neither end of which has an image may have one in between; it is given up at 1/32 of the ray.
+  constexpr int kUnseenHalvings = 5;
   const bool ends = halvings >= kMaxHalvings;
   if (!ends && (halvings < kAlwaysHalved || length > options_.coarsePixels)) {
-    if (!a.projects && !b.projects && halvings >= kAlwaysHalved + 3) {
+    if (!a.projects && !b.projects && halvings >= kUnseenHalvings) {
       return std::nullopt;
     }
     const Probe middle = probe(ray, (a.share + b.share) / 2);

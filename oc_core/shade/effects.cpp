@@ -7,9 +7,9 @@ namespace ocelli {
 const std::vector<Effect>& shadeEffects() {
   static const std::vector<Effect> effects{
       {"reflection", "what objects with the role \"mirror\" reflect, at first order",
-       [](const ShadedScene& scene) -> const std::vector<Bender>& { return scene.mirrors; }, reflectedRays},
+       [](const ShadedScene& scene) -> const std::vector<SpecularObject>& { return scene.mirrors; }, reflectedRays},
       {"refraction", "what is seen through objects with the role \"refract\"",
-       [](const ShadedScene& scene) -> const std::vector<Bender>& { return scene.lenses; }, refractedRays},
+       [](const ShadedScene& scene) -> const std::vector<SpecularObject>& { return scene.lenses; }, refractedRays},
   };
   return effects;
 }

@@ -12,7 +12,7 @@ struct Effect {
   const char* name;
   const char* description;
   /// The objects that send rays on: the reference image is made for the middle of them.
-  const std::vector<Bender>& (*senders)(const ShadedScene& scene);
+  const std::vector<SpecularObject>& (*senders)(const ShadedScene& scene);
   SecondaryRays (*rays)(const ShadedScene& scene, const PinholeCamera& camera);
 };
 

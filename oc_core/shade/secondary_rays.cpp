@@ -17,8 +17,8 @@ constexpr int kMaxInnerReflections = 4;
 constexpr float kStepInside = 1e-5f;
 
 /// What a pixel shows first.
-struct FirstSight {
-  const Bender* bender = nullptr;  ///< nothing: something else
+struct FirstSurface {
+  const SpecularObject* object = nullptr;  ///< nothing: something else
   Fragment fragment;
   glm::vec3 color{0};
 };
@@ -26,53 +26,53 @@ struct FirstSight {
 /// All that a picture shows, ready for rays.
 class Stage {
  public:
-  Stage(const ShadedScene& scene, const std::vector<Bender>& benders) : benders_(benders) {
+  Stage(const ShadedScene& scene, const std::vector<SpecularObject>& objects) : objects_(objects) {
     for (const Mesh* part : {&scene.cast, &scene.billboards, &scene.surroundings}) {
       append(rest_, *part);
     }
     // Those of the other effect are seen as they are.
-    for (const std::vector<Bender>* all : {&scene.mirrors, &scene.lenses}) {
-      for (const Bender& bender : *all) {
-        if (all != &benders) {
-          append(rest_, bender.mesh);
+    for (const std::vector<SpecularObject>* all : {&scene.mirrors, &scene.lenses}) {
+      for (const SpecularObject& object : *all) {
+        if (all != &objects) {
+          append(rest_, object.mesh);
         }
       }
     }
     restRays_ = std::make_unique<RayScene>(rest_);
-    for (const Bender& bender : benders) {
-      benderRays_.push_back(std::make_unique<RayScene>(bender.mesh));
+    for (const SpecularObject& object : objects) {
+      objectRays_.push_back(std::make_unique<RayScene>(object.mesh));
     }
   }
 
-  FirstSight lookAlong(const RayPath& ray) const {
-    FirstSight first{nullptr, restRays_->intersect(ray), shadeBackground()};
+  FirstSurface lookAlong(const RayPath& ray) const {
+    FirstSurface first{nullptr, restRays_->intersect(ray), shadeBackground()};
     if (first.fragment.covered()) {
       first.color = colorOf(first.fragment, rest_);
     }
-    for (size_t i = 0; i < benders_.size(); ++i) {
-      const Fragment fragment = benderRays_[i]->intersect(ray);
+    for (size_t i = 0; i < objects_.size(); ++i) {
+      const Fragment fragment = objectRays_[i]->intersect(ray);
       if (fragment.covered() && (!first.fragment.covered() || fragment.t < first.fragment.t)) {
-        first = {&benders_[i], fragment, glm::vec3(0)};
+        first = {&objects_[i], fragment, glm::vec3(0)};
       }
     }
     return first;
   }
-  const RayScene& raysOf(const Bender& bender) const {
-    return *benderRays_[static_cast<size_t>(&bender - benders_.data())];
+  const RayScene& raysOf(const SpecularObject& object) const {
+    return *objectRays_[static_cast<size_t>(&object - objects_.data())];
   }
 
  private:
-  const std::vector<Bender>& benders_;
+  const std::vector<SpecularObject>& objects_;
   Mesh rest_;
   std::unique_ptr<RayScene> restRays_;
-  std::vector<std::unique_ptr<RayScene>> benderRays_;
+  std::vector<std::unique_ptr<RayScene>> objectRays_;
 };
 
-/// `goOn(stage, bender, fragment, incoming)` is the ray from there.
+/// `goOn(stage, object, fragment, incoming)` is the ray from there.
 template <class GoOn>
-SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<Bender>& benders, const PinholeCamera& camera,
-                            const GoOn& goOn) {
-  const Stage stage(scene, benders);
+SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<SpecularObject>& objects,
+                            const PinholeCamera& camera, const GoOn& goOn) {
+  const Stage stage(scene, objects);
   SecondaryRays result{Image<glm::vec3>(camera.width(), camera.height()), {}};
   std::vector<std::optional<SecondaryRay>> rayOf(result.base.size());
   parallelFor(static_cast<size_t>(camera.height()), 4, [&](size_t begin, size_t end) {
@@ -80,10 +80,10 @@ SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<Bender>&
       const int y = static_cast<int>(row);
       for (int x = 0; x < camera.width(); ++x) {
         const RayPath path = camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-        const FirstSight first = stage.lookAlong(path);
+        const FirstSurface first = stage.lookAlong(path);
         result.base(x, y) = first.color;
-        if (first.bender != nullptr) {
-          SecondaryRay ray = goOn(stage, *first.bender, first.fragment, glm::normalize(path.back() - path.front()));
+        if (first.object != nullptr) {
+          SecondaryRay ray = goOn(stage, *first.object, first.fragment, glm::normalize(path.back() - path.front()));
           ray.pixel = static_cast<uint32_t>(result.base.index(x, y));
           rayOf[ray.pixel] = ray;
         }
@@ -98,7 +98,8 @@ SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<Bender>&
   return result;
 }
 
-SecondaryRay throughGlass(const Stage& stage, const Bender& glass, const Fragment& entry, const glm::vec3& incoming) {
+SecondaryRay throughGlass(const Stage& stage, const SpecularObject& glass, const Fragment& entry,
+                          const glm::vec3& incoming) {
   const auto index = static_cast<float>(glass.refractiveIndex);
   const glm::vec3 size = boundsOf(glass.mesh).size();
   const float step = kStepInside * glm::length(size);
@@ -130,7 +131,7 @@ glm::vec3 shadeBackground() {
 SecondaryRays reflectedRays(const ShadedScene& scene, const PinholeCamera& camera) {
   return secondaryRays(
       scene, scene.mirrors, camera,
-      [](const Stage&, const Bender& mirror, const Fragment& fragment, const glm::vec3& incoming) {
+      [](const Stage&, const SpecularObject& mirror, const Fragment& fragment, const glm::vec3& incoming) {
         const glm::vec3 normal = normalAt(fragment, mirror.mesh, mirror.normals, incoming);
         return SecondaryRay{positionOf(fragment, mirror.mesh), glm::normalize(glm::reflect(incoming, normal)), 0};
       });

@@ -28,7 +28,7 @@ glm::vec3 placeOf(const SecondaryRay& ray, float distance) {
   return ray.origin + ray.direction * distance;
 }
 
-HitState stateOf(const SecondaryRay& ray, const Sighting& truth, const Sighting& seen, const PinholeCamera& reference) {
+HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit& seen, const PinholeCamera& reference) {
   if (seen.onCast) {
     const float near = nearReach(reference, placeOf(ray, *seen.distance));
     if (!truth.distance || *seen.distance < *truth.distance - near) {
@@ -54,16 +54,16 @@ Rgb8 heat(double share) {
 
 }  // namespace
 
-ShadedPicture shade(const SecondaryRays& rays, const RaySight& sight, int runs) {
+ShadedPicture shade(const SecondaryRays& rays, const SceneProxy& proxy, int runs) {
   ShadedPicture picture{
-      rays.base, std::vector<Sighting>(rays.rays.size()), std::vector<uint32_t>(rays.rays.size()), {}, 0};
+      rays.base, std::vector<ProxyHit>(rays.rays.size()), std::vector<uint32_t>(rays.rays.size()), {}, 0};
   for (int run = 0; run < runs; ++run) {
     std::vector<RayCost> costs(kChunks);
     const auto start = std::chrono::steady_clock::now();
     parallelChunks(rays.rays.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const size_t before = costs[chunk].steps();
-        picture.sightings[i] = sight.see(rays.rays[i], costs[chunk]);
+        picture.hits[i] = proxy.hit(rays.rays[i], costs[chunk]);
         picture.stepsOfRay[i] = static_cast<uint32_t>(costs[chunk].steps() - before);
       }
     });
@@ -75,7 +75,7 @@ ShadedPicture shade(const SecondaryRays& rays, const RaySight& sight, int runs) 
     }
   }
   for (size_t i = 0; i < rays.rays.size(); ++i) {
-    picture.color[rays.rays[i].pixel] = picture.sightings[i].color;
+    picture.color[rays.rays[i].pixel] = picture.hits[i].color;
   }
   return picture;
 }
@@ -84,19 +84,19 @@ std::vector<HitState> compareHits(const SecondaryRays& rays, const ShadedPicture
                                   const PinholeCamera& reference) {
   std::vector<HitState> states(rays.rays.size());
   for (size_t i = 0; i < states.size(); ++i) {
-    states[i] = stateOf(rays.rays[i], truth.sightings[i], picture.sightings[i], reference);
+    states[i] = stateOf(rays.rays[i], truth.hits[i], picture.hits[i], reference);
   }
   return states;
 }
 
-ShadeFigures figuresOf(const BuiltSight& built, const SecondaryRays& rays, const ShadedPicture& truth,
+ShadeFigures figuresOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& truth,
                        const ShadedPicture& picture, const PinholeCamera& reference) {
   ShadeFigures figures{.name = built.name};
   figures.rays = rays.rays.size();
-  figures.hasDepth = built.sight->hasDepth();
+  figures.hasDepth = built.proxy->hasDepth();
   const std::vector<HitState> states = compareHits(rays, truth, picture, reference);
   for (size_t i = 0; i < states.size(); ++i) {
-    const bool onCast = truth.sightings[i].onCast;
+    const bool onCast = truth.hits[i].onCast;
     figures.castRays += onCast;
     figures.lost += onCast && states[i] != HitState::kRight;
     figures.missing += states[i] == HitState::kMissing;

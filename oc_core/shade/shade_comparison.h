@@ -14,20 +14,20 @@
 
 #include "oc_core/image/image.h"
 #include "oc_core/image/png_file.h"
-#include "oc_core/shade/ray_sights.h"
+#include "oc_core/shade/scene_proxies.h"
 
 namespace ocelli {
 
 /// A picture by one of the ways.
 struct ShadedPicture {
   Image<glm::vec3> color;            ///< linear
-  std::vector<Sighting> sightings;   ///< of each ray
+  std::vector<ProxyHit> hits;        ///< of each ray
   std::vector<uint32_t> stepsOfRay;  ///< in pyramids
   RayCost cost;
   double milliseconds = 0;  ///< of all rays, on all threads: the least of the runs
 };
 
-ShadedPicture shade(const SecondaryRays& rays, const RaySight& sight, int runs = 1);
+ShadedPicture shade(const SecondaryRays& rays, const SceneProxy& proxy, int runs = 1);
 
 /// What became of the first hit of a ray.
 enum class HitState : uint8_t { kElsewhere, kRight, kOff, kMissing, kFalse };
@@ -66,7 +66,7 @@ struct ShadeFigures {
 std::vector<HitState> compareHits(const SecondaryRays& rays, const ShadedPicture& truth, const ShadedPicture& picture,
                                   const PinholeCamera& reference);
 
-ShadeFigures figuresOf(const BuiltSight& built, const SecondaryRays& rays, const ShadedPicture& truth,
+ShadeFigures figuresOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& truth,
                        const ShadedPicture& picture, const PinholeCamera& reference);
 
 /// The traced picture, dimmed, with the pixels of rays in the colours of what went wrong (error_image.h).

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <cctype>
+#include <string_view>
 
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/evaluation_style.h"
@@ -10,6 +11,9 @@
 
 namespace ocelli {
 namespace {
+
+/// Pictures whole, not cut to squares.
+constexpr std::string_view kShadeStyle = ".shown figure img { aspect-ratio: auto; }\n";
 
 std::string swatch(const Rgb8& color, const std::string& text) {
   return fmt::format("<li><span class=\"swatch\" style=\"background: #{:02x}{:02x}{:02x}\"></span>{}</li>\n", color.x,
@@ -55,7 +59,7 @@ ShadeImages shadeImageNames(const ShadeFigures& row, size_t number) {
 std::string shadePage(const ShadeReport& report, const std::vector<ShadeImages>& images, uint32_t brightestSteps) {
   const size_t rays = report.rows.empty() ? 0 : report.rows.front().rays;
   const size_t castRays = report.rows.empty() ? 0 : report.rows.front().castRays;
-  std::string html = pageBegin(report.effect + " in " + report.scene, {kEvaluationStyle});
+  std::string html = pageBegin(report.effect + " in " + report.scene, {kEvaluationStyle, kShadeStyle});
   html += fmt::format(
       "<header>\n<h1>{} by depth images</h1>\n<p><code>{}</code></p>\n<p class=\"soft\">{} rays, one a pixel that "
       "sends "

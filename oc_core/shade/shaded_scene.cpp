@@ -47,10 +47,10 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   return mesh;
 }
 
-void addBender(std::vector<Bender>& benders, Mesh mesh, double refractiveIndex) {
-  Bender bender{std::move(mesh), {}, refractiveIndex};
-  bender.normals = vertexNormals(bender.mesh);
-  benders.push_back(std::move(bender));
+void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex) {
+  SpecularObject object{std::move(mesh), {}, refractiveIndex};
+  object.normals = vertexNormals(object.mesh);
+  objects.push_back(std::move(object));
 }
 
 }  // namespace
@@ -105,9 +105,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   ShadedScene shaded;
   for (auto& [role, mesh] : objects) {
     if (role.has(kMirrors)) {
-      addBender(shaded.mirrors, std::move(mesh), 1);
+      addSpecular(shaded.mirrors, std::move(mesh), 1);
     } else if (role.has(kRefracts)) {
-      addBender(shaded.lenses, std::move(mesh), role.refractiveIndex);
+      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex);
     } else {
       append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
     }
@@ -124,7 +124,7 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
 }
 
 View pictureView(const Box& senders) {
-  constexpr double kMargin = 1.5;
+  constexpr double kMargin = 1.05;
   View view;
   view.target = senders.center();
   const auto distance = static_cast<double>(glm::distance(view.eye, view.target));
@@ -164,10 +164,10 @@ View referenceView(const Mesh& cast, const Box& senders, int width, int height) 
   return view;
 }
 
-Box boundsOf(const std::vector<Bender>& benders) {
+Box boundsOf(const std::vector<SpecularObject>& objects) {
   Box box;
-  for (const Bender& bender : benders) {
-    const Box own = boundsOf(bender.mesh);
+  for (const SpecularObject& object : objects) {
+    const Box own = boundsOf(object.mesh);
     if (!own.empty()) {
       box.add(own.lower);
       box.add(own.upper);

@@ -11,15 +11,15 @@
 namespace ocelli {
 
 /// An object that sends rays on.
-struct Bender {
+struct SpecularObject {
   Mesh mesh;
   std::vector<glm::vec3> normals;
   double refractiveIndex = 1;  ///< of one that refracts
 };
 
 struct ShadedScene {
-  std::vector<Bender> mirrors;
-  std::vector<Bender> lenses;
+  std::vector<SpecularObject> mirrors;
+  std::vector<SpecularObject> lenses;
   Mesh cast;          ///< what depth images stand for
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
@@ -38,7 +38,7 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
                             const SceneOptions& options = {}, const Progress& progress = {});
 
 /// The default view of the picture: from where the default view of other commands looks, towards what sends the rays,
-/// and half as wide again as that is.
+/// and as wide as the sphere around that.
 View pictureView(const Box& senders);
 
 /// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
@@ -46,6 +46,6 @@ View pictureView(const Box& senders);
 /// no image plane holds them.
 View referenceView(const Mesh& cast, const Box& senders, int width, int height);
 
-Box boundsOf(const std::vector<Bender>& benders);
+Box boundsOf(const std::vector<SpecularObject>& objects);
 
 }  // namespace ocelli

@@ -1,8 +1,9 @@
-// `builtin:mirror`: a mirroring teapot before copies of an object, some of which hide others from it.
+// `builtin:mirror`: a mirroring vase before copies of an object, some of which hide others from it.
 // `builtin:lens`: a ball of glass before the same.
 #include <algorithm>
 #include <array>
 #include <glm/ext/matrix_transform.hpp>
+#include <vector>
 
 #include "oc_core/scene/densify.h"
 #include "oc_core/worlds/builtin_list.h"
@@ -11,7 +12,6 @@
 #include "oc_core/worlds/panels.h"
 #include "oc_core/worlds/placement.h"
 #include "oc_core/worlds/solids.h"
-#include "oc_core/worlds/teapot.h"
 
 namespace ocelli {
 namespace {
@@ -28,11 +28,11 @@ struct Copy {
 };
 
 // Seen from the mirror's middle two near ones hide parts of the far ones behind them, and the fifth stands in the gap.
-constexpr std::array<Copy, 5> kBeforeMirror{{{-0.55f, 0.15f, 0, 20, palette::skyBlue},
-                                             {-0.02f, 0.75f, 0, -35, palette::yellow},
-                                             {-1.10f, 0.42f, 0.22f, 70, palette::vermilion},
-                                             {-0.25f, 1.50f, 0.22f, 10, palette::purple},
-                                             {-0.72f, 0.85f, 0.12f, 130, palette::green}}};
+constexpr std::array<Copy, 5> kBeforeMirror{{{-0.55f, 0.15f, 0.08f, 20, palette::skyBlue},
+                                             {-0.02f, 0.75f, 0.08f, -35, palette::yellow},
+                                             {-1.10f, 0.42f, 0.34f, 70, palette::vermilion},
+                                             {-0.25f, 1.50f, 0.34f, 10, palette::purple},
+                                             {-0.72f, 0.85f, 0.20f, 130, palette::green}}};
 // The same behind the ball of glass, for a viewer at +z.
 constexpr std::array<Copy, 5> kBehindLens{{{-0.24f, -0.10f, 0, 20, palette::skyBlue},
                                            {0.26f, -0.14f, 0, -35, palette::yellow},
@@ -81,13 +81,21 @@ Scene sceneAround(const BuiltinValues& values, Mesh shown, const glm::mat4& worl
   return scene;
 }
 
+/// Nearly upright, so that its sides mirror what stands around it, and not the sky.
+Mesh makeVase() {
+  constexpr int kRings = 96;
+  constexpr float kHeight = 0.85f;
+  std::vector<glm::vec2> profile{{0, 0}};
+  for (int i = 0; i <= kRings; ++i) {
+    const float x = 2 * static_cast<float>(i) / kRings - 1;
+    profile.emplace_back(0.37f - 0.05f * x * x, kHeight * (x + 1) / 2);
+  }
+  profile.emplace_back(0, kHeight);
+  return makeTurned(profile, 192);
+}
+
 Scene buildMirror(const BuiltinValues& values) {
-  Mesh teapot = makeTeapot(32);
-  const Box box = boundsOf(teapot);
-  const float scale = 1.1f / box.size().x;
-  const glm::mat4 standing = glm::scale(placedAt({0.3f, kFloor, -0.2f}, -20), glm::vec3(scale)) *
-                             glm::translate(glm::mat4(1), {-box.center().x, -box.lower.y, -box.center().z});
-  return sceneAround(values, std::move(teapot), standing, kBeforeMirror, 0.62f);
+  return sceneAround(values, makeVase(), placedAt({0.3f, kFloor, -0.2f}), kBeforeMirror, 0.62f);
 }
 
 Scene buildLens(const BuiltinValues& values) {
@@ -108,7 +116,7 @@ std::vector<RoledObject> rolesOf(uint32_t shownRole) {
 
 BuiltinScene mirrorScene() {
   return {.name = "mirror",
-          .summary = "a mirroring teapot before five copies of an object (ocelli shade)",
+          .summary = "a mirroring vase before five copies of an object (ocelli shade)",
           .parameters = {meshParameter(), turnParameter(), trianglesParameter()},
           .build = buildMirror,
           .roles = rolesOf(kMirrors)};

@@ -28,7 +28,7 @@ TEST(SecondaryRays, areReflectedByAMirror) {
 
 TEST(SecondaryRays, passGlassOfNoOpticalDensityStraight) {
   ShadedScene scene;
-  scene.lenses.push_back(test::bender(makeSphere(64), 1.0));
+  scene.lenses.push_back(test::specularObject(makeSphere(64), 1.0));
   const SecondaryRays rays = refractedRays(scene, smallCamera());
   EXPECT_GT(rays.rays.size(), 2500u);
   for (const SecondaryRay& ray : rays.rays) {
@@ -41,7 +41,7 @@ TEST(SecondaryRays, passGlassOfNoOpticalDensityStraight) {
 // A ball of index n focuses parallel light at n / (2 (n - 1)) radii from its middle: rays near the axis cross it there.
 TEST(SecondaryRays, areFocusedByABallOfGlass) {
   ShadedScene scene;
-  scene.lenses.push_back(test::bender(makeSphere(512), 1.5));
+  scene.lenses.push_back(test::specularObject(makeSphere(512), 1.5));
   View view;
   view.eye = {0, 0, 2000};
   view.zFar = 1e4f;
@@ -65,7 +65,7 @@ TEST(SecondaryRays, areFocusedByABallOfGlass) {
 
 TEST(SecondaryRays, comeToAnEndInsideOfAnOpenObject) {
   ShadedScene scene;
-  scene.lenses.push_back(test::bender(test::wall(0, 0.5f)));
+  scene.lenses.push_back(test::specularObject(test::wall(0, 0.5f)));
   for (const SecondaryRay& ray : refractedRays(scene, smallCamera()).rays) {
     EXPECT_NEAR(glm::length(ray.direction), 1, 1e-5f);
     EXPECT_LT(ray.direction.z, -0.9f);

@@ -10,29 +10,29 @@ namespace {
 
 using test::smallCamera;
 
-/// Sightings of rays from the eye of the small camera along its view direction.
+/// What rays meet, from the eye of the small camera along its view direction.
 struct Rays {
   SecondaryRays rays{Image<glm::vec3>(8, 1), {}};
   ShadedPicture truth;
   ShadedPicture picture;
 
-  void add(const Sighting& traced, const Sighting& seen) {
+  void add(const ProxyHit& traced, const ProxyHit& seen) {
     const auto pixel = static_cast<uint32_t>(rays.rays.size());
     rays.rays.push_back({{0, 0, 10}, {0, 0, -1}, pixel});
-    truth.sightings.push_back(traced);
-    picture.sightings.push_back(seen);
+    truth.hits.push_back(traced);
+    picture.hits.push_back(seen);
     picture.stepsOfRay.push_back(pixel);
   }
 };
 
-Sighting cast(float distance) {
+ProxyHit cast(float distance) {
   return {{}, distance, true};
 }
 
 TEST(ShadeComparison, sortsFirstHits) {
   const float near = 1.5f * 10 / smallCamera().focalPixels();
-  const Sighting nothing;
-  const Sighting billboard{{}, 20.0f, false};
+  const ProxyHit nothing;
+  const ProxyHit billboard{{}, 20.0f, false};
   Rays r;
   r.add(cast(10), cast(10 + 0.9f * near));
   r.add(cast(10), cast(10 + 1.2f * near));
@@ -47,10 +47,10 @@ TEST(ShadeComparison, sortsFirstHits) {
   using enum HitState;
   EXPECT_EQ(states, (std::vector{kRight, kOff, kMissing, kMissing, kFalse, kFalse, kFalse, kElsewhere}));
 
-  class NoSight final : public RaySight {
-    Sighting see(const SecondaryRay&, RayCost&) const override { return {}; }
+  class NoProxy final : public SceneProxy {
+    ProxyHit hit(const SecondaryRay&, RayCost&) const override { return {}; }
   };
-  const BuiltSight built{.name = "di", .sight = std::make_unique<NoSight>()};
+  const BuiltProxy built{.name = "di", .proxy = std::make_unique<NoProxy>()};
   const ShadeFigures figures = figuresOf(built, r.rays, r.truth, r.picture, smallCamera());
   EXPECT_EQ(figures.castRays, 5u);
   EXPECT_EQ(figures.lost, 4u);
@@ -73,10 +73,10 @@ TEST(ShadeComparison, measuresThePixelsOfRaysAlone) {
   r.truth.color = Image<glm::vec3>(8, 1, glm::vec3(0));
   r.picture.color = Image<glm::vec3>(8, 1, glm::vec3(1));
   r.picture.color[0] = glm::vec3(0);
-  class NoSight final : public RaySight {
-    Sighting see(const SecondaryRay&, RayCost&) const override { return {}; }
+  class NoProxy final : public SceneProxy {
+    ProxyHit hit(const SecondaryRay&, RayCost&) const override { return {}; }
   };
-  const BuiltSight built{.name = "di", .sight = std::make_unique<NoSight>()};
+  const BuiltProxy built{.name = "di", .proxy = std::make_unique<NoProxy>()};
   EXPECT_TRUE(std::isinf(figuresOf(built, r.rays, r.truth, r.picture, smallCamera()).psnrDecibels));
   r.picture.color[0] = glm::vec3(1);
   EXPECT_DOUBLE_EQ(figuresOf(built, r.rays, r.truth, r.picture, smallCamera()).psnrDecibels, 0);

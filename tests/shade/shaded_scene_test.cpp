@@ -24,10 +24,10 @@ TEST(ShadedScene, builtinsComeWithTheirRoles) {
     EXPECT_LT(scene.billboards.triangles.size(), 2000u);
     EXPECT_TRUE(scene.surroundings.empty());
     size_t triangles = scene.cast.triangles.size() + scene.billboards.triangles.size();
-    for (const std::vector<Bender>* benders : {&scene.mirrors, &scene.lenses}) {
-      for (const Bender& bender : *benders) {
-        triangles += bender.mesh.triangles.size();
-        EXPECT_EQ(bender.normals.size(), bender.mesh.positions.size());
+    for (const std::vector<SpecularObject>* objects : {&scene.mirrors, &scene.lenses}) {
+      for (const SpecularObject& object : *objects) {
+        triangles += object.mesh.triangles.size();
+        EXPECT_EQ(object.normals.size(), object.mesh.positions.size());
       }
     }
     EXPECT_EQ(triangles, loadScene(source).triangles.size()) << "every triangle has one place";

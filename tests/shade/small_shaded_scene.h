@@ -7,8 +7,8 @@
 
 namespace ocelli::test {
 
-inline Bender bender(Mesh mesh, double refractiveIndex = 1.5) {
-  Bender made{std::move(mesh), {}, refractiveIndex};
+inline SpecularObject specularObject(Mesh mesh, double refractiveIndex = 1.5) {
+  SpecularObject made{std::move(mesh), {}, refractiveIndex};
   made.normals = vertexNormals(made.mesh);
   return made;
 }
@@ -17,7 +17,7 @@ inline Bender bender(Mesh mesh, double refractiveIndex = 1.5) {
 /// Before it, to the left and towards the eye, stands a red box; the wall of billboards is far behind the eye.
 inline ShadedScene mirrorBeforeBox() {
   ShadedScene scene;
-  scene.mirrors.push_back(bender(wall(0, 0.5f)));
+  scene.mirrors.push_back(specularObject(wall(0, 0.5f)));
   Mesh box = makeBox(glm::vec3(0.1f));
   paint(box, {0.8f, 0.1f, 0.1f});
   append(scene.cast, box, glm::translate(glm::mat4(1), {0.25f, 0.2f, 2}));

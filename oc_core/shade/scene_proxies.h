@@ -15,7 +15,7 @@
 namespace ocelli {
 
 /// What a ray sees.
-struct Sighting {
+struct ProxyHit {
   glm::vec3 color{0};  ///< linear
   /// To the first hit of what depth images stand for, or of a billboard; nothing where the ray sees something else, or
   /// where nothing tells distances.
@@ -23,16 +23,16 @@ struct Sighting {
   bool onCast = false;  ///< whether that is of an object that depth images stand for
 };
 
-class RaySight {
+class SceneProxy {
  public:
-  virtual ~RaySight() = default;
+  virtual ~SceneProxy() = default;
   /// `cost` grows by what it took in pyramids. Safe to call from many threads.
-  virtual Sighting see(const SecondaryRay& ray, RayCost& cost) const = 0;
+  virtual ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const = 0;
   /// Whether it tells distances.
   virtual bool hasDepth() const { return true; }
 };
 
-struct SightInputs {
+struct ProxyInputs {
   const ShadedScene& scene;
   glm::vec3 viewpoint;             ///< of environment maps: the middle of what sends rays
   const PinholeCamera& reference;  ///< of reference images
@@ -41,9 +41,9 @@ struct SightInputs {
   const Progress& progress;
 };
 
-struct BuiltSight {
+struct BuiltProxy {
   std::string name;
-  std::unique_ptr<RaySight> sight = {};
+  std::unique_ptr<SceneProxy> proxy = {};
   double buildMilliseconds = 0;      ///< of images, or of the acceleration structure of the geometry
   double structureMilliseconds = 0;  ///< of cells and pyramid
   size_t samples = 0;                ///< of reference images
@@ -56,9 +56,9 @@ inline constexpr const char* kEnvironment = "environment";
 /// `name` is "traced" (the geometry, by ray casting), "environment" (an environment map of all), or a camera, whose
 /// reference images of the cast objects are hit; an environment map shows what lies outside of them. Throws InputError
 /// for another name, for a representation without images, and where the images cannot be built.
-BuiltSight buildSight(const std::string& name, const SightInputs& inputs);
+BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs);
 
-/// Throws as buildSight() does for a name that it does not take.
-void checkSightName(const std::string& name);
+/// Throws as buildProxy() does for a name that it does not take.
+void checkProxyName(const std::string& name);
 
 }  // namespace ocelli

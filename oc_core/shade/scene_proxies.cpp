@@ -1,4 +1,4 @@
-#include "oc_core/shade/ray_sights.h"
+#include "oc_core/shade/scene_proxies.h"
 
 #include <chrono>
 
@@ -43,17 +43,17 @@ RayPath pathOf(const SecondaryRay& ray, float reach) {
 }
 
 /// The geometry itself: the truth.
-class TracedSight final : public RaySight {
+class TracedProxy final : public SceneProxy {
  public:
-  explicit TracedSight(const ShadedScene& scene)
+  explicit TracedProxy(const ShadedScene& scene)
       : mesh_(together({&scene.cast, &scene.billboards, &scene.surroundings})),
         rays_(mesh_),
         castTriangles_(scene.cast.triangles.size()),
         reach_(reachOf(scene)) {}
 
-  Sighting see(const SecondaryRay& ray, RayCost&) const override {
+  ProxyHit hit(const SecondaryRay& ray, RayCost&) const override {
     const std::optional<Hit> hit = rays_.hit(pathOf(ray, reach_));
-    return hit ? Sighting{hit->color, hit->t, hit->element < castTriangles_} : Sighting{shadeBackground(), {}, false};
+    return hit ? ProxyHit{hit->color, hit->t, hit->element < castTriangles_} : ProxyHit{shadeBackground(), {}, false};
   }
   size_t triangles() const { return mesh_.triangles.size(); }
 
@@ -64,13 +64,13 @@ class TracedSight final : public RaySight {
   float reach_;
 };
 
-class EnvironmentSight final : public RaySight {
+class EnvironmentProxy final : public SceneProxy {
  public:
-  explicit EnvironmentSight(const SightInputs& in)
+  explicit EnvironmentProxy(const ProxyInputs& in)
       : map_(in.viewpoint, together({&in.scene.cast, &in.scene.billboards, &in.scene.surroundings}),
              in.environmentHeight, shadeBackground()) {}
 
-  Sighting see(const SecondaryRay& ray, RayCost&) const override { return {map_.colorOf(ray.direction), {}, false}; }
+  ProxyHit hit(const SecondaryRay& ray, RayCost&) const override { return {map_.colorOf(ray.direction), {}, false}; }
   bool hasDepth() const override { return false; }
 
  private:
@@ -78,23 +78,23 @@ class EnvironmentSight final : public RaySight {
 };
 
 /// Reference images of the cast objects, billboards as they are, and an environment map of the rest.
-class DepthImageSight final : public RaySight {
+class DepthImageProxy final : public SceneProxy {
  public:
-  DepthImageSight(const SightInputs& in, const ReferenceImages& images)
+  DepthImageProxy(const ProxyInputs& in, const ReferenceImages& images)
       : target_(images),
         billboards_(in.scene.billboards),
         map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()),
         reach_(reachOf(in.scene)) {}
 
-  Sighting see(const SecondaryRay& ray, RayCost& cost) const override {
+  ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
     const RayPath path = pathOf(ray, reach_);
     const std::optional<Hit> hit = target_.hit(path, cost);
     const std::optional<Hit> billboard = billboards_.hit(path);
     if (hit && (!billboard || hit->t <= billboard->t)) {
       return {hit->color, hit->t, true};
     }
-    return billboard ? Sighting{billboard->color, billboard->t, false}
-                     : Sighting{map_.colorOf(ray.direction), {}, false};
+    return billboard ? ProxyHit{billboard->color, billboard->t, false}
+                     : ProxyHit{map_.colorOf(ray.direction), {}, false};
   }
   const DepthImageTarget& target() const { return target_; }
 
@@ -105,27 +105,27 @@ class DepthImageSight final : public RaySight {
   float reach_;
 };
 
-BuiltSight buildTraced(const SightInputs& in) {
-  BuiltSight built{.name = kTraced};
+BuiltProxy buildTraced(const ProxyInputs& in) {
+  BuiltProxy built{.name = kTraced};
   const auto start = Clock::now();
-  auto sight = std::make_unique<TracedSight>(in.scene);
+  auto proxy = std::make_unique<TracedProxy>(in.scene);
   built.buildMilliseconds = millisecondsSince(start);
-  built.triangles = sight->triangles();
-  built.sight = std::move(sight);
+  built.triangles = proxy->triangles();
+  built.proxy = std::move(proxy);
   return built;
 }
 
-BuiltSight buildEnvironment(const SightInputs& in) {
-  BuiltSight built{.name = kEnvironment};
+BuiltProxy buildEnvironment(const ProxyInputs& in) {
+  BuiltProxy built{.name = kEnvironment};
   const auto start = Clock::now();
-  built.sight = std::make_unique<EnvironmentSight>(in);
+  built.proxy = std::make_unique<EnvironmentProxy>(in);
   built.buildMilliseconds = millisecondsSince(start);
   built.samples = 2 * static_cast<size_t>(in.environmentHeight) * static_cast<size_t>(in.environmentHeight);
   return built;
 }
 
-BuiltSight buildDepthImages(const CameraChoice& choice, const SightInputs& in) {
-  BuiltSight built{.name = choice.name};
+BuiltProxy buildDepthImages(const CameraChoice& choice, const ProxyInputs& in) {
+  BuiltProxy built{.name = choice.name};
   const auto start = Clock::now();
   const ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
   built.buildMilliseconds = millisecondsSince(start);
@@ -136,9 +136,9 @@ BuiltSight buildDepthImages(const CameraChoice& choice, const SightInputs& in) {
   // Its environment map and billboards are those of every other camera: their time is no part of this one's.
   static_cast<void>(DepthImageTarget(images));
   built.structureMilliseconds = millisecondsSince(ready);
-  auto sight = std::make_unique<DepthImageSight>(in, images);
-  built.triangles = sight->target().cells().mesh.triangles.size();
-  built.sight = std::move(sight);
+  auto proxy = std::make_unique<DepthImageProxy>(in, images);
+  built.triangles = proxy->target().cells().mesh.triangles.size();
+  built.proxy = std::move(proxy);
   return built;
 }
 
@@ -153,13 +153,13 @@ CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
 
 }  // namespace
 
-void checkSightName(const std::string& name) {
+void checkProxyName(const std::string& name) {
   if (name != kTraced && name != kEnvironment) {
     choiceOf(name, {});
   }
 }
 
-BuiltSight buildSight(const std::string& name, const SightInputs& inputs) {
+BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs) {
   if (name == kTraced) {
     return buildTraced(inputs);
   }
