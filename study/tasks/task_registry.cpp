@@ -14,12 +14,12 @@ TaskKind findTask();
 TaskKind countTask();
 TaskKind pathTask();
 TaskKind nearerTask();
-TaskKind frontTask();
+TaskKind frontmostTask();
 
 namespace {
 
 Registry<TaskKind>& taskRegistry() {
-  static Registry<TaskKind> registry("task", {findTask(), countTask(), pathTask(), nearerTask(), frontTask()});
+  static Registry<TaskKind> registry("task", {findTask(), countTask(), pathTask(), nearerTask(), frontmostTask()});
   return registry;
 }
 

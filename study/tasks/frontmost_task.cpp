@@ -20,7 +20,7 @@
 #include "study/task/task_fields.h"
 #include "study/task/task_layout.h"
 #include "study/task/trial_image.h"
-#include "study/tasks/front_policy.h"
+#include "study/tasks/frontmost_policy.h"
 #include "study/tasks/task_registry.h"
 
 namespace ocelli {
@@ -409,8 +409,8 @@ std::string otherFront(const std::string& expected, Random&) {
 
 }  // namespace
 
-TaskKind frontTask() {
-  return {.name = "front",
+TaskKind frontmostTask() {
+  return {.name = "frontmost",
           .description = "say which of two objects is in front of the other, the left one or the right one",
           .outcome = OutcomeKind::kAnswer,
           .read = readFrontTask,
@@ -423,7 +423,7 @@ TaskKind frontTask() {
                                     {kItemSd, 0.4, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"}},
                         .wrongAnswer = otherFront},
-          .images = {{"front_pair", true, frontExample}}};
+          .images = {{"frontmost_pair", true, frontExample}}};
 }
 
 }  // namespace ocelli
