@@ -63,7 +63,9 @@ TEST(FrontTask, SoDoesAClickOnAChoice) {
   const auto run = frontRun(*block);
   const TrialLayout layout = run->layout();
   ASSERT_EQ(layout.choices.size(), 2u);
-  run->handle(test::moveTo(layout.views.front().place.center()));
+  EXPECT_FALSE(layout.pointer.has_value()) << "it would lie upon the objects";
+  run->handle(test::moveTo(layout.views.front().place.center() + 1.0));
+  EXPECT_TRUE(run->layout().pointer.has_value());
   run->handle(test::button(PointerButton::kLeft, true));
   EXPECT_FALSE(run->outcome().has_value()) << "a click on the image is no answer";
   run->handle(test::moveTo(layout.choices[1].place.center()));
