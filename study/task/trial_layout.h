@@ -108,7 +108,7 @@ struct TrialLayout {
   const StudyScene* scene = nullptr;       ///< of the views; lives as long as the trial
   std::vector<glm::vec3> objectOffsets{};  ///< of the objects of `scene`, from where they stand at first
   std::vector<View> views{};
-  int64_t tick = 0;  ///< since the trial began: what moves in views by itself, such as a head, takes it from here
+  int64_t tick = 0;  ///< since the trial began, of tasks whose blocks are still: what moves in views by itself asks it
   std::vector<PathMap> maps{};
   std::vector<Choice> choices{};
   std::optional<Scale> scale{};

@@ -16,13 +16,13 @@ TaskKind pathTask();
 TaskKind nearerTask();
 TaskKind distanceTask();
 TaskKind directionTask();
-TaskKind frontTask();
+TaskKind frontmostTask();
 
 namespace {
 
 Registry<TaskKind>& taskRegistry() {
   static Registry<TaskKind> registry(
-      "task", {findTask(), countTask(), pathTask(), nearerTask(), distanceTask(), directionTask(), frontTask()});
+      "task", {findTask(), countTask(), pathTask(), nearerTask(), distanceTask(), directionTask(), frontmostTask()});
   return registry;
 }
 

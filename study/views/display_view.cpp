@@ -80,7 +80,7 @@ class DisplayView final : public SceneView, public std::enable_shared_from_this<
     const PinholeCamera key = options_.head.moves() ? poseCamera(pinhole, pose) : pinhole;
     return shown_.get(layout, key, panes, [&] {
       const std::shared_ptr<PoseImages> images = store_.get(options_, layout, imageCamera(pinhole));
-      ShownImage image = images->at(pose).at({pinhole.width(), pinhole.height()});
+      ShownImage image = images->at(pose, layout).at({pinhole.width(), pinhole.height()});
       for (size_t i = 0; i < layout.scene->objectCount(); ++i) {
         const Box& box = layout.scene->boxOf(i);
         image.placesOfObjects.push_back(box.center() +
@@ -94,7 +94,7 @@ class DisplayView final : public SceneView, public std::enable_shared_from_this<
     const std::shared_ptr<PoseImages> images = store_.get(options_, layout, imageCamera(pinhole));
     const size_t count = options_.head.poseCount();
     for (size_t pose = 0; pose < count; ++pose) {
-      images->at(pose);
+      images->at(pose, layout);
       report(progress, "images of the display", static_cast<double>(pose + 1) / static_cast<double>(count));
     }
     images->forgetVolumes();

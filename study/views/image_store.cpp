@@ -6,30 +6,17 @@
 
 namespace ocelli {
 
-PoseImages::PoseImages(const DisplayViewOptions& options, const TrialLayout& layout, const PinholeCamera& camera)
-    : options_(options),
-      scene_(std::make_shared<const StudyScene>(*layout.scene)),
-      camera_(camera),
-      images_(options.head.poseCount()) {
-  layout_.scene = scene_.get();
-  layout_.objectOffsets = layout.objectOffsets;
-}
-
-DisplayLight& PoseImages::light() {
-  if (!light_) {
-    light_ = std::make_unique<DisplayLight>(options_, layout_, camera_);
-  }
-  return *light_;
-}
-
-const KeptImage& PoseImages::at(size_t pose) {
+const KeptImage& PoseImages::at(size_t pose, const TrialLayout& layout) {
   const std::lock_guard lock(mutex_);
   std::unique_ptr<KeptImage>& image = images_[pose];
   if (!image) {
-    if (!gain_) {
-      gain_ = light().gain();
+    if (!light_) {
+      light_ = std::make_unique<DisplayLight>(options_, layout, camera_);
     }
-    DisplayLight::Seen seen = light().at(pose);
+    if (!gain_) {
+      gain_ = light_->gain();
+    }
+    DisplayLight::Seen seen = light_->at(pose);
     applyTone(seen.light, {.gain = *gain_});
     image = std::make_unique<KeptImage>(srgbFromLinear(seen.light), seen.objects);
     bytes_ += image->bytes();
@@ -63,7 +50,7 @@ std::shared_ptr<PoseImages> ImageStore::get(const DisplayViewOptions& options, c
     sum -= entries_.back().images->bytes();
     entries_.pop_back();
   }
-  entries_.push_front({std::move(key), std::make_shared<PoseImages>(options, layout, camera)});
+  entries_.push_front({std::move(key), std::make_shared<PoseImages>(options, camera)});
   for (size_t i = kMaxWithVolumes; i < entries_.size(); ++i) {
     entries_[i].images->forgetVolumes();
   }

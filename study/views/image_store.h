@@ -17,19 +17,17 @@ namespace ocelli {
 class PoseImages {
  public:
   /// `options` must outlive it.
-  PoseImages(const DisplayViewOptions& options, const TrialLayout& layout, const PinholeCamera& camera);
+  PoseImages(const DisplayViewOptions& options, const PinholeCamera& camera)
+      : options_(options), camera_(camera), images_(options.head.poseCount()) {}
 
-  const KeptImage& at(size_t pose);
+  /// Made of the layout where it is not there yet: always of the same scene, with its objects at the same places.
+  const KeptImage& at(size_t pose, const TrialLayout& layout);
   size_t bytes() const { return bytes_; }
   /// Frees what only images that were not made yet need; they take longer then. Nothing where an image is being made.
   void forgetVolumes();
 
  private:
-  DisplayLight& light();
-
   const DisplayViewOptions& options_;
-  TrialLayout layout_;
-  std::shared_ptr<const StudyScene> scene_;  ///< of that layout: a copy
   PinholeCamera camera_;
   std::atomic<size_t> bytes_ = 0;
   std::mutex mutex_;

@@ -13,6 +13,7 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kRowsOfTask = 32;
+constexpr uint32_t kMaxObject = 0xffff;
 
 /// Linear light of bytes, and bytes of linear light: by tables, as screens ask for millions of pixels a second.
 class Encoding {
@@ -76,30 +77,19 @@ KeptImage::KeptImage(const Image<Rgb8>& pixels, const Image<uint32_t>& objects)
   }
   corner_ = lower;
   pixels_ = Image<Rgb8>(upper.x - lower.x + 1, upper.y - lower.y + 1);
+  objects_ = Image<uint16_t>(pixels_.width(), pixels_.height());
   for (int y = 0; y < pixels_.height(); ++y) {
     for (int x = 0; x < pixels_.width(); ++x) {
       pixels_(x, y) = pixels(lower.x + x, lower.y + y);
       const uint32_t object = objects(lower.x + x, lower.y + y);
-      if (runs_.empty() || runs_.back().object != object) {
-        runs_.push_back({0, object});
-      }
-      ++runs_.back().count;
+      OC_CHECK(object == kNothing || object < kMaxObject, "two bytes hold an object");
+      objects_(x, y) = object == kNothing ? 0 : static_cast<uint16_t>(object + 1);
     }
   }
-  runs_.shrink_to_fit();
 }
 
 size_t KeptImage::bytes() const {
-  return sizeof(KeptImage) + pixels_.size() * sizeof(Rgb8) + runs_.size() * sizeof(Run);
-}
-
-Image<uint32_t> KeptImage::objectsWithin() const {
-  Image<uint32_t> objects(pixels_.width(), pixels_.height());
-  uint32_t* next = objects.data();
-  for (const Run& run : runs_) {
-    next = std::fill_n(next, run.count, run.object);
-  }
-  return objects;
+  return sizeof(KeptImage) + pixels_.size() * (sizeof(Rgb8) + sizeof(uint16_t));
 }
 
 ShownImage KeptImage::at(const glm::ivec2& size) const {
@@ -109,7 +99,6 @@ ShownImage KeptImage::at(const glm::ivec2& size) const {
   if (pixels_.empty()) {
     return shown;
   }
-  const Image<uint32_t> objects = objectsWithin();
   const std::vector<Tap> columns = tapsOf(size_.x, size.x);
   const std::vector<Tap> rows = tapsOf(size_.y, size.y);
   static const Encoding kEncoding;
@@ -137,8 +126,8 @@ ShownImage KeptImage::at(const glm::ivec2& size) const {
         const glm::ivec2 at(static_cast<int>(x), static_cast<int>(y));
         shown.pixels(at.x, at.y) = kEncoding.bytes(glm::mix(upper, lower, row.second));
         const glm::ivec2 nearest = glm::ivec2(column.nearest, row.nearest) - corner_;
-        if (objects.contains(nearest.x, nearest.y)) {
-          shown.objects(at.x, at.y) = objects(nearest.x, nearest.y);
+        if (objects_.contains(nearest.x, nearest.y) && objects_(nearest.x, nearest.y) > 0) {
+          shown.objects(at.x, at.y) = objects_(nearest.x, nearest.y) - 1u;
         }
       }
     }

@@ -1,5 +1,5 @@
 // An image of an observer as it is kept in memory, small enough for hundreds of them: the pixels of what is lit, and
-// the objects in runs.
+// the objects in two bytes a pixel.
 #pragma once
 
 #include <cstdint>
@@ -21,16 +21,10 @@ class KeptImage {
   ShownImage at(const glm::ivec2& size) const;
 
  private:
-  struct Run {
-    uint32_t count;
-    uint32_t object;
-  };
-  Image<uint32_t> objectsWithin() const;
-
-  glm::ivec2 size_;      ///< of the whole image
-  glm::ivec2 corner_{};  ///< of what is kept, in the image
-  Image<Rgb8> pixels_;   ///< black beyond
-  std::vector<Run> runs_{};
+  glm::ivec2 size_;            ///< of the whole image
+  glm::ivec2 corner_{};        ///< of what is kept, in the image
+  Image<Rgb8> pixels_;         ///< black beyond
+  Image<uint16_t> objects_{};  ///< of these pixels; 0 where there is nothing, else one more than their identity
 };
 
 }  // namespace ocelli

@@ -206,7 +206,8 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
            {"display",
             R"({"distance_meters": 100, "radius_meters": 0.01})",
             {},
-            {"camera", "profile", "distance_meters", "radius_meters", "head", "mean_luminance", "image_rows"}}}) {
+            {"camera", "profile", "distance_meters", "radius_meters", "head", "made_at", "mean_luminance",
+             "image_rows"}}}) {
     Json description = def("view");
     Json properties{{"$schema", Json::object()}, {"comment", Json::object()}, {"kind", Json::object()}};
     for (const std::vector<std::string>* names : {&options.required, &options.others}) {
@@ -220,7 +221,8 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfConditions) {
     view["kind"] = options.kind;
     document.at("conditions").at(1)["view"] = view;
     expectAgreement(description, document, "/conditions/1/view",
-                    {"kind", "camera", "eye_offset_meters", "headings_degrees", "profile", "$schema", "comment"});
+                    {"kind", "camera", "eye_offset_meters", "headings_degrees", "profile", "head", "made_at", "$schema",
+                     "comment"});
   }
 }
 
@@ -358,6 +360,65 @@ TEST(ProtocolSchema, AgreesWithTheReaderOfStaircases) {
     }
     expectAgreement(description, document, "/blocks/0/staircase", {"method"});
   }
+}
+
+Json frontDocument() {
+  Json document = withBlock(2);
+  document.at("mazes")["hall"] = Json::parse(R"({"plan": ["+-+-+-+-+", "|       |", "+ +-+-+-+"]})");
+  const std::string cases = R"([{"left": {"ahead_meters": 5, "right_meters": -0.25, "shape": "cube", "color": "green"},
+                                 "right": {"ahead_meters": 6.2, "right_meters": 0.25, "up_meters": 0.01}}])";
+  document.at("blocks").at(0) = Json::parse(
+      R"({"name": "front", "title": "Front", "task": "frontmost", "maze": "hall", "object": {"shape": "cone"},
+          "start": {"row": 0, "column": 0, "heading": "east"}, "sessions": [1, 2],
+          "instructions": [{"title": "Front", "paragraphs": ["Which?"]}], "practice": {}, "practice_cases": )" +
+      cases + R"(, "example_cases": )" + cases + R"(, "cases": )" + cases + "}");
+  return document;
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfFront) {
+  Json document = frontDocument();
+  // What decides whether a case can be seen.
+  std::vector<std::string> own = kOwnOfBlocks;
+  own.emplace_back("fov_horizontal_degrees");
+  own.emplace_back("object");
+  expectAgreement(blockOf("frontmost"), document, "/blocks/0", own);
+  expectAgreement(def("frontmost_case"), document, "/blocks/0/cases/0");
+  // Other places of an object cannot be shown, so that ranges cannot be tried.
+  Json properties = def("frontmost_object").at("properties");
+  std::set<std::string> names;
+  for (const auto& [name, property] : properties.items()) {
+    names.insert(name);
+  }
+  EXPECT_EQ(names, (std::set<std::string>{"$schema", "ahead_meters", "color", "comment", "right_meters", "shape",
+                                          "up_meters"}));
+  EXPECT_EQ(properties.at("shape").at("enum"),
+            blockOf("count").at("properties").at("object").at("properties").at("shape").at("enum"));
+  EXPECT_EQ(properties.at("color").at("enum"),
+            blockOf("find").at("properties").at("object").at("properties").at("color").at("enum"));
+  document["blocks"][0]["cases"][0]["left"]["left_meters"] = 0.1;
+  EXPECT_NE(protocolError(document).find("field \"left_meters\" is unknown"), std::string::npos)
+      << protocolError(document);
+}
+
+TEST(ProtocolSchema, AgreesWithTheReaderOfHeads) {
+  Json document = frontDocument();
+  document.erase("survey");
+  document["conditions"] = Json::parse(
+      R"([{"name": "rest", "view": {"kind": "display", "distance_meters": 6, "radius_meters": 2}},
+          {"name": "sway", "view": {"kind": "display", "distance_meters": 6, "radius_meters": 2,
+           "head": {"sway_degrees": 5}}}])");
+  Json description = def("head");
+  description["required"] = {"sway_degrees"};
+  expectAgreement(description, document, "/conditions/1/view/head", {"images", "poses", "$schema", "comment"});
+  document["conditions"][1]["view"]["head"] =
+      Json::parse(R"({"images": 240, "poses": [{"time": 0, "eye": [0, 0, 3]}, {"time": 1, "eye": [1, 0, 3]}]})");
+  EXPECT_EQ(protocolError(document), "");
+  // An eye that moves goes with tasks in which all stands still.
+  Json other = withBlock(2);
+  other.erase("survey");
+  other["conditions"] = document["conditions"];
+  EXPECT_NE(protocolError(other).find("condition \"sway\" has a \"head\" that moves"), std::string::npos)
+      << protocolError(other);
 }
 
 TEST(ProtocolSchema, KnowsEveryTask) {

@@ -87,7 +87,7 @@ const std::vector<TaskExample>& taskExamples() {
            "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
            {"label": "left", "row": 2, "column": 2, "south": -0.25}]})",
        false},
-      {"front", "front", R"({"maze": "small", "answer_limit_seconds": 8, "object": {"shape": "cube"},
+      {"frontmost", "frontmost", R"({"maze": "small", "answer_limit_seconds": 8, "object": {"shape": "cube"},
            "start": {"row": 2, "column": 0, "heading": "east"}, "cases": [
            {"label": "left", "left": {"ahead_meters": 5, "right_meters": -0.25},
                              "right": {"ahead_meters": 6.2, "right_meters": 0.25}},

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "study/agent/visibility_sensor.h"
-#include "study/tasks/front_policy.h"
+#include "study/tasks/frontmost_policy.h"
 #include "study/tasks/task_registry.h"
 #include "tests/study_task/study_tasks.h"
 
@@ -24,21 +24,21 @@ const std::string kLeftFront = R"("ahead_meters": 5, "right_meters": -0.2)";
 const std::string kRightBehind = R"("ahead_meters": 6, "right_meters": 0.2)";
 
 std::unique_ptr<TrialRun> frontRun(const TaskBlock& block, int caseIndex = 0) {
-  return block.start(test::planOf("front", caseIndex, TrialView::kReference), kFrontScreen);
+  return block.start(test::planOf("frontmost", caseIndex, TrialView::kReference), kFrontScreen);
 }
 
 TEST(FrontTask, TheOneInFrontIsRight) {
-  const auto block = test::readBlock("front", frontJson(kLeftFront, kRightBehind));
-  EXPECT_EQ(block->answerOf(test::planOf("front", 0, TrialView::kOther)), "left");
+  const auto block = test::readBlock("frontmost", frontJson(kLeftFront, kRightBehind));
+  EXPECT_EQ(block->answerOf(test::planOf("frontmost", 0, TrialView::kOther)), "left");
   EXPECT_EQ(block->caseInfo(0).objects, 2);
   EXPECT_TRUE(block->isStill());
-  const auto other = test::readBlock(
-      "front", frontJson(R"("ahead_meters": 6, "right_meters": -0.2)", R"("ahead_meters": 5, "right_meters": 0.2)"));
-  EXPECT_EQ(other->answerOf(test::planOf("front", 0, TrialView::kOther)), "right");
+  const auto other = test::readBlock("frontmost", frontJson(R"("ahead_meters": 6, "right_meters": -0.2)",
+                                                            R"("ahead_meters": 5, "right_meters": 0.2)"));
+  EXPECT_EQ(other->answerOf(test::planOf("frontmost", 0, TrialView::kOther)), "right");
 }
 
 TEST(FrontTask, TheArrowsAnswerAtOnce) {
-  const auto block = test::readBlock("front", frontJson(kLeftFront, kRightBehind));
+  const auto block = test::readBlock("frontmost", frontJson(kLeftFront, kRightBehind));
   for (const bool isLeft : {true, false}) {
     const auto run = frontRun(*block);
     for (int i = 0; i < 360; ++i) {
@@ -59,11 +59,13 @@ TEST(FrontTask, TheArrowsAnswerAtOnce) {
 }
 
 TEST(FrontTask, SoDoesAClickOnAChoice) {
-  const auto block = test::readBlock("front", frontJson(kLeftFront, kRightBehind));
+  const auto block = test::readBlock("frontmost", frontJson(kLeftFront, kRightBehind));
   const auto run = frontRun(*block);
   const TrialLayout layout = run->layout();
   ASSERT_EQ(layout.choices.size(), 2u);
-  run->handle(test::moveTo(layout.views.front().place.center()));
+  EXPECT_FALSE(layout.pointer.has_value()) << "it would lie upon the objects";
+  run->handle(test::moveTo(layout.views.front().place.center() + 1.0));
+  EXPECT_TRUE(run->layout().pointer.has_value());
   run->handle(test::button(PointerButton::kLeft, true));
   EXPECT_FALSE(run->outcome().has_value()) << "a click on the image is no answer";
   run->handle(test::moveTo(layout.choices[1].place.center()));
@@ -73,7 +75,7 @@ TEST(FrontTask, SoDoesAClickOnAChoice) {
 }
 
 TEST(FrontTask, EndsWithoutAnAnswer) {
-  const auto block = test::readBlock("front", frontJson(kLeftFront, kRightBehind));
+  const auto block = test::readBlock("frontmost", frontJson(kLeftFront, kRightBehind));
   const auto run = frontRun(*block);
   for (int i = 0; i < 5 * kTicksPerSecond; ++i) {
     EXPECT_FALSE(run->outcome().has_value());
@@ -85,31 +87,31 @@ TEST(FrontTask, EndsWithoutAnAnswer) {
 }
 
 TEST(FrontTask, RefusesCasesWithoutARightAnswer) {
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront, R"("ahead_meters": 5.5, "right_meters": 0.2)")),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront, R"("ahead_meters": 5.5, "right_meters": 0.2)")),
               AllOf(HasSubstr("neither is wholly in front"), HasSubstr("cases\" 1")));
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront, R"("ahead_meters": 6, "right_meters": 0.9)")),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront, R"("ahead_meters": 6, "right_meters": 0.9)")),
               HasSubstr("0 % of the object behind are covered"));
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront, R"("ahead_meters": 6, "right_meters": -0.22)")),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront, R"("ahead_meters": 6, "right_meters": -0.22)")),
               HasSubstr("are covered"));
-  EXPECT_THAT(test::readError("front", frontJson(R"("ahead_meters": 5, "right_meters": 0.2)",
-                                                 R"("ahead_meters": 6, "right_meters": -0.2)")),
+  EXPECT_THAT(test::readError("frontmost", frontJson(R"("ahead_meters": 5, "right_meters": 0.2)",
+                                                     R"("ahead_meters": 6, "right_meters": -0.2)")),
               HasSubstr("not to the left"));
-  EXPECT_THAT(test::readError("front", frontJson(R"("ahead_meters": 0.7, "right_meters": -0.2)", kRightBehind)),
+  EXPECT_THAT(test::readError("frontmost", frontJson(R"("ahead_meters": 0.7, "right_meters": -0.2)", kRightBehind)),
               HasSubstr("border"));
-  EXPECT_THAT(test::readError("front", frontJson(R"("ahead_meters": 5, "right_meters": -1.2)", kRightBehind)),
+  EXPECT_THAT(test::readError("frontmost", frontJson(R"("ahead_meters": 5, "right_meters": -1.2)", kRightBehind)),
               HasSubstr("into a wall"));
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront + R"(, "up_meters": -1.5)", kRightBehind)),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront + R"(, "up_meters": -1.5)", kRightBehind)),
               HasSubstr("floor"));
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront, kRightBehind + R"(, "color": "orange")")),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront, kRightBehind + R"(, "color": "orange")")),
               HasSubstr("both objects are orange"));
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront + R"(, "shape": "arch")", kRightBehind)),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront + R"(, "shape": "arch")", kRightBehind)),
               HasSubstr("arch"));
 }
 
 // Behind the wall at the end of the corridor.
 TEST(FrontTask, RefusesWhatAWallHides) {
-  EXPECT_NE(test::readError("front", frontJson(R"("ahead_meters": 30, "right_meters": -0.2)",
-                                               R"("ahead_meters": 31, "right_meters": 0.2)")),
+  EXPECT_NE(test::readError("frontmost", frontJson(R"("ahead_meters": 30, "right_meters": -0.2)",
+                                                   R"("ahead_meters": 31, "right_meters": 0.2)")),
             "");
 }
 
@@ -123,7 +125,7 @@ class NowhereView final : public SceneView {
 TEST(FrontTask, RefusesWhatAConditionCannotShow) {
   TaskSetting setting = test::studySetting();
   setting.conditions.views[1] = std::make_shared<NowhereView>();
-  EXPECT_THAT(test::readError("front", frontJson(kLeftFront, kRightBehind), setting),
+  EXPECT_THAT(test::readError("frontmost", frontJson(kLeftFront, kRightBehind), setting),
               HasSubstr("the view gc does not reach the left object"));
 }
 
@@ -147,7 +149,7 @@ double rightShare(const TaskBlock& block, int seeds, const std::function<void(Pe
   int right = 0;
   for (int seed = 1; seed <= seeds; ++seed) {
     const auto run = frontRun(block);
-    const auto policy = taskKind("front", "test").policy({vision, controls, {}, static_cast<uint64_t>(seed)});
+    const auto policy = taskKind("frontmost", "test").policy({vision, controls, {}, static_cast<uint64_t>(seed)});
     MotorModel motor(factors, controls, static_cast<uint64_t>(seed));
     int64_t now = 0;
     Percept seen = eye.look(run->layout(), false);
@@ -166,17 +168,17 @@ double rightShare(const TaskBlock& block, int seeds, const std::function<void(Pe
 }
 
 TEST(FrontPolicy, TakesWhatShowsWholeForTheOneInFront) {
-  EXPECT_EQ(rightShare(*test::readBlock("front", frontJson(kLeftFront, kRightBehind)), 40), 1);
+  EXPECT_EQ(rightShare(*test::readBlock("frontmost", frontJson(kLeftFront, kRightBehind)), 40), 1);
   // What looks small, as it is farther away, shows whole all the same where it is in front of what is covered.
-  EXPECT_EQ(rightShare(*test::readBlock("front", frontJson(R"("ahead_meters": 6, "right_meters": -0.2)",
-                                                           R"("ahead_meters": 5.1, "right_meters": 0.2)")),
+  EXPECT_EQ(rightShare(*test::readBlock("frontmost", frontJson(R"("ahead_meters": 6, "right_meters": -0.2)",
+                                                               R"("ahead_meters": 5.1, "right_meters": 0.2)")),
                        40),
             1);
 }
 
 // Where either shows whole only sizes are left, and where they are alike too it guesses.
 TEST(FrontPolicy, GuessesWhereNothingTells) {
-  const auto block = test::readBlock("front", frontJson(kLeftFront, kRightBehind));
+  const auto block = test::readBlock("frontmost", frontJson(kLeftFront, kRightBehind));
   const double share = rightShare(*block, 200, [](Percept& seen) {
     for (Sighting& each : seen.objects) {
       each.upper = each.lower + glm::dvec2(40, 40);

@@ -1,4 +1,4 @@
-#include "study/tasks/front_policy.h"
+#include "study/tasks/frontmost_policy.h"
 
 #include <algorithm>
 #include <cmath>

@@ -20,7 +20,7 @@
 #include "study/task/task_fields.h"
 #include "study/task/task_layout.h"
 #include "study/task/trial_image.h"
-#include "study/tasks/front_policy.h"
+#include "study/tasks/frontmost_policy.h"
 #include "study/tasks/task_registry.h"
 
 namespace ocelli {
@@ -289,6 +289,7 @@ class FrontRun : public TrialRun {
     }
     const std::optional<int> chosen = choices_.handle(event, pointer_);
     pointer_.handle(event);
+    notePointer();
     if (chosen) {
       finish(kFrontNames[static_cast<size_t>(*chosen)]);
     }
@@ -299,6 +300,7 @@ class FrontRun : public TrialRun {
     }
     ++tick_;
     pointer_.advance();
+    notePointer();
     if (tick_ >= ticksOf(block_.options().answerLimitSeconds)) {
       finish("");
     }
@@ -309,7 +311,8 @@ class FrontRun : public TrialRun {
     TrialLayout layout = layout_;
     layout.tick = tick_;
     layout.choices = choices_.choices();
-    layout.pointer = pointer_.place();
+    // It begins in the middle, where the two overlap: it is not shown before it moves.
+    layout.pointer = pointed_ ? std::optional(pointer_.place()) : std::nullopt;
     return layout;
   }
   WalkerPose pose() const override { return block_.options().start; }
@@ -323,6 +326,8 @@ class FrontRun : public TrialRun {
     }
     return choices;
   }
+
+  void notePointer() { pointed_ = pointed_ || pointer_.place() != pointerAtFirst_; }
 
   void finish(const std::string& answer) {
     TrialOutcome outcome;
@@ -341,6 +346,8 @@ class FrontRun : public TrialRun {
   const FrontScene& scene_;
   TrialLayout layout_;
   TaskPointer pointer_;
+  glm::dvec2 pointerAtFirst_ = pointer_.place();
+  bool pointed_ = false;
   ChoiceList choices_;
   int64_t tick_ = 0;
   std::optional<TrialOutcome> outcome_{};
@@ -409,8 +416,8 @@ std::string otherFront(const std::string& expected, Random&) {
 
 }  // namespace
 
-TaskKind frontTask() {
-  return {.name = "front",
+TaskKind frontmostTask() {
+  return {.name = "frontmost",
           .description = "say which of two objects is in front of the other, the left one or the right one",
           .outcome = OutcomeKind::kAnswer,
           .read = readFrontTask,
@@ -423,7 +430,7 @@ TaskKind frontTask() {
                                     {kItemSd, 0.4, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"}},
                         .wrongAnswer = otherFront},
-          .images = {{"front_pair", true, frontExample}}};
+          .images = {{"frontmost_pair", true, frontExample}}};
 }
 
 }  // namespace ocelli
