@@ -134,7 +134,6 @@ TEST_F(SolidityImages, ShowHiddenLightAndGaps) {
     const double di = distanceOf(imageOf(0, views_[1], tick), followed);
     const double ocri = distanceOf(imageOf(0, views_[2], tick), followed);
     const double whole = distanceOf(imageOf(0, views_[0], tick), followed);
-    std::cout << "tick " << tick << ": full " << whole << ", di " << di << ", ocri " << ocri << "\n";
     EXPECT_LT(ocri, whole);
     EXPECT_GT(di, 0);
   }
