@@ -77,6 +77,7 @@ class DirectionBlock : public TaskBlock {
     info.typicalSeconds = exposure + std::min(kTypicalPointingSeconds, options_.answerLimitSeconds);
     return info;
   }
+  bool isStill() const override { return true; }
   std::string answerOf(const TrialPlan& plan) const override { return estimateText(truthOf(plan.caseIndex)); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
@@ -151,6 +152,7 @@ class DirectionRun : public TrialRun {
   TrialLayout layout() const override {
     if (isShowingAlone()) {
       TrialLayout layout = layout_;
+      layout.tick = tick_;
       layout.prompt = "Look where the object is";
       return layout;
     }
@@ -158,6 +160,7 @@ class DirectionRun : public TrialRun {
     layout.scene = layout_.scene;
     if (!exposure_) {
       layout = layout_;
+      layout.tick = tick_;
     }
     layout.targetObject = 0;
     layout.prompt = "Point to where this is";

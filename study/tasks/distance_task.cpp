@@ -83,6 +83,7 @@ class DistanceBlock : public TaskBlock {
     info.typicalSeconds = std::min(kTypicalDistanceSeconds, options_.answerLimitSeconds);
     return info;
   }
+  bool isStill() const override { return true; }
   std::string answerOf(const TrialPlan& plan) const override { return estimateText(objects_.metersTo(plan.caseIndex)); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
@@ -135,6 +136,7 @@ class DistanceRun : public TrialRun {
 
   TrialLayout layout() const override {
     TrialLayout layout = layout_;
+    layout.tick = tick_;
     entry_.addTo(layout);
     layout.pointer = pointer_.place();
     return layout;

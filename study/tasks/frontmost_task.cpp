@@ -22,6 +22,7 @@
 #include "study/task/trial_image.h"
 #include "study/tasks/frontmost_policy.h"
 #include "study/tasks/task_registry.h"
+#include "study/tasks/two_sides.h"
 
 namespace ocelli {
 namespace {
@@ -37,10 +38,6 @@ constexpr double kMaxCoveredShare = 0.7;
 /// Of the pixels of the object in front, that must show.
 constexpr double kMinShownShare = 0.98;
 
-enum FrontSide : size_t { kFrontLeft, kFrontRight };
-constexpr std::array<const char*, 2> kFrontNames{"left", "right"};
-constexpr std::array<Key, 2> kFrontKeys{Key::kLeft, Key::kRight};
-
 /// Where the middle of an object is, from the eye at the start.
 struct FrontObject {
   ObjectLook look{};
@@ -51,7 +48,7 @@ struct FrontObject {
 
 struct FrontCase {
   std::string label;
-  std::array<FrontObject, 2> objects;  ///< by FrontSide
+  std::array<FrontObject, 2> objects;  ///< by Side
 };
 
 struct FrontOptions {
@@ -59,22 +56,6 @@ struct FrontOptions {
   WalkerPose start{};
   MazeCell startCell{};
   EyeCameraOptions camera{};
-};
-
-struct FrontStage {
-  explicit FrontStage(const TrialScreen& screen) {
-    constexpr double kChoicesShare = 0.14;
-    constexpr double kMargin = 0.15;  // of the choices' height, around them
-    const PixelRect stage = stageOf(screen);
-    const double height = std::floor(kChoicesShare * stage.height);
-    const double margin = std::floor(kMargin * height);
-    view = {stage.left, stage.top, stage.width, stage.height - height};
-    choices = gridOf({stage.left + margin, view.bottom() + margin, stage.width - 2 * margin, height - 2 * margin}, 1, 2,
-                     kMargin);
-  }
-
-  PixelRect view;
-  std::vector<PixelRect> choices;  ///< by FrontSide
 };
 
 /// A case as it is shown: objects of a scene, moved to where they float.
@@ -85,7 +66,7 @@ struct FrontScene {
   std::array<double, 2> distances{};
   double coveredShare = 0;  ///< of the object behind, by the pinhole
 
-  FrontSide front() const { return distances[kFrontLeft] < distances[kFrontRight] ? kFrontLeft : kFrontRight; }
+  Side front() const { return distances[kLeftSide] < distances[kRightSide] ? kLeftSide : kRightSide; }
 };
 
 class FrontBlock : public TaskBlock {
@@ -110,7 +91,7 @@ class FrontBlock : public TaskBlock {
     return info;
   }
   bool isStill() const override { return true; }
-  std::string answerOf(const TrialPlan& plan) const override { return kFrontNames[sceneOf(plan.caseIndex).front()]; }
+  std::string answerOf(const TrialPlan& plan) const override { return kSideNames[sceneOf(plan.caseIndex).front()]; }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
   const Controls& controls() const { return controls_; }
@@ -120,7 +101,7 @@ class FrontBlock : public TaskBlock {
     return scenes_[static_cast<size_t>(index)];
   }
   /// All but choices and prompt.
-  TrialLayout layoutOf(int caseIndex, TrialView view, const FrontStage& stage) const {
+  TrialLayout layoutOf(int caseIndex, TrialView view, const TwoSidesStage& stage) const {
     TrialLayout layout;
     layout.scene = sceneOf(caseIndex).scene.get();
     layout.objectOffsets = sceneOf(caseIndex).offsets;
@@ -164,15 +145,15 @@ FrontScene FrontBlock::makeScene(const FrontCase& of, const PinholeCamera& eye) 
 }
 
 void FrontBlock::checkPlaces(const FrontScene& scene, const PinholeCamera& eye, const std::string& where) const {
-  std::array<std::array<double, 2>, 2> ahead{};  // from where to where, by FrontSide
-  for (const FrontSide side : {kFrontLeft, kFrontRight}) {
+  std::array<std::array<double, 2>, 2> ahead{};  // from where to where, by Side
+  for (const Side side : kBothSides) {
     const auto corners = cornersOf(scene.boxes[side]);
     const auto isStuck = [&](const glm::vec3& corner) {
       return corner.y < maze_.origin.y || maze_.isInWall(corner) || !maze_.cellAt(corner);
     };
     if (std::any_of(corners.begin(), corners.end(), isStuck)) {
       throw InputError(
-          fmt::format("the {} object reaches into a wall or the floor, or out of the maze", kFrontNames[side]), where,
+          fmt::format("the {} object reaches into a wall or the floor, or out of the maze", kSideNames[side]), where,
           "change its place, or take a maze with a larger hall");
     }
     ahead[side] = {1e30, -1e30};
@@ -183,18 +164,18 @@ void FrontBlock::checkPlaces(const FrontScene& scene, const PinholeCamera& eye, 
     for (const TrialView view : conditions_.names.all()) {
       if (!conditions_.views[indexOfCondition(view)]->reaches(eye, scene.boxes[side])) {
         throw InputError(
-            fmt::format("the view {} does not reach the {} object", conditions_.names.nameOf(view), kFrontNames[side]),
+            fmt::format("the view {} does not reach the {} object", conditions_.names.nameOf(view), kSideNames[side]),
             where, "bring it nearer to the middle of the display, or change \"radius_meters\" of the view");
       }
     }
   }
-  const FrontSide front = scene.front();
-  const FrontSide behind = front == kFrontLeft ? kFrontRight : kFrontLeft;
+  const Side front = scene.front();
+  const Side behind = otherSide(front);
   if (ahead[front][1] >= ahead[behind][0]) {
     throw InputError(
         fmt::format("the {} object is from {:.2f} to {:.2f} m ahead and the {} one from {:.2f} m: neither is "
                     "wholly in front",
-                    kFrontNames[front], ahead[front][0], ahead[front][1], kFrontNames[behind], ahead[behind][0]),
+                    kSideNames[front], ahead[front][0], ahead[front][1], kSideNames[behind], ahead[behind][0]),
         where, "let their \"ahead_meters\" differ by more than they are thick");
   }
 }
@@ -210,7 +191,7 @@ void FrontBlock::checkImage(FrontScene& scene, const PinholeCamera& eye, const s
   std::array<size_t, 2> alone{};
   std::array<size_t, 2> shown{};
   std::array<double, 2> middle{};
-  for (const FrontSide side : {kFrontLeft, kFrontRight}) {
+  for (const Side side : kBothSides) {
     Mesh part = mesh;
     part.triangles.clear();
     for (size_t i = 0; i < objects.size(); ++i) {
@@ -232,17 +213,15 @@ void FrontBlock::checkImage(FrontScene& scene, const PinholeCamera& eye, const s
     }
     if (alone[side] < kMinFrontPixels || atBorder) {
       throw InputError(
-          fmt::format("the {} object has {} pixels in a pinhole's image of {} x {}{}", kFrontNames[side], alone[side],
+          fmt::format("the {} object has {} pixels in a pinhole's image of {} x {}{}", kSideNames[side], alone[side],
                       only.width(), only.height(), atBorder ? ", and the border cuts it off" : ""),
           where, "change its place, or \"fov_horizontal_degrees\" of the block");
     }
     middle[side] /= static_cast<double>(alone[side]);
   }
-  const FrontSide front = scene.front();
-  const FrontSide behind = front == kFrontLeft ? kFrontRight : kFrontLeft;
-  const auto shareOf = [&](FrontSide side) {
-    return static_cast<double>(shown[side]) / static_cast<double>(alone[side]);
-  };
+  const Side front = scene.front();
+  const Side behind = otherSide(front);
+  const auto shareOf = [&](Side side) { return static_cast<double>(shown[side]) / static_cast<double>(alone[side]); };
   if (shareOf(front) < kMinShownShare) {
     throw InputError(fmt::format("{:.0f} % of the object in front show: a wall hides it", 100 * shareOf(front)), where,
                      "change its place, \"start\" or the maze");
@@ -253,16 +232,16 @@ void FrontBlock::checkImage(FrontScene& scene, const PinholeCamera& eye, const s
                                  100 * scene.coveredShare, 100 * kMinCoveredShare, 100 * kMaxCoveredShare),
                      where, "change \"right_meters\" of the objects");
   }
-  if (middle[kFrontLeft] >= middle[kFrontRight]) {
+  if (middle[kLeftSide] >= middle[kRightSide]) {
     throw InputError("the left object is not to the left of the right one", where, "change their \"right_meters\"");
   }
 }
 
 void FrontBlock::add(const FrontCase& of, const std::string& where) {
-  const FrontStage stage(kFrontTrialScreen);
+  const TwoSidesStage stage(kFrontTrialScreen);
   const PinholeCamera eye = camera_.pinhole(options_.start, sizeOf(stage.view));
-  if (of.objects[kFrontLeft].look.color == of.objects[kFrontRight].look.color) {
-    throw InputError(fmt::format("both objects are {}", nameOf(of.objects[kFrontLeft].look.color)), where,
+  if (of.objects[kLeftSide].look.color == of.objects[kRightSide].look.color) {
+    throw InputError(fmt::format("both objects are {}", nameOf(of.objects[kLeftSide].look.color)), where,
                      "give them two colours, so that one can tell them apart where they overlap");
   }
   FrontScene scene = makeScene(of, eye);
@@ -277,9 +256,9 @@ class FrontRun : public TrialRun {
   FrontRun(const FrontBlock& block, const TrialPlan& plan, const TrialScreen& screen)
       : block_(block),
         scene_(block.sceneOf(plan.caseIndex)),
-        layout_(block.layoutOf(plan.caseIndex, plan.view, FrontStage(screen))),
+        layout_(block.layoutOf(plan.caseIndex, plan.view, TwoSidesStage(screen))),
         pointer_(wholeScreen(screen), block.controls()),
-        choices_(choicesOf(FrontStage(screen))) {
+        choices_(TwoSidesStage(screen).layoutChoices()) {
     layout_.prompt = "Which of the two is in front?";
   }
 
@@ -291,7 +270,7 @@ class FrontRun : public TrialRun {
     pointer_.handle(event);
     notePointer();
     if (chosen) {
-      finish(kFrontNames[static_cast<size_t>(*chosen)]);
+      finish(kSideNames[static_cast<size_t>(*chosen)]);
     }
   }
   void advance() override {
@@ -319,25 +298,17 @@ class FrontRun : public TrialRun {
   std::optional<TrialOutcome> outcome() const override { return outcome_; }
 
  private:
-  static std::vector<TrialLayout::Choice> choicesOf(const FrontStage& stage) {
-    std::vector<TrialLayout::Choice> choices;
-    for (const FrontSide side : {kFrontLeft, kFrontRight}) {
-      choices.push_back({stage.choices[side], fmt::format("the {} one", kFrontNames[side]), kFrontKeys[side]});
-    }
-    return choices;
-  }
-
   void notePointer() { pointed_ = pointed_ || pointer_.place() != pointerAtFirst_; }
 
   void finish(const std::string& answer) {
     TrialOutcome outcome;
-    outcome.expected = kFrontNames[scene_.front()];
+    outcome.expected = kSideNames[scene_.front()];
     outcome.answer = answer;
     outcome.correct = answer == outcome.expected;
     outcome.censored = answer.empty();
     outcome.responseTicks = tick_;
-    outcome.measures = {{"left_distance_m", scene_.distances[kFrontLeft]},
-                        {"right_distance_m", scene_.distances[kFrontRight]},
+    outcome.measures = {{"left_distance_m", scene_.distances[kLeftSide]},
+                        {"right_distance_m", scene_.distances[kRightSide]},
                         {"covered_share", scene_.coveredShare}};
     outcome_ = std::move(outcome);
   }
@@ -357,9 +328,9 @@ std::unique_ptr<TrialRun> FrontBlock::start(const TrialPlan& plan, const TrialSc
   return std::make_unique<FrontRun>(*this, plan, screen);
 }
 
-FrontObject readFrontObject(JsonFields& fields, FrontSide side, const ObjectLook& usual) {
+FrontObject readFrontObject(JsonFields& fields, Side side, const ObjectLook& usual) {
   constexpr std::array kUsualColors{LandmarkColor::kOrange, LandmarkColor::kSkyBlue};
-  JsonFields of = fields.inner(kFrontNames[side]);
+  JsonFields of = fields.inner(kSideNames[side]);
   FrontObject object;
   object.look = {of.choiceOf("shape", kLandmarkShapes, usual.shape),
                  of.choiceOf("color", kLandmarkColors, kUsualColors[side])};
@@ -385,7 +356,7 @@ std::shared_ptr<const TaskBlock> readFrontTask(JsonFields& fields, const std::st
   const ObjectLook look = readObjectLook(fields, false);
   auto block = std::make_shared<FrontBlock>(maze, setting, options);
   readCases(fields, caseField, [&](JsonFields& each, const std::string& label) {
-    const FrontCase of{label, {readFrontObject(each, kFrontLeft, look), readFrontObject(each, kFrontRight, look)}};
+    const FrontCase of{label, {readFrontObject(each, kLeftSide, look), readFrontObject(each, kRightSide, look)}};
     block->add(of, each.where());
   });
   return block;
@@ -410,10 +381,6 @@ std::unique_ptr<TaskPolicy> frontPolicy(const PolicySetting& setting) {
   return std::make_unique<FrontPolicy>(setting.vision, setting.seed);
 }
 
-std::string otherFront(const std::string& expected, Random&) {
-  return kFrontNames[expected == kFrontNames[kFrontLeft] ? kFrontRight : kFrontLeft];
-}
-
 }  // namespace
 
 TaskKind frontmostTask() {
@@ -429,7 +396,7 @@ TaskKind frontmostTask() {
                                     {kSubjectSd, 0.5, "between subjects"},
                                     {kItemSd, 0.4, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"}},
-                        .wrongAnswer = otherFront},
+                        .wrongAnswer = otherSideName},
           .images = {{"frontmost_pair", true, frontExample}}};
 }
 

@@ -22,6 +22,7 @@
 #include "study/task/task_layout.h"
 #include "study/task/trial_image.h"
 #include "study/tasks/task_registry.h"
+#include "study/tasks/two_sides.h"
 
 namespace ocelli {
 namespace {
@@ -32,10 +33,6 @@ constexpr double kMinDistanceDifference = 0.1;
 /// What a case is tried on when it is read. Each object must show with so many pixels.
 constexpr TrialScreen kNearerTrialScreen{640, 400, 60};
 constexpr size_t kMinNearerPixels = 40;
-
-enum Side : size_t { kLeftSide, kRightSide };
-constexpr std::array<const char*, 2> kSideNames{"left", "right"};
-constexpr std::array<Key, 2> kSideKeys{Key::kLeft, Key::kRight};
 
 struct NearerCase {
   std::string label;
@@ -70,23 +67,6 @@ struct NearerOptions {
   WalkerPose start{};
   EyeCameraOptions camera{};
   bool mirrored = false;  ///< half of the trials, by their seeds, show the mirror image of their case
-};
-
-/// The views lie above the two choices.
-struct NearerStage {
-  explicit NearerStage(const TrialScreen& screen) {
-    constexpr double kChoicesShare = 0.14;
-    constexpr double kMargin = 0.15;  // of the choices' height, around them
-    const PixelRect stage = stageOf(screen);
-    const double height = std::floor(kChoicesShare * stage.height);
-    const double margin = std::floor(kMargin * height);
-    view = {stage.left, stage.top, stage.width, stage.height - height};
-    choices = gridOf({stage.left + margin, view.bottom() + margin, stage.width - 2 * margin, height - 2 * margin}, 1, 2,
-                     kMargin);
-  }
-
-  PixelRect view;
-  std::vector<PixelRect> choices;  ///< by Side
 };
 
 /// One scene shows all cases: its objects are moved to where they stand.
@@ -144,10 +124,10 @@ class NearerBlock : public TaskBlock {
     return distanceTo(of, kLeftSide) < distanceTo(of, kRightSide) ? kLeftSide : kRightSide;
   }
   /// All but choices and prompt.
-  TrialLayout layoutOf(const NearerCase& of, TrialView view, const NearerStage& stage) const {
+  TrialLayout layoutOf(const NearerCase& of, TrialView view, const TwoSidesStage& stage) const {
     TrialLayout layout;
     layout.scene = &scene_;
-    for (const Side side : {kLeftSide, kRightSide}) {
+    for (const Side side : kBothSides) {
       const glm::dvec2 by = placeOf(of.objects[side]) - placeOf(cases_.front().objects[side]);
       layout.objectOffsets.emplace_back(by.x, 0, by.y);
     }
@@ -182,9 +162,9 @@ class NearerRun : public TrialRun {
       : block_(block),
         case_(block.caseOf(plan)),
         expected_(block.answerOf(plan)),
-        layout_(block.layoutOf(case_, plan.view, NearerStage(screen))),
+        layout_(block.layoutOf(case_, plan.view, TwoSidesStage(screen))),
         pointer_(wholeScreen(screen), block.controls()),
-        choices_(choicesOf(NearerStage(screen))) {
+        choices_(TwoSidesStage(screen).layoutChoices()) {
     layout_.prompt = "Which of the two is nearer to you?";
   }
 
@@ -221,14 +201,6 @@ class NearerRun : public TrialRun {
   std::optional<TrialOutcome> outcome() const override { return outcome_; }
 
  private:
-  static std::vector<TrialLayout::Choice> choicesOf(const NearerStage& stage) {
-    std::vector<TrialLayout::Choice> choices;
-    for (const Side side : {kLeftSide, kRightSide}) {
-      choices.push_back({stage.choices[side], fmt::format("the {} one", kSideNames[side]), kSideKeys[side]});
-    }
-    return choices;
-  }
-
   void finish(const std::string& answer) {
     TrialOutcome outcome;
     outcome.expected = expected_;
@@ -266,12 +238,12 @@ void checkCase(const NearerBlock& block, const NearerCase& shown, const std::str
                      of, fmt::format("let them differ by {:g} m or more", kMinDistanceDifference));
   }
   for (const TrialView view : block.conditions().all()) {
-    const TrialLayout layout = block.layoutOf(shown, view, NearerStage(kNearerTrialScreen));
+    const TrialLayout layout = block.layoutOf(shown, view, TwoSidesStage(kNearerTrialScreen));
     std::array<ObjectSighting, 2> seen{};  // by Side
     for (const ObjectSighting& each : sightings(objectsIn(layout, layout.views.front()))) {
       seen[each.object - 1] = each;
     }
-    for (const Side side : {kLeftSide, kRightSide}) {
+    for (const Side side : kBothSides) {
       if (seen[side].pixels < kMinNearerPixels) {
         throw InputError(fmt::format("the view {} shows {} pixels of the {} object on a screen of {} x {}",
                                      block.conditions().nameOf(view), seen[side].pixels, kSideNames[side],
@@ -352,7 +324,7 @@ class NearerPolicy final : public TaskPolicy {
       gaze_ = seen.views.front().center();
     }
     const std::array<const Sighting*, 2> objects = objectsOf(seen);
-    for (const Side side : {kLeftSide, kRightSide}) {
+    for (const Side side : kBothSides) {
       const Sighting* object = objects[side];
       if (object != nullptr && vision_.degrees(object->centroid, gaze_) <= kJudgedDegrees) {
         judged_[side] = std::log(object->upper.y - object->lower.y) + normal(random_, 0, kHeightSpread);
@@ -448,10 +420,6 @@ double logLevelCovariate(const GeneratedTrial& trial) {
   return trial.info.level ? std::log(*trial.info.level / kUsualLevel) : 0;
 }
 
-std::string otherSide(const std::string& expected, Random&) {
-  return kSideNames[expected == kSideNames[kLeftSide] ? kRightSide : kLeftSide];
-}
-
 }  // namespace
 
 TaskKind nearerTask() {
@@ -468,7 +436,7 @@ TaskKind nearerTask() {
                                     {kSubjectSd, 0.5, "between subjects"},
                                     {kItemSd, 0.6, "between cases"},
                                     {kItemViewSd, 0, "between cases in the effect of the view"}},
-                        .wrongAnswer = otherSide},
+                        .wrongAnswer = otherSideName},
           .images = {
               {"nearer_ppc", false, [](const glm::ivec2& size) { return nearerExample(TrialView::kReference, size); }},
               {"nearer_gc", true, [](const glm::ivec2& size) { return nearerExample(TrialView::kOther, size); }}}};
