@@ -36,7 +36,7 @@ void addFirst(std::vector<Item>& list, Item item, size_t most) {
 
 LiveFeed::LiveFeed(SessionSink& inner, const Protocol& protocol, const SessionSchedule& schedule,
                    std::shared_ptr<LiveBoard> board, LiveOptions options)
-    : inner_(inner),
+    : ForwardingSink(inner),
       protocol_(protocol),
       board_(std::move(board)),
       options_(std::move(options)),
@@ -45,12 +45,12 @@ LiveFeed::LiveFeed(SessionSink& inner, const Protocol& protocol, const SessionSc
 }
 
 void LiveFeed::trialBegins(int number, const TrialPlan& plan, int attempt) {
-  inner_.trialBegins(number, plan, attempt);
+  ForwardingSink::trialBegins(number, plan, attempt);
   condition_ = protocol_.nameOf(plan.view);
 }
 
 void LiveFeed::trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) {
-  inner_.trialEnds(number, record, std::move(acknowledged));
+  ForwardingSink::trialEnds(number, record, std::move(acknowledged));
   LiveTrial trial;
   trial.number = record.plan.practice ? 0 : record.plan.index + 1;
   trial.outcome = outcomeOf(record);
@@ -76,7 +76,7 @@ void LiveFeed::trialEnds(int number, const TrialRecord& record, std::function<vo
 }
 
 void LiveFeed::event(const EventRecord& record) {
-  inner_.event(record);
+  ForwardingSink::event(record);
   if (record.what == "pause") {
     timeLeft_.interrupted();
   }

@@ -11,8 +11,8 @@
 #include "study/live/live_board.h"
 #include "study/live/time_left.h"
 #include "study/protocol/schedule.h"
+#include "study/session/forwarding_sink.h"
 #include "study/session/session_flow.h"
-#include "study/session/session_sink.h"
 
 namespace ocelli {
 
@@ -23,7 +23,7 @@ struct LiveOptions {
   std::function<std::vector<LiveDevice>()> devices{};  ///< asked for with each status; must not wait
 };
 
-class LiveFeed : public SessionSink {
+class LiveFeed : public ForwardingSink {
  public:
   static constexpr size_t kMaxTrials = 8;    ///< LiveStatus::lastTrials
   static constexpr size_t kMaxWarnings = 6;  ///< LiveStatus::warnings
@@ -37,22 +37,13 @@ class LiveFeed : public SessionSink {
   /// The last status.
   void finish(const SessionFlow& flow);
 
-  void consent(const ConsentRecord& record) override { inner_.consent(record); }
-  void answer(const AnswerRecord& record) override { inner_.answer(record); }
   void trialBegins(int number, const TrialPlan& plan, int attempt) override;
-  void frames(int number, std::span<const FrameRecord> records) override { inner_.frames(number, records); }
-  void inputs(int number, std::span<const InputRecord> records) override { inner_.inputs(number, records); }
-  void gaze(int number, std::span<const GazeRecord> records) override { inner_.gaze(number, records); }
   void trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) override;
   void event(const EventRecord& record) override;
-  void sessionEnds(SessionEnding ending, const std::string& utc) override { inner_.sessionEnds(ending, utc); }
-  void flush() override { inner_.flush(); }
-  std::optional<std::string> failure() const override { return inner_.failure(); }
 
  private:
   void post(const SessionFlow& flow);
 
-  SessionSink& inner_;
   const Protocol& protocol_;
   std::shared_ptr<LiveBoard> board_;
   LiveOptions options_;

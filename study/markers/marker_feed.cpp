@@ -3,7 +3,7 @@
 namespace ocelli {
 
 MarkerFeed::MarkerFeed(SessionSink& inner, const Protocol& protocol, std::vector<std::unique_ptr<MarkerOutput>> outputs)
-    : inner_(inner), protocol_(protocol), outputs_(std::move(outputs)) {
+    : ForwardingSink(inner), protocol_(protocol), outputs_(std::move(outputs)) {
   add(kSessionStarts);
 }
 
@@ -37,7 +37,7 @@ std::vector<MarkerCounts> MarkerFeed::counts() const {
 }
 
 void MarkerFeed::trialBegins(int number, const TrialPlan& plan, int attempt) {
-  inner_.trialBegins(number, plan, attempt);
+  ForwardingSink::trialBegins(number, plan, attempt);
   const bool isReference = plan.view == TrialView::kReference;
   add(plan.practice ? (isReference ? kPracticeInReference : kPracticeInOther)
                     : (isReference ? kTrialInReference : kTrialInOther),
@@ -45,7 +45,7 @@ void MarkerFeed::trialBegins(int number, const TrialPlan& plan, int attempt) {
 }
 
 void MarkerFeed::trialEnds(int number, const TrialRecord& record, std::function<void()> acknowledged) {
-  inner_.trialEnds(number, record, std::move(acknowledged));
+  ForwardingSink::trialEnds(number, record, std::move(acknowledged));
   const std::string& condition = protocol_.nameOf(record.plan.view);
   const TrialOutcome& outcome = record.outcome;
   const bool isCompleted = record.ending == TrialEnding::kCompleted;
@@ -59,7 +59,7 @@ void MarkerFeed::trialEnds(int number, const TrialRecord& record, std::function<
 }
 
 void MarkerFeed::sessionEnds(SessionEnding ending, const std::string& utc) {
-  inner_.sessionEnds(ending, utc);
+  ForwardingSink::sessionEnds(ending, utc);
   add(kSessionEnds, -1, "", nameOf(ending));
 }
 
