@@ -92,6 +92,7 @@ class FrontBlock : public TaskBlock {
   }
   bool isStill() const override { return true; }
   std::string answerOf(const TrialPlan& plan) const override { return kSideNames[sceneOf(plan.caseIndex).front()]; }
+  int choiceCount() const override { return static_cast<int>(kSideNames.size()); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
   const Controls& controls() const { return controls_; }

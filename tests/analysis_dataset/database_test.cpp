@@ -211,7 +211,7 @@ TEST_F(Database, saysWhatIsWrong) {
     SampleStudy study(path);
     study.database().exec("PRAGMA user_version = 9");
   }
-  EXPECT_THAT(errorOfReading(), HasSubstr("has version 9 of the schema, and this program knows those up to 3"));
+  EXPECT_THAT(errorOfReading(), HasSubstr("has version 9 of the schema, and this program knows those up to 4"));
   EXPECT_THAT(errorOfReading(), HasSubstr("a newer version of ocelli"));
   std::filesystem::remove(path);
   {
