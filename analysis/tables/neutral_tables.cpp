@@ -10,6 +10,7 @@ namespace {
 
 constexpr const char* kPublishedColumn = "published";
 constexpr const char* kSurveyMeans = "survey-means";
+constexpr const char* kSubjects = "subjects";
 
 struct NeutralName {
   const char* paper;
@@ -17,7 +18,7 @@ struct NeutralName {
   const char* title;
 };
 constexpr NeutralName kNeutralNames[] = {
-    {"subjects", "subjects", "Subjects"},
+    {"subjects", kSubjects, "Subjects"},
     {"section-7.4.2", "find-means", "Time to find objects"},
     {"time-outs", "time-outs", "Searches whose time ran out"},
     {"table-7.1", "find-by-session", "Time to find objects, by session"},
@@ -58,6 +59,13 @@ void rename(Table& table, const NeutralName& neutral, const ViewConditions& cond
   }
 }
 
+/// Whether it tells of anything: a study need not have all tasks of chapter 7.
+bool hasValues(const Table& table) {
+  return std::ranges::any_of(table.rows, [](const TableRow& row) {
+    return std::ranges::any_of(row.cells, [](const Cell& cell) { return cell.value.has_value(); });
+  });
+}
+
 }  // namespace
 
 bool isOfRosen2010(const Dataset& data) {
@@ -79,7 +87,7 @@ void makeNeutral(std::vector<Table>& tables, const ViewConditions& conditions) {
       std::erase_if(table.rows, [](const TableRow& row) { return row.cells.front().rows.empty(); });
     }
   }
-  std::erase_if(tables, [](const Table& table) { return table.name == kSurveyMeans && table.rows.empty(); });
+  std::erase_if(tables, [](const Table& table) { return table.name != kSubjects && !hasValues(table); });
 }
 
 }  // namespace ocelli

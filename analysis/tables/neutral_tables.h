@@ -14,7 +14,8 @@ namespace ocelli {
 bool isOfRosen2010(const Dataset& data);
 
 /// "table-7.1/stationary/session-1/bent" becomes "find-by-session/stationary/session-1/bent"; columns of published
-/// values go, and rows of questions that nobody was asked.
+/// values go, rows of questions that nobody was asked, and tables without a value: of tasks that a study does
+/// not have.
 void makeNeutral(std::vector<Table>& tables, const ViewConditions& conditions);
 
 }  // namespace ocelli

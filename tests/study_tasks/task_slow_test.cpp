@@ -24,6 +24,7 @@ TEST(TasksSlow, aMillionEventsAreBorne) {
   const TrialScreen screen{640, 480, 60};
   for (const test::TaskExample& example : test::taskExamples()) {
     const auto block = test::readBlock(example.task, example.json);
+    const auto cases = static_cast<size_t>(block->caseCount());
     Random random(1);
     std::unique_ptr<TrialRun> run;
     int trials = 0;
@@ -31,7 +32,8 @@ TEST(TasksSlow, aMillionEventsAreBorne) {
     for (int i = 0; i < 200'000; ++i) {
       if (!run || run->outcome()) {
         const TrialView view = kViews[random.below(2)];
-        run = block->start(test::planOf(example.task, static_cast<int>(random.below(2)), view, random.next()), screen);
+        run = block->start(test::planOf(example.task, static_cast<int>(random.below(cases)), view, random.next()),
+                           screen);
         ++trials;
         tick = 0;
       }
