@@ -80,15 +80,22 @@ size_t viewWidth(const Protocol& protocol, size_t ofPair) {
 
 std::string scheduleText(const Protocol& protocol, const SessionSchedule& schedule, bool answers) {
   const size_t width = viewWidth(protocol, 5);
-  std::string text = fmt::format("\nSchedule\n\n  {:>5}  {:<20}{:<22}{:<{}}{}{}\n", "trial", "block", "case", "view",
-                                 width, "conditions", answers ? "; answer" : "");
+  size_t blockWidth = 20;
+  size_t caseWidth = 22;
+  for (const TrialPlan& trial : schedule.trials) {
+    const ProtocolBlock& block = blockOf(protocol, trial);
+    blockWidth = std::max(blockWidth, block.name.size() + 2);
+    caseWidth = std::max(caseWidth, block.task->caseInfo(trial.caseIndex).label.size() + 2);
+  }
+  std::string text = fmt::format("\nSchedule\n\n  {:>5}  {:<{}}{:<{}}{:<{}}{}{}\n", "trial", "block", blockWidth,
+                                 "case", caseWidth, "view", width, "conditions", answers ? "; answer" : "");
   for (size_t i = 0; i < schedule.trials.size(); ++i) {
     const TrialPlan& trial = schedule.trials[i];
     const ProtocolBlock& block = blockOf(protocol, trial);
     const CaseInfo info = block.task->caseInfo(trial.caseIndex);
-    std::string line = fmt::format("  {:>5}  {:<20}{:<22}{:<{}}{}", trial.index + 1, block.name,
-                                   block.staircase ? "(staircase)" : info.label, protocol.nameOf(trial.view), width,
-                                   conditionText(info));
+    std::string line = fmt::format("  {:>5}  {:<{}}{:<{}}{:<{}}{}", trial.index + 1, block.name, blockWidth,
+                                   block.staircase ? "(staircase)" : info.label, caseWidth, protocol.nameOf(trial.view),
+                                   width, conditionText(info));
     if (answers && !block.staircase) {
       line += fmt::format("; {}", block.task->answerOf(trial));
     }
