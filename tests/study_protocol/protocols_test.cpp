@@ -157,7 +157,7 @@ TEST(StaircaseProtocol, LevelsAreByHowMuchTheFartherBallIsFarther) {
     plan.caseIndex = i;
     const auto run = block.task->start(plan, {640, 400, 60});
     run->handle(KeyEvent{Key::kLeft, true, {}});
-    const std::map<std::string, double>& measures = run->outcome().value().measures;
+    const std::map<std::string, double> measures = run->outcome().value().measures;
     const double left = measures.at("left_distance_m");
     const double right = measures.at("right_distance_m");
     EXPECT_NEAR(std::max(left, right) / std::min(left, right) - 1, measures.at("level"), 1e-4);
