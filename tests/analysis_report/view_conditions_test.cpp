@@ -103,7 +103,7 @@ TEST_F(OtherConditions, giveTheSameNumbersWhateverTheirNames) {
   EXPECT_GT(compared, 1000u);
   EXPECT_EQ(other.document.failures, std::vector<std::string>());
   EXPECT_TRUE(found.contains("find-time/view-on-flat/estimate"));
-  EXPECT_TRUE(found.contains("find-by-session/stationary/session-1/on"));
+  EXPECT_TRUE(found.contains("find-means/stationary/on"));
 }
 
 TEST_F(OtherConditions, areCalledByTheirOwnNamesAlone) {
