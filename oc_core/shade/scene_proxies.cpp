@@ -5,6 +5,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/representation_kind.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/shade/environment_map.h"
 
@@ -143,6 +144,10 @@ BuiltProxy buildDepthImages(const CameraChoice& choice, const ProxyInputs& in) {
 }
 
 CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
+  if (!name.ends_with(".json") && !findRepresentation(name)) {
+    throw InputError("there is no \"" + name + "\" for rays to hit", "--by",
+                     "use traced, environment, or a camera of `ocelli camera list`");
+  }
   const CameraChoice choice = cameraChoice(name, cell);
   if (!choice.hasImages()) {
     throw InputError("\"" + name + "\" is a mesh and has no image for rays to hit", "--by",

@@ -59,7 +59,7 @@ TEST(Shade, saysWhatIsWrong) {
   expectError("shade builtin:mirror --compare", "--by");
   expectError("shade builtin:mirror --by di", "nothing says what is wanted");
   expectError("shade builtin:mirror --by di,ddoc -o x.png", "one picture is by one camera");
-  expectError("shade builtin:mirror --by dii --compare", "dii");
+  expectError("shade builtin:mirror --by dii --compare", "--by: there is no \"dii\"");
   expectError("shade builtin:mirror --by geometry --compare", "no image for rays to hit");
   expectError("shade builtin:mirror --effect glow --by di --compare", "reflection, refraction");
   expectError("shade builtin:mirror --effect refraction --by di --compare", "has the role that this effect needs");
