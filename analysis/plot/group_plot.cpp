@@ -137,8 +137,8 @@ class Painter {
     const double at = valueAt(*plot_.reference);
     if (plot_.rows) {
       drawing_.line("reference", {at, area.top}, {at, area.bottom}, pen);
-      drawing_.text("reference name", {at + 3, area.top}, plot_.referenceName,
-                    {.paint = kSoftTextPaint, .down = Down::kTop});
+      drawing_.text("reference name", {at, area.top - 1}, plot_.referenceName,
+                    {.paint = kSoftTextPaint, .across = Across::kMiddle, .down = Down::kBottom});
     } else {
       drawing_.line("reference", {area.left, at}, {area.right, at}, pen);
       drawing_.text("reference name", {area.right, at - 1}, plot_.referenceName,
@@ -256,13 +256,15 @@ Figure groupFigure(const GroupPlot& plot) {
   }
   Figure figure{plot.title, descriptionOf(plot), plot.widthMillimetres * kPointsPerMillimetre, 0, {}};
   const double legend = plot.legend ? drawLegend(figure.drawing, {0, 0, figure.width, 0}, groupLegend(plot)) : 0;
+  // The name of a reference stands above rows, beside no point.
+  const double top = legend + (plot.rows && plot.reference && !plot.referenceName.empty() ? kLineHeight : 0);
   const double rows = static_cast<double>(plot.conditions.size() * std::max<size_t>(plot.series.size(), 1));
   figure.height = plot.heightMillimetres > 0 ? plot.heightMillimetres * kPointsPerMillimetre
-                  : plot.rows                ? legend + rows * kSeriesHeight + 36
+                  : plot.rows                ? top + rows * kSeriesHeight + 36
                                              : legend + kDefaultHeight;
   const AxisSpec values = AxisSpec::ofValues(plot.valueLabel, rangeOf(plot));
   const AxisSpec conditions = AxisSpec::ofCategories(plot.conditionLabel, plot.conditions);
-  const Panel panel(figure.drawing, {0, legend, figure.width - 2, figure.height}, plot.rows ? values : conditions,
+  const Panel panel(figure.drawing, {0, top, figure.width - 2, figure.height}, plot.rows ? values : conditions,
                     plot.rows ? conditions : values);
   Painter(figure.drawing, plot, panel).paint();
   return figure;
