@@ -271,7 +271,8 @@ void runPower(const PowerChoice& choice, const CommandContext& context) {
                                           : readPlan(choice.plan, plannableTasks(tasksOf(facts)));
   if (choice.plan.empty()) {
     // What the report does for a task without a row of its own.
-    const ReportTask row = reportTask(choice.supposed.task, {isOfEstimates(choice.supposed.task), false});
+    const ReportTask row =
+        reportTask(choice.supposed.task, {isOfEstimates(choice.supposed.task), false, protocol.sessions > 1});
     for (const PlannedModel& model : modelsOfTask(plan, row)) {
       if (plan.findModel(model.name) == nullptr) {
         plan.models.push_back(model);

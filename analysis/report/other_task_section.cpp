@@ -84,8 +84,10 @@ ReportTask otherTask(const std::string& name, const TaskMeasures& measures) {
                      {ModelKind::kLinearMixed, addTimeModel},         {ModelKind::kSignedErrorMixed, addErrorModel},
                      {ModelKind::kAbsoluteErrorMixed, addErrorModel}, {ModelKind::kEquivalence, addEquivalenceModel},
                      {ModelKind::kBayesFactor, addBayesModel}};
+  const std::vector<std::string> terms =
+      measures.sessions ? std::vector<std::string>{"view", "session"} : std::vector<std::string>{"view"};
   const auto add = [&](const char* what, ModelKind kind) {
-    task.models.push_back({fmt::format("{}-{}", idOf(name), what), name, kind, {"view", "session"}, subjectAndCase});
+    task.models.push_back({fmt::format("{}-{}", idOf(name), what), name, kind, terms, subjectAndCase});
   };
   if (measures.estimates) {
     add("signed-error", ModelKind::kSignedErrorMixed);

@@ -37,7 +37,9 @@ const std::vector<ReportTask>& reportTasks() {
 }
 
 TaskMeasures taskMeasures(const TrialList& trials) {
-  return {unitOfEstimates(trials) != nullptr, hasLevels(trials)};
+  const bool sessions = std::any_of(trials.begin(), trials.end(),
+                                    [&](const Trial* trial) { return trial->session != trials.front()->session; });
+  return {unitOfEstimates(trials) != nullptr, hasLevels(trials), sessions};
 }
 
 ReportTask reportTask(const std::string& name, const TaskMeasures& measures) {

@@ -69,6 +69,7 @@ const std::vector<ReportTask>& reportTasks();
 struct TaskMeasures {
   bool estimates = false;  ///< answers that are numbers (study/trial/estimated_value.h)
   bool levels = false;     ///< of the stimulus: the measure "level"
+  bool sessions = false;   ///< they are of more than one
 };
 TaskMeasures taskMeasures(const TrialList& trials);
 

@@ -91,6 +91,8 @@ TEST(ReportTasks, unknownTasksStayThemselves) {
   EXPECT_EQ(wordsOf(task.models[0]), "Binomial mixed model of right answers of nearer (task-nearer-right)");
   EXPECT_EQ(wordsOf(task.models[1]), "Log-normal mixed model of times of nearer (task-nearer-time)");
   EXPECT_EQ(modelsOfTask(defaultPlan(), task).size(), 2u);
+  EXPECT_THAT(task.models[0].terms, ElementsAre("view")) << "of one session nothing can be told of sessions";
+  EXPECT_THAT(reportTask("nearer", {false, false, true}).models[0].terms, ElementsAre("view", "session"));
   AnalysisPlan plan = defaultPlan();
   plan.models.push_back({"mine", "nearer", ModelKind::kEquivalence});
   ASSERT_EQ(modelsOfTask(plan, task).size(), 1u);
