@@ -15,7 +15,6 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/worlds/landmark_solids.h"
 #include "oc_core/worlds/maze_file.h"
-#include "study/task/choice_list.h"
 #include "study/task/eye_camera.h"
 #include "study/task/task_fields.h"
 #include "study/task/task_layout.h"
@@ -95,8 +94,6 @@ class FrontBlock : public TaskBlock {
   int choiceCount() const override { return static_cast<int>(kSideNames.size()); }
   std::unique_ptr<TrialRun> start(const TrialPlan& plan, const TrialScreen& screen) const override;
 
-  const Controls& controls() const { return controls_; }
-  const FrontOptions& options() const { return options_; }
   const FrontScene& sceneOf(int index) const {
     OC_CHECK(index >= 0 && index < caseCount(), "a trial is of a case of its block");
     return scenes_[static_cast<size_t>(index)];
@@ -252,81 +249,19 @@ void FrontBlock::add(const FrontCase& of, const std::string& where) {
   scenes_.push_back(std::move(scene));
 }
 
-class FrontRun : public TrialRun {
- public:
-  FrontRun(const FrontBlock& block, const TrialPlan& plan, const TrialScreen& screen)
-      : block_(block),
-        scene_(block.sceneOf(plan.caseIndex)),
-        layout_(block.layoutOf(plan.caseIndex, plan.view, TwoSidesStage(screen))),
-        pointer_(wholeScreen(screen), block.controls()),
-        choices_(TwoSidesStage(screen).layoutChoices()) {
-    layout_.prompt = "Which of the two is in front?";
-  }
-
-  void handle(const InputEvent& event) override {
-    if (outcome_) {
-      return;
-    }
-    const std::optional<int> chosen = choices_.handle(event, pointer_);
-    pointer_.handle(event);
-    notePointer();
-    if (chosen) {
-      finish(kSideNames[static_cast<size_t>(*chosen)]);
-    }
-  }
-  void advance() override {
-    if (outcome_) {
-      return;
-    }
-    ++tick_;
-    pointer_.advance();
-    notePointer();
-    if (tick_ >= ticksOf(block_.options().answerLimitSeconds)) {
-      finish("");
-    }
-  }
-  void frameShown(int64_t /*tick*/) override {}
-
-  TrialLayout layout() const override {
-    TrialLayout layout = layout_;
-    layout.tick = tick_;
-    layout.choices = choices_.choices();
-    // It begins in the middle, where the two overlap: it is not shown before it moves.
-    layout.pointer = pointed_ ? std::optional(pointer_.place()) : std::nullopt;
-    return layout;
-  }
-  WalkerPose pose() const override { return block_.options().start; }
-  std::optional<TrialOutcome> outcome() const override { return outcome_; }
-
- private:
-  void notePointer() { pointed_ = pointed_ || pointer_.place() != pointerAtFirst_; }
-
-  void finish(const std::string& answer) {
-    TrialOutcome outcome;
-    outcome.expected = kSideNames[scene_.front()];
-    outcome.answer = answer;
-    outcome.correct = answer == outcome.expected;
-    outcome.censored = answer.empty();
-    outcome.responseTicks = tick_;
-    outcome.measures = {{"left_distance_m", scene_.distances[kLeftSide]},
-                        {"right_distance_m", scene_.distances[kRightSide]},
-                        {"covered_share", scene_.coveredShare}};
-    outcome_ = std::move(outcome);
-  }
-
-  const FrontBlock& block_;
-  const FrontScene& scene_;
-  TrialLayout layout_;
-  TaskPointer pointer_;
-  glm::dvec2 pointerAtFirst_ = pointer_.place();
-  bool pointed_ = false;
-  ChoiceList choices_;
-  int64_t tick_ = 0;
-  std::optional<TrialOutcome> outcome_{};
-};
-
 std::unique_ptr<TrialRun> FrontBlock::start(const TrialPlan& plan, const TrialScreen& screen) const {
-  return std::make_unique<FrontRun>(*this, plan, screen);
+  const FrontScene& scene = sceneOf(plan.caseIndex);
+  // The pointer begins in the middle, where the two overlap.
+  TwoSidesTrial trial{layoutOf(plan.caseIndex, plan.view, TwoSidesStage(screen)),
+                      scene.front(),
+                      options_.answerLimitSeconds,
+                      {{"left_distance_m", scene.distances[kLeftSide]},
+                       {"right_distance_m", scene.distances[kRightSide]},
+                       {"covered_share", scene.coveredShare}},
+                      options_.start,
+                      false};
+  trial.layout.prompt = "Which of the two is in front?";
+  return std::make_unique<TwoSidesRun>(std::move(trial), screen, controls_);
 }
 
 FrontObject readFrontObject(JsonFields& fields, Side side, const ObjectLook& usual) {

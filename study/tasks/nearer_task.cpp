@@ -16,7 +16,6 @@
 #include "oc_core/render/identity_image.h"
 #include "oc_core/worlds/maze_file.h"
 #include "oc_core/worlds/maze_validate.h"
-#include "study/task/choice_list.h"
 #include "study/task/eye_camera.h"
 #include "study/task/task_fields.h"
 #include "study/task/task_layout.h"
@@ -102,9 +101,7 @@ class NearerBlock : public TaskBlock {
     return maze;
   }
 
-  const Controls& controls() const { return controls_; }
   const ViewConditions& conditions() const { return conditions_; }
-  const NearerOptions& options() const { return options_; }
   /// What a trial shows.
   const NearerCase& caseOf(const TrialPlan& plan) const {
     const bool isMirrored = options_.mirrored && (Random(plan.seed).next() & 1) != 0;
@@ -156,75 +153,16 @@ class NearerBlock : public TaskBlock {
   StudyScene scene_;
 };
 
-class NearerRun : public TrialRun {
- public:
-  NearerRun(const NearerBlock& block, const TrialPlan& plan, const TrialScreen& screen)
-      : block_(block),
-        case_(block.caseOf(plan)),
-        expected_(block.answerOf(plan)),
-        layout_(block.layoutOf(case_, plan.view, TwoSidesStage(screen))),
-        pointer_(wholeScreen(screen), block.controls()),
-        choices_(TwoSidesStage(screen).layoutChoices()) {
-    layout_.prompt = "Which of the two is nearer to you?";
-  }
-
-  void handle(const InputEvent& event) override {
-    if (outcome_) {
-      return;
-    }
-    const std::optional<int> chosen = choices_.handle(event, pointer_);
-    pointer_.handle(event);
-    if (chosen) {
-      finish(kSideNames[static_cast<size_t>(*chosen)]);
-    }
-  }
-  void advance() override {
-    if (outcome_) {
-      return;
-    }
-    ++tick_;
-    pointer_.advance();
-    if (tick_ >= ticksOf(block_.options().answerLimitSeconds)) {
-      finish("");
-    }
-  }
-  void frameShown(int64_t /*tick*/) override {}
-
-  TrialLayout layout() const override {
-    TrialLayout layout = layout_;
-    layout.tick = tick_;
-    layout.choices = choices_.choices();
-    layout.pointer = pointer_.place();
-    return layout;
-  }
-  WalkerPose pose() const override { return block_.options().start; }
-  std::optional<TrialOutcome> outcome() const override { return outcome_; }
-
- private:
-  void finish(const std::string& answer) {
-    TrialOutcome outcome;
-    outcome.expected = expected_;
-    outcome.answer = answer;
-    outcome.correct = answer == expected_;
-    outcome.censored = answer.empty();
-    outcome.responseTicks = tick_;
-    outcome.measures = {{"left_distance_m", block_.distanceTo(case_, kLeftSide)},
-                        {"right_distance_m", block_.distanceTo(case_, kRightSide)}};
-    outcome_ = std::move(outcome);
-  }
-
-  const NearerBlock& block_;
-  const NearerCase& case_;
-  std::string expected_;
-  TrialLayout layout_;
-  TaskPointer pointer_;
-  ChoiceList choices_;
-  int64_t tick_ = 0;
-  std::optional<TrialOutcome> outcome_{};
-};
-
 std::unique_ptr<TrialRun> NearerBlock::start(const TrialPlan& plan, const TrialScreen& screen) const {
-  return std::make_unique<NearerRun>(*this, plan, screen);
+  const NearerCase& of = caseOf(plan);
+  TwoSidesTrial trial{
+      layoutOf(of, plan.view, TwoSidesStage(screen)),
+      nearerSide(of),
+      options_.answerLimitSeconds,
+      {{"left_distance_m", distanceTo(of, kLeftSide)}, {"right_distance_m", distanceTo(of, kRightSide)}},
+      options_.start};
+  trial.layout.prompt = "Which of the two is nearer to you?";
+  return std::make_unique<TwoSidesRun>(std::move(trial), screen, controls_);
 }
 
 /// Throws unless the case has a right answer that each view can show: distances that differ, and both objects in the
