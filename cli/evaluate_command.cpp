@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "cli/interrupt.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "display_sim/frames/display_profile.h"
@@ -317,10 +318,7 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("--runs", choice->runs, "How often each step is timed; the best counts")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
-      ->expected(0, 1)
-      ->default_str("-")
-      ->type_name("FILE");
+  addFiguresOption(command, choice->json);
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a representation")->type_name("FILE");
   command.add_option("--csv-offsets", choice->offsetsCsv, "Also write the errors against the offset here")
       ->type_name("FILE");

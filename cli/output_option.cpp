@@ -40,6 +40,13 @@ void addSecondOutputOption(CLI::App& command, const std::string& name, std::stri
   addFile(command, name, path, help, endings);
 }
 
+void addFiguresOption(CLI::App& command, std::string& json) {
+  command.add_option("--json", json, "Also write the figures here; alone or as - they go to standard output")
+      ->expected(0, 1)
+      ->default_str("-")
+      ->type_name("FILE");
+}
+
 void checkSecondOutput(const std::string& path, const std::string& name, const std::string& first) {
   if (path.empty()) {
     return;

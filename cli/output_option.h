@@ -19,6 +19,9 @@ void addOutputOption(CLI::App& command, std::string& path, const std::string& he
 void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
                            const std::vector<std::string>& endings);
 
+/// Adds --json [FILE], for figures that are printed as a table: "-" where they are to go to standard output.
+void addFiguresOption(CLI::App& command, std::string& json);
+
 /// Before long work: throws where that second file, if there is to be one, cannot be written, or is the first one.
 void checkSecondOutput(const std::string& path, const std::string& name, const std::string& first);
 

@@ -240,10 +240,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")
       ->check(CLI::Range(1, 1000))
       ->type_name("N");
-  command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
-      ->expected(0, 1)
-      ->default_str("-")
-      ->type_name("FILE");
+  addFiguresOption(command, choice->json);
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a way")->type_name("FILE");
   command.add_option("--page", choice->page, "Also make a page with pictures and error maps in this folder")
       ->type_name("DIR");

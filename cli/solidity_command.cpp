@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "display_sim/slicing/slicer.h"
@@ -161,10 +162,7 @@ void addSolidityCommand(CLI::App& program, const CommandContext& context) {
                   "Of the images, pixels; 0: as many as the display has rows, so that a voxel is about a pixel")
       ->check(CLI::Range(0, 8192))
       ->type_name("N");
-  command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
-      ->expected(0, 1)
-      ->default_str("-")
-      ->type_name("FILE");
+  addFiguresOption(command, choice->json);
   command.add_option("-o,--output", choice->images, "Also write images from the reference eye and a corner here")
       ->type_name("DIR");
   context.finish(command,

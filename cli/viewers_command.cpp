@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/viewers_option.h"
@@ -67,10 +68,7 @@ void addViewersCommand(CLI::App& program, const CommandContext& context) {
       ->check(CLI::Range(0, 10000))
       ->type_name("N");
   command.add_option("--seed", choice->seed, "Of the viewpoints inside")->type_name("S");
-  command.add_option("--json", choice->json, "Also write the figures here; alone or as - they go to standard output")
-      ->expected(0, 1)
-      ->default_str("-")
-      ->type_name("FILE");
+  addFiguresOption(command, choice->json);
   context.finish(command,
                  "  ocelli viewers builtin:statues --viewers 4\n"
                  "  ocelli viewers bunny.obj --camera eoc-hv --view left.json --view right.json --json two.json",
