@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/conventions.h"
+#include "study/trial/estimated_value.h"
 
 namespace ocelli {
 namespace {
@@ -16,18 +17,12 @@ constexpr double kStepsPerSecond = 60;  ///< of an arrow that is held
 constexpr int64_t kHoldTicks = kTicksPerSecond * 3 / 10;
 /// A click nearer to the middle of a dial tells no direction, share of its radius.
 constexpr double kDialMiddle = 0.1;
-constexpr double kTurn = 360;
 
 struct Arrow {
   Key key;
   double way;
 };
 constexpr std::array kArrows{Arrow{Key::kRight, 1}, Arrow{Key::kUp, 1}, Arrow{Key::kLeft, -1}, Arrow{Key::kDown, -1}};
-
-double withinTurn(double degrees) {
-  const double rest = std::fmod(degrees, kTurn);
-  return rest < 0 ? rest + kTurn : rest;
-}
 
 double rounded(const TrialLayout::Scale& scale, double value) {
   constexpr double kParts = 100;

@@ -85,9 +85,8 @@ class DirectionBlock : public TaskBlock {
   const DirectionOptions& options() const { return options_; }
   /// As it is stored, so that a truth just below a whole turn is not rounded to one.
   double truthOf(int caseIndex) const {
-    constexpr double kTurn = 360;
     constexpr double kParts = 1e4;
-    return std::fmod(std::round(objects_.degreesTo(caseIndex) * kParts) / kParts, kTurn);
+    return std::fmod(std::round(objects_.degreesTo(caseIndex) * kParts) / kParts, kDegreesOfTurn);
   }
 
  private:

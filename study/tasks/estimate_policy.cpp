@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "oc_core/base/conventions.h"
+#include "study/trial/estimated_value.h"
 
 namespace ocelli {
 namespace {
@@ -18,12 +19,6 @@ constexpr double kMarkPixels = 6;
 constexpr double kMarkOnDial = 0.8;  ///< of its radius
 /// Pieces of floor are to the sides from there on, by their distance ahead.
 constexpr double kAsideShare = 0.1;
-constexpr double kTurn = 360;
-
-double withinTurn(double degrees) {
-  const double rest = std::fmod(std::fmod(degrees, kTurn) + kTurn, kTurn);
-  return rest < kTurn ? rest : 0;
-}
 
 }  // namespace
 
@@ -72,7 +67,7 @@ double EstimatePolicy::think(const Percept& seen, int64_t from, int64_t now, Mot
     if (!estimate_ && (isHidden || (began_ && secondsOf(now - *began_) > kMaxLookSeconds))) {
       // It saw nothing, and says anything.
       estimate_ = seen.scale ? seen.scale->least + uniform(random_) * (seen.scale->most - seen.scale->least)
-                             : uniform(random_) * kTurn;
+                             : uniform(random_) * kDegreesOfTurn;
     }
     if (estimate_) {
       answer(seen, now, motor);

@@ -15,6 +15,7 @@
 #include "oc_core/worlds/maze_validate.h"
 #include "study/task/task_fields.h"
 #include "study/task/trial_image.h"
+#include "study/trial/estimated_value.h"
 
 namespace ocelli {
 namespace {
@@ -78,10 +79,7 @@ double EstimatedObjects::metersTo(int index) const {
 
 double EstimatedObjects::degreesTo(int index) const {
   const glm::dvec2 way = placeOf(index) - glm::dvec2(start_.x, start_.z);
-  constexpr double kTurn = 360;
-  const double degrees = degreesFromRadians(std::atan2(way.x, -way.y) - start_.headingRadians);
-  const double rest = std::fmod(std::fmod(degrees, kTurn) + kTurn, kTurn);
-  return rest < kTurn ? rest : 0;
+  return withinTurn(degreesFromRadians(std::atan2(way.x, -way.y) - start_.headingRadians));
 }
 
 TrialLayout EstimatedObjects::layoutOf(int index, TrialView view, const PixelRect& place) const {

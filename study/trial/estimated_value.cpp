@@ -11,10 +11,9 @@ namespace ocelli {
 namespace {
 
 constexpr std::array kEstimateUnits{EstimateUnit{"m", "metres", false}, EstimateUnit{"degrees", "degrees", true}};
-constexpr double kTurn = 360;
 
 bool canHave(const EstimateUnit& unit, double value) {
-  return std::isfinite(value) && (unit.isDirection ? value >= 0 && value < kTurn : value > 0);
+  return std::isfinite(value) && (unit.isDirection ? value >= 0 && value < kDegreesOfTurn : value > 0);
 }
 
 std::string estimateMeasure(const EstimateUnit& unit) {
@@ -43,8 +42,13 @@ const EstimateUnit& estimateUnit(std::string_view name, const std::string& where
 }
 
 double wrappedDegrees(double degrees) {
-  const double rest = std::remainder(degrees, kTurn);
-  return rest <= -kTurn / 2 ? rest + kTurn : rest;
+  const double rest = std::remainder(degrees, kDegreesOfTurn);
+  return rest <= -kDegreesOfTurn / 2 ? rest + kDegreesOfTurn : rest;
+}
+
+double withinTurn(double degrees) {
+  const double rest = std::fmod(std::fmod(degrees, kDegreesOfTurn) + kDegreesOfTurn, kDegreesOfTurn);
+  return rest < kDegreesOfTurn ? rest : 0;
 }
 
 double EstimatedValue::signedError() const {
@@ -55,8 +59,7 @@ EstimatedValue estimateWithError(const EstimateUnit& unit, double truth, double 
   if (!unit.isDirection) {
     return {&unit, truth * std::exp(error), truth};
   }
-  const double turned = std::fmod(truth + wrappedDegrees(error) + kTurn, kTurn);
-  return {&unit, turned < kTurn ? turned : 0, truth};
+  return {&unit, withinTurn(truth + wrappedDegrees(error)), truth};
 }
 
 std::map<std::string, double> measuresOf(const EstimatedValue& value) {

@@ -46,5 +46,8 @@ std::string estimateText(double value);
 
 /// Degrees, in the range of EstimatedValue::signedError().
 double wrappedDegrees(double degrees);
+/// Degrees, 0 to below 360: as directions are.
+double withinTurn(double degrees);
+inline constexpr double kDegreesOfTurn = 360;
 
 }  // namespace ocelli

@@ -32,6 +32,15 @@ TEST(EstimatedValue, DirectionsGoAround) {
   }
 }
 
+TEST(EstimatedValue, DirectionsAreWithinATurn) {
+  EXPECT_EQ(withinTurn(0), 0);
+  EXPECT_EQ(withinTurn(360), 0);
+  EXPECT_EQ(withinTurn(-90), 270);
+  EXPECT_EQ(withinTurn(725), 5);
+  EXPECT_EQ(withinTurn(-725), 355);
+  EXPECT_EQ(withinTurn(-1e-17), 0) << "not 360, to which it rounds";
+}
+
 TEST(EstimatedValue, IsFoundInTheMeasuresThatItWrites) {
   for (const EstimateUnit& unit : estimateUnits()) {
     const EstimatedValue value{&unit, 12.5, 10};
