@@ -47,8 +47,9 @@ double wrappedDegrees(double degrees) {
 }
 
 double withinTurn(double degrees) {
-  const double rest = std::fmod(std::fmod(degrees, kDegreesOfTurn) + kDegreesOfTurn, kDegreesOfTurn);
-  return rest < kDegreesOfTurn ? rest : 0;
+  const double rest = std::fmod(degrees, kDegreesOfTurn);
+  const double turned = rest < 0 ? rest + kDegreesOfTurn : rest;
+  return turned < kDegreesOfTurn ? turned : 0;
 }
 
 double EstimatedValue::signedError() const {

@@ -39,6 +39,7 @@ TEST(EstimatedValue, DirectionsAreWithinATurn) {
   EXPECT_EQ(withinTurn(725), 5);
   EXPECT_EQ(withinTurn(-725), 355);
   EXPECT_EQ(withinTurn(-1e-17), 0) << "not 360, to which it rounds";
+  EXPECT_EQ(withinTurn(346.7), 346.7) << "to the last bit: replays compare it";
 }
 
 TEST(EstimatedValue, IsFoundInTheMeasuresThatItWrites) {
