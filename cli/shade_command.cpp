@@ -27,6 +27,7 @@ struct ShadeChoice {
   std::string roles;
   std::string effect = "reflection";
   std::vector<std::string> by;
+  std::vector<std::string> settings;
   std::string view;
   std::string size = "720x480";
   std::string imageSize = "720x480";
@@ -76,8 +77,9 @@ class ShadeRun {
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
-    const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
-        choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
+    const auto scene = std::make_shared<const ShadedScene>(
+        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
+                        choice.scene.options, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
@@ -87,6 +89,7 @@ class ShadeRun {
     }
     inputs.environmentHeight = choice.environmentHeight;
     inputs.progress = context.progress();
+    inputs.options = effectOptions(effect_, choice.settings);
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
   }
@@ -182,6 +185,16 @@ std::string waysHelp() {
   return text;
 }
 
+std::string settingsHelp() {
+  std::string text = "Numbers that an effect takes.";
+  for (const Effect& effect : shadeEffects()) {
+    for (const EffectOption& option : effect.options) {
+      text += fmt::format(" {}: {} ({}; by default {}).", option.name, option.meaning, effect.name, option.otherwise);
+    }
+  }
+  return text;
+}
+
 }  // namespace
 
 void addShadeCommand(CLI::App& program, const CommandContext& context) {
@@ -197,6 +210,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("FILE.json");
   command.add_option("--effect", choice->effect, effectHelp())->type_name("NAME");
   command.add_option("--by", choice->by, waysHelp())->required()->delimiter(',')->type_name("NAME,...");
+  command.add_option("--set", choice->settings, settingsHelp())->delimiter(',')->type_name("NAME=VALUE,...");
   command
       .add_option("--view", choice->view,
                   "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
@@ -228,6 +242,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
+                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,cell --set radius=0.4 --page ambient\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {
                    checkOutputs(*choice);

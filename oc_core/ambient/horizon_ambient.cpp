@@ -165,6 +165,10 @@ HorizonImage::HorizonImage(const GraphCamera& camera, const FragmentImage& fragm
   }
 }
 
+bool isHeld(const AmbientPoint& point, const GraphCamera& camera) {
+  return seenPoint(point, camera).has_value();
+}
+
 HorizonLight ambientByHorizon(std::span<const AmbientPoint> points, const HorizonImage& image,
                               const AmbientOptions& options, const HorizonWalk& walk) {
   checkCount(walk.directions, "directions");

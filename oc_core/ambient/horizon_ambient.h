@@ -51,6 +51,9 @@ struct HorizonLight {
   size_t notHeld = 0;        ///< points that no frustum holds, or whose image lies beyond the borders
 };
 
+/// Whether a frustum of the camera holds a point, and its image lies within the borders.
+bool isHeld(const AmbientPoint& point, const GraphCamera& camera);
+
 /// Throws InputError as validate() does, and for a walk without directions or steps.
 HorizonLight ambientByHorizon(std::span<const AmbientPoint> points, const HorizonImage& image,
                               const AmbientOptions& options, const HorizonWalk& walk = {});

@@ -84,8 +84,13 @@ double SplitCurve::offset(const glm::dvec3& viewDirection) const {
 }
 
 glm::dvec3 SplitCurve::pointFor(const glm::dvec3& viewDirection) const {
-  const glm::dvec3 level = glm::normalize(glm::dvec3(viewDirection.x, 0, viewDirection.z));
-  return center_ + level * offset(viewDirection);
+  return pointAt(viewDirection, share(viewDirection));
+}
+
+glm::dvec3 SplitCurve::pointAt(const glm::dvec3& viewDirection, double share) const {
+  const glm::dvec3 level(viewDirection.x, 0, viewDirection.z);
+  const double length = glm::length(level);
+  return length > 0 ? center_ + level * (share * between(halfExtent_, viewDirection) / length) : center_;
 }
 
 GraphCamera threeFrusta(const PinholeCamera& view, const glm::dvec3& splittingPoint, const Box& world,

@@ -27,11 +27,14 @@ class SplitCurve {
 
   const glm::dvec3& center() const { return center_; }
   /// Where the splitting point lies for a view of that direction, from the centre along the direction without its
-  /// height, world units; negative: before the centre. Smooth in the heading. The direction is not vertical.
+  /// height, world units; negative: before the centre. Smooth in the heading. Of a vertical direction the point
+  /// is the centre.
   double offset(const glm::dvec3& viewDirection) const;
   /// The same as a share of half of the scene's extent along that direction: 1 and more is behind all of it.
   double share(const glm::dvec3& viewDirection) const;
   glm::dvec3 pointFor(const glm::dvec3& viewDirection) const;
+  /// The point of another share, for the same direction.
+  glm::dvec3 pointAt(const glm::dvec3& viewDirection, double share) const;
 
  private:
   glm::dvec3 center_{0};
@@ -40,7 +43,7 @@ class SplitCurve {
 };
 
 struct ThreeFrustaOptions {
-  double turnDegrees = 20;  ///< of the viewpoints beyond the plane
+  double turnDegrees = 30;  ///< of the viewpoints beyond the plane
 };
 
 /// The root of the view alone where the splitting point lies behind all of the scene (`world`, not empty). One bent

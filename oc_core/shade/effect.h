@@ -6,6 +6,7 @@
 // measurements of a way. What a picture's errors are is up to the effect: its columns, its maps, its legend.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,6 +89,15 @@ class EffectStage {
   virtual std::vector<ShadeFact> facts(const PinholeCamera& camera) = 0;
 };
 
+/// A number that an effect takes, `--set NAME=VALUE`.
+struct EffectOption {
+  const char* name;
+  const char* meaning;    ///< with its unit
+  const char* otherwise;  ///< what stands where it is not given, in words
+  double least;           ///< both included
+  double most;
+};
+
 struct StageInputs {
   std::shared_ptr<const ShadedScene> scene;
   glm::ivec2 referenceSize{720, 480};  ///< of reference images, pixels
@@ -95,6 +105,7 @@ struct StageInputs {
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
   Progress progress = {};
+  std::map<std::string, double> options = {};  ///< those that are given, by name: each is one of the effect's
 };
 
 struct Effect {
@@ -114,6 +125,8 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  std::vector<EffectOption> options = {};
+  bool needsRoles = true;  ///< else it takes scenes of whose objects nothing says roles
 };
 
 }  // namespace ocelli

@@ -3,11 +3,15 @@
 #include <chrono>
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/graph_overlap.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/depth_rays/depth_image_target.h"
+#include "oc_core/depth_rays/graph_image_target.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/shade/environment_map.h"
+#include "oc_core/shade/perspective_images.h"
 
 namespace ocelli {
 namespace {
@@ -78,11 +82,12 @@ class EnvironmentProxy final : public SceneProxy {
   EnvironmentMap map_;
 };
 
-/// Reference images of the cast objects, billboards as they are, and an environment map of the rest.
+/// Images of the cast objects, which `Target` knows, billboards as they are, and an environment map of the rest.
+template <class Target>
 class DepthImageProxy final : public SceneProxy {
  public:
-  DepthImageProxy(const ProxyInputs& in, const ReferenceImages& images)
-      : target_(images),
+  DepthImageProxy(const ProxyInputs& in, Target target)
+      : target_(std::move(target)),
         billboards_(in.scene.billboards),
         map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()),
         reach_(reachOf(in.scene)) {}
@@ -97,10 +102,10 @@ class DepthImageProxy final : public SceneProxy {
     return billboard ? ProxyHit{billboard->color, billboard->t, false}
                      : ProxyHit{map_.colorOf(ray.direction), {}, false};
   }
-  const DepthImageTarget& target() const { return target_; }
+  const Target& target() const { return target_; }
 
  private:
-  DepthImageTarget target_;
+  Target target_;
   RayScene billboards_;
   EnvironmentMap map_;
   float reach_;
@@ -125,22 +130,58 @@ BuiltProxy buildEnvironment(const ProxyInputs& in) {
   return built;
 }
 
-BuiltProxy buildDepthImages(const CameraChoice& choice, const ProxyInputs& in) {
-  BuiltProxy built{.name = choice.name};
-  const auto start = Clock::now();
-  const ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
-  built.buildMilliseconds = millisecondsSince(start);
+/// Finishes `built`, whose images are made.
+BuiltProxy proxyOfSamples(BuiltProxy built, const ReferenceImages& images, const ProxyInputs& in) {
   for (const ReferenceImage& image : images) {
     built.samples += image.sampleCount();
   }
   const auto ready = Clock::now();
   // Its environment map and billboards are those of every other camera: their time is no part of this one's.
-  static_cast<void>(DepthImageTarget(images));
+  DepthImageTarget target(images);
   built.structureMilliseconds = millisecondsSince(ready);
-  auto proxy = std::make_unique<DepthImageProxy>(in, images);
+  auto proxy = std::make_unique<DepthImageProxy<DepthImageTarget>>(in, std::move(target));
   built.triangles = proxy->target().cells().mesh.triangles.size();
   built.proxy = std::move(proxy);
   return built;
+}
+
+BuiltProxy buildDepthImages(const CameraChoice& choice, const ProxyInputs& in) {
+  BuiltProxy built{.name = choice.name};
+  const auto start = Clock::now();
+  const ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
+  built.buildMilliseconds = millisecondsSince(start);
+  return proxyOfSamples(std::move(built), images, in);
+}
+
+BuiltProxy buildPerspective(const std::string& name, const ProxyInputs& in) {
+  BuiltProxy built{.name = name};
+  const auto start = Clock::now();
+  const PerspectiveImage image = perspectiveImage(name, in.scene.whole, in.scene.cast, in.reference);
+  const ReferenceImages images{image.samples(in.scene.cast, name)};
+  built.buildMilliseconds = millisecondsSince(start);
+  return proxyOfSamples(std::move(built), images, in);
+}
+
+BuiltProxy buildWalk(const std::string& name, const ProxyInputs& in) {
+  BuiltProxy built{.name = kWalkPrefix + name};
+  const auto start = Clock::now();
+  const PerspectiveImage image = perspectiveImage(name, in.scene.whole, in.scene.cast, in.reference);
+  const GraphCamera& camera = graphCameraOf(image, name);
+  built.buildMilliseconds = millisecondsSince(start);
+  const Box bounds = boundsOf(in.scene.cast);
+  checkDisjoint(camera, glm::dvec3(bounds.lower), glm::dvec3(bounds.upper));
+  const auto ready = Clock::now();
+  GraphImageTarget target(camera, image.fragments, in.scene.cast, {.thickness = graphThickness(bounds)});
+  built.structureMilliseconds = millisecondsSince(ready);
+  built.samples = target.sampleCount();
+  built.proxy = std::make_unique<DepthImageProxy<GraphImageTarget>>(in, std::move(target));
+  return built;
+}
+
+/// The name behind "walk:", where it stands there.
+std::optional<std::string> walkedName(const std::string& name) {
+  const size_t length = std::string_view(kWalkPrefix).size();
+  return name.starts_with(kWalkPrefix) ? std::optional(name.substr(length)) : std::nullopt;
 }
 
 CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
@@ -159,7 +200,12 @@ CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
 }  // namespace
 
 void checkProxyName(const std::string& name) {
-  if (name != kTraced && name != kEnvironment) {
+  const std::optional<std::string> walked = walkedName(name);
+  if (walked && !namesConstructor(*walked)) {
+    throw InputError("\"" + *walked + "\" is no graph camera to walk through", "--by",
+                     "use the name of a constructor of `ocelli camera list`, or its file");
+  }
+  if (name != kTraced && name != kEnvironment && !walked && !namesConstructor(name)) {
     choiceOf(name, {});
   }
 }
@@ -167,6 +213,12 @@ void checkProxyName(const std::string& name) {
 BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs) {
   if (name == kTraced) {
     return buildTraced(inputs);
+  }
+  if (const std::optional<std::string> walked = walkedName(name)) {
+    return buildWalk(*walked, inputs);
+  }
+  if (name != kEnvironment && namesConstructor(name)) {
+    return buildPerspective(name, inputs);
   }
   return name == kEnvironment ? buildEnvironment(inputs) : buildDepthImages(choiceOf(name, inputs.cell), inputs);
 }

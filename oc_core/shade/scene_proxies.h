@@ -53,9 +53,14 @@ struct BuiltProxy {
 
 inline constexpr const char* kEnvironment = "environment";
 
+/// What comes before the name of a graph camera whose image is walked frustum by frustum.
+inline constexpr const char* kWalkPrefix = "walk:";
+
 /// `name` is "traced" (the geometry, by ray casting), "environment" (an environment map of all), or a camera, whose
-/// reference images of the cast objects are hit; an environment map shows what lies outside of them. Throws InputError
-/// for another name, for a representation without images, and where the images cannot be built.
+/// reference images of the cast objects are hit; an environment map shows what lies outside of them. That may be a
+/// graph or curved ray camera too, by the name of its constructor or a JSON file (perspective_images.h): rays hit its
+/// samples, or, as "walk:NAME", its image frustum by frustum. Throws InputError for another name, for a representation
+/// without images, and where the images cannot be built; for a walk also where frusta overlap.
 BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs);
 
 /// Throws as buildProxy() does for a name that it does not take.

@@ -28,9 +28,17 @@ glm::vec3 placeOf(const SecondaryRay& ray, float distance) {
   return ray.origin + ray.direction * distance;
 }
 
+/// 1.5 footprints; where the reference view does not see a place beside or behind it, its distance stands for z.
+float yardstickAt(const PinholeCamera& reference, const glm::vec3& place) {
+  const float along = reference.cameraFromWorld(place).z;
+  const float distance = glm::distance(place, reference.eye());
+  const bool isAhead = along > 0.1f * distance;  // no reference view reaches farther aside
+  return isAhead ? nearReach(reference, place) : kNearFootprints * distance / reference.focalPixels();
+}
+
 HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit& seen, const PinholeCamera& reference) {
   if (seen.onCast) {
-    const float near = nearReach(reference, placeOf(ray, *seen.distance));
+    const float near = yardstickAt(reference, placeOf(ray, *seen.distance));
     if (!truth.distance || *seen.distance < *truth.distance - near) {
       return HitState::kFalse;
     }
@@ -41,7 +49,7 @@ HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit&
   if (!seen.onCast) {
     return HitState::kMissing;
   }
-  const float near = nearReach(reference, placeOf(ray, *truth.distance));
+  const float near = yardstickAt(reference, placeOf(ray, *truth.distance));
   return std::abs(*seen.distance - *truth.distance) <= near ? HitState::kRight : HitState::kOff;
 }
 

@@ -1,6 +1,7 @@
 // A scene as `ocelli shade` takes it apart by the roles of its objects (object_roles.h).
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,14 +25,18 @@ struct ShadedScene {
   Mesh cast;          ///< what depth images stand for
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
+  /// All objects together, with the guides of the scene: for light from all sides, and for constructors of cameras.
+  /// Objects that come to the scene have identities above its own.
+  GuidedScene whole = {};
+  std::vector<uint32_t> rolesOfTriangle = {};  ///< of `whole`: bits of object_roles.h
 };
 
 /// The file of roles beside the file of a scene: "teapot.roles.json" beside "teapot.obj".
 std::string rolesFileBeside(const std::string& source);
 
 /// The roles: of the file, where one is given; else of the file beside the scene, if there is one, or of the built-in
-/// scene. Throws InputError where nothing says them.
-std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile);
+/// scene. Where nothing says them: none where they are not needed, else throws InputError.
+std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile, bool needed = true);
 
 /// Throws InputError where a role is of an object that the scene lacks.
 ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledObject>& roles,
@@ -45,9 +50,16 @@ void requireCast(const ShadedScene& scene);
 View pictureView(const Box& senders);
 
 /// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
-/// them, and as wide as they are from there, with a margin. Throws InputError where they lie around that place, so that
-/// no image plane holds them.
-View referenceView(const Mesh& cast, const Box& senders, int width, int height);
+/// them, and as wide as they are from there, with a margin. Nothing where they lie around that place, so that no image
+/// plane holds them.
+std::optional<View> referenceView(const Mesh& cast, const Box& senders, int width, int height);
+/// The view for objects that lie around: from the same place straight towards +z, whence the default view looks, 90
+/// degrees high. Images of one plane show those there; panoramas and graph cameras see more.
+View aroundView(const Mesh& cast, const Box& senders);
+
+/// The picture's view, raised about its target in steps of 15 degrees up to 75, while other objects hide more than half
+/// of `senders` from it: the first where they do not; as it is where there is none.
+View unhiddenView(const View& view, const ShadedScene& scene, const Box& senders);
 
 Box boundsOf(const std::vector<SpecularObject>& objects);
 

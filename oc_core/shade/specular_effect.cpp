@@ -26,7 +26,7 @@ Value withDepth(const Row& row, double value) {
   return row.hasDepth ? Value(value) : std::nullopt;
 }
 Value inPyramids(const Row& row, double value) {
-  return row.cost.nodes > 0 ? Value(value) : std::nullopt;
+  return row.cost.steps() > 0 ? Value(value) : std::nullopt;
 }
 Value counted(size_t number) {
   return number > 0 ? Value(static_cast<double>(number)) : std::nullopt;
@@ -55,7 +55,9 @@ const std::vector<Figure>& specularFigures() {
       {{"false_hits", "false %",
         "rays that meet a sample more than 1.5 footprints before the traced first hit, of all rays", 2, 100},
        [](const Row& r) { return withDepth(r, r.falseRatio()); }},
-      {{"steps_per_ray", "steps", "nodes of the pyramid that are opened and cells that are tested, a ray", 1, 1},
+      {{"steps_per_ray", "steps",
+        "nodes of the pyramid that are opened and cells that are tested, a ray; of a walk pixels and tiles of them", 1,
+        1},
        [](const Row& r) { return inPyramids(r, r.stepsPerRay()); }},
       {{"max_steps", "most", "the most steps of a ray", 0, 1}, [](const Row& r) { return inPyramids(r, r.maxSteps); }},
       {{"boxes_per_ray", "boxes", "bounds that are compared, a ray", 1, 1},
@@ -117,8 +119,9 @@ class SpecularStage final : public EffectStage {
         scene_(std::make_shared<SpecularScene>(inputs.scene, specular,
                                                FirstSurfaces(*inputs.scene, specular.senders(*inputs.scene)))),
         senders_(boundsOf(specular.senders(*inputs.scene))),
-        reference_(referenceView(inputs.scene->cast, senders_, inputs.referenceSize.x, inputs.referenceSize.y),
-                   inputs.referenceSize.x, inputs.referenceSize.y) {
+        planeView_(referenceView(inputs.scene->cast, senders_, inputs.referenceSize.x, inputs.referenceSize.y)),
+        reference_(planeView_.value_or(aroundView(inputs.scene->cast, senders_)), inputs.referenceSize.x,
+                   inputs.referenceSize.y) {
     cell_.shape = ViewCell::Shape::kSphere;
     cell_.sideRadii = inputs.cellSide.value_or(largestSide(senders_));
   }
@@ -165,7 +168,10 @@ class SpecularStage final : public EffectStage {
             {"cast_rays", std::to_string(castRays),
              fmt::format("{} of them first meet objects that depth images stand for.", groupedDigits(castRays))},
             {"reference_size", fmt::format("[{}, {}]", size.x, size.y),
-             fmt::format("Reference images of {} x {} pixels.", size.x, size.y)},
+             fmt::format("Reference images of {} x {} pixels.{}", size.x, size.y,
+                         planeView_ ? ""
+                                    : " No image plane holds what lies around: the reference view is one to the "
+                                      "front.")},
             {"cell_side", fmt::format("{}", cell_.sideRadii),
              fmt::format("They are for a cell of {:.3g} units around what sends the rays.",
                          static_cast<double>(cell_.sideRadii))},
@@ -200,7 +206,7 @@ class SpecularStage final : public EffectStage {
                           hitErrorImage(truth_->rays, truth_->picture,
                                         compareHits(truth_->rays, truth_->picture, picture, reference_))});
     }
-    if (row.cost.nodes > 0) {
+    if (row.cost.steps() > 0) {
       way.maps.push_back({"steps", "steps of each ray", stepImage(truth_->rays, picture, kBrightestSteps)});
     }
     for (const Figure& figure : specularFigures()) {
@@ -212,6 +218,7 @@ class SpecularStage final : public EffectStage {
   StageInputs inputs_;
   std::shared_ptr<const SpecularScene> scene_;
   Box senders_;
+  std::optional<View> planeView_;  ///< nothing where the objects that are cast lie around what sends rays
   PinholeCamera reference_;
   ViewCell cell_;
   std::optional<Truth> truth_;
@@ -228,8 +235,8 @@ void requireSenders(const Specular& specular, const ShadedScene& scene, const ch
 Effect specularEffect() {
   Effect effect{};
   effect.ways =
-      "traced (the geometry), environment (an environment map), or the reference images of a camera: a name or a JSON "
-      "file";
+      "traced (the geometry), environment (an environment map), or the reference images of a camera, graph cameras "
+      "too: a name or a JSON file; walk:NAME goes frustum by frustum through a graph camera's";
   for (const Figure& figure : specularFigures()) {
     effect.columns.push_back(figure.column);
   }
@@ -252,7 +259,10 @@ Effect reflectionEffect() {
   effect.title = "Reflection";
   effect.description = "what objects with the role \"mirror\" reflect, at first order";
   effect.requireObjects = [](const ShadedScene& scene) { requireSenders(kReflection, scene, "mirror"); };
-  effect.defaultView = [](const ShadedScene& scene) { return pictureView(boundsOf(scene.mirrors)); };
+  effect.defaultView = [](const ShadedScene& scene) {
+    const Box senders = boundsOf(scene.mirrors);
+    return unhiddenView(pictureView(senders), scene, senders);
+  };
   effect.stage = [](const StageInputs& inputs) -> std::unique_ptr<EffectStage> {
     return std::make_unique<SpecularStage>(inputs, kReflection);
   };
@@ -265,7 +275,10 @@ Effect refractionEffect() {
   effect.title = "Refraction";
   effect.description = "what is seen through objects with the role \"refract\"";
   effect.requireObjects = [](const ShadedScene& scene) { requireSenders(kRefraction, scene, "refract"); };
-  effect.defaultView = [](const ShadedScene& scene) { return pictureView(boundsOf(scene.lenses)); };
+  effect.defaultView = [](const ShadedScene& scene) {
+    const Box senders = boundsOf(scene.lenses);
+    return unhiddenView(pictureView(senders), scene, senders);
+  };
   effect.stage = [](const StageInputs& inputs) -> std::unique_ptr<EffectStage> {
     return std::make_unique<SpecularStage>(inputs, kRefraction);
   };

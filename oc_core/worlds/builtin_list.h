@@ -13,6 +13,7 @@ BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene lensScene();
 BuiltinScene mazeScene();
+BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
