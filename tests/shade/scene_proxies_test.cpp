@@ -14,7 +14,7 @@ namespace {
 struct Proxies {
   ShadedScene scene = test::mirrorBeforeBox();
   Box senders = boundsOf(scene.mirrors);
-  PinholeCamera reference{referenceView(scene.cast, senders, 120, 80), 120, 80};
+  PinholeCamera reference{*referenceView(scene.cast, senders, 120, 80), 120, 80};
   SecondaryRays rays = reflectedRays({scene, scene.mirrors}, test::smallCamera());
 
   BuiltProxy build(const std::string& name) const {
