@@ -1,4 +1,4 @@
-// `builtin:mirror-maze`: a maze with a mirroring ball in its middle, which reflects what stands behind corners.
+// `builtin:mirrormaze`: a maze with a mirroring ball in its middle, which reflects what stands behind corners.
 #include <algorithm>
 #include <glm/ext/matrix_transform.hpp>
 
@@ -43,7 +43,7 @@ Scene buildMirrorMaze(const BuiltinValues& values) {
 }  // namespace
 
 BuiltinScene mirrorMazeScene() {
-  return {.name = "mirror-maze",
+  return {.name = "mirrormaze",
           .summary = "a maze with a mirroring ball in its middle (ocelli shade); in metres",
           .parameters = {{"seed", "of the random numbers", Kind::kInteger, "1", 0, 4294967295.0},
                          {"rows", "of cells", Kind::kInteger, "7", 1, 51},

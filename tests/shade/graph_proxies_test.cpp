@@ -14,7 +14,7 @@ namespace {
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
-constexpr const char* kSmallMaze = "builtin:mirror-maze,rows=3,columns=3";
+constexpr const char* kSmallMaze = "builtin:mirrormaze,rows=3,columns=3";
 
 struct MirrorMaze {
   ShadedScene scene = loadShadedScene(kSmallMaze, rolesFor(kSmallMaze, ""));
