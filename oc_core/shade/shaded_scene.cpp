@@ -47,8 +47,8 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   return mesh;
 }
 
-void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex) {
-  SpecularObject object{std::move(mesh), {}, refractiveIndex};
+void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex, bool isCast) {
+  SpecularObject object{std::move(mesh), {}, refractiveIndex, isCast};
   object.normals = vertexNormals(object.mesh);
   objects.push_back(std::move(object));
 }
@@ -106,9 +106,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   shaded.source = source;
   for (auto& [role, mesh] : objects) {
     if (role.has(kMirrors)) {
-      addSpecular(shaded.mirrors, std::move(mesh), 1);
+      addSpecular(shaded.mirrors, std::move(mesh), 1, role.has(kCasts));
     } else if (role.has(kRefracts)) {
-      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex);
+      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex, false);
     } else {
       append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
     }

@@ -15,13 +15,14 @@ struct SpecularObject {
   Mesh mesh;
   std::vector<glm::vec3> normals;
   double refractiveIndex = 1;  ///< of one that refracts
+  bool isCast = false;         ///< of one that mirrors: whether rays of others meet it, through depth images
 };
 
 struct ShadedScene {
   std::string source = {};  ///< as errors say it
   std::vector<SpecularObject> mirrors;
   std::vector<SpecularObject> lenses;
-  Mesh cast;          ///< what depth images stand for
+  Mesh cast;          ///< what depth images stand for, but for mirrors among it
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
 };
