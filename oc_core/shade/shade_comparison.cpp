@@ -25,9 +25,14 @@ glm::vec3 placeOf(const SecondaryRay& ray, float distance) {
   return ray.origin + ray.direction * distance;
 }
 
+/// What counts as near: of things behind the reference view, too, which none of its images holds.
+float reachAt(const PinholeCamera& reference, const glm::vec3& place) {
+  return std::abs(nearReach(reference, place));
+}
+
 HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit& seen, const PinholeCamera& reference) {
   if (seen.onCast) {
-    const float near = nearReach(reference, placeOf(ray, *seen.distance));
+    const float near = reachAt(reference, placeOf(ray, *seen.distance));
     if (!truth.distance || *seen.distance < *truth.distance - near) {
       return HitState::kFalse;
     }
@@ -38,17 +43,17 @@ HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit&
   if (!seen.onCast) {
     return HitState::kMissing;
   }
-  const float near = nearReach(reference, placeOf(ray, *truth.distance));
+  const float near = reachAt(reference, placeOf(ray, *truth.distance));
   return std::abs(*seen.distance - *truth.distance) <= near ? HitState::kRight : HitState::kOff;
 }
 
 float footprintAt(const SecondaryRay& ray, float distance, const Yardsticks& yardsticks) {
-  return nearReach(yardsticks.senders[ray.sender], placeOf(ray, distance)) / kNearFootprints;
+  return reachAt(yardsticks.senders[ray.sender], placeOf(ray, distance)) / kNearFootprints;
 }
 
 bool isNear(const SecondHit& truth, const std::optional<SecondHit>& seen, const Yardsticks& yardsticks) {
   return seen &&
-         glm::distance(truth.position, seen->position) <= nearReach(yardsticks.ofMirror(truth.mirror), truth.position);
+         glm::distance(truth.position, seen->position) <= reachAt(yardsticks.ofMirror(truth.mirror), truth.position);
 }
 
 Rgb8 heat(double share) {

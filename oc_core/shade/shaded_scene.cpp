@@ -133,7 +133,7 @@ View pictureView(const Box& senders) {
   return view;
 }
 
-View referenceView(const Mesh& cast, const Box& senders, int width, int height) {
+View referenceView(const Mesh& cast, const Box& senders, int width, int height, WhatLiesAround around) {
   View view;
   view.eye = senders.center();
   view.target = boundsOf(cast).center();
@@ -156,7 +156,10 @@ View referenceView(const Mesh& cast, const Box& senders, int width, int height) 
       tangent = std::max(tangent, p.z > static_cast<double>(view.zNear) ? aside / p.z : 2 * kMaxTangent);
     }
   }
-  if (tangent * kMargin > kMaxTangent) {
+  if (tangent * kMargin > kMaxTangent && around == WhatLiesAround::kMayBeLost) {
+    constexpr double kWideTangent = 1.2;  // 100 degrees
+    tangent = kWideTangent / kMargin;
+  } else if (tangent * kMargin > kMaxTangent) {
     throw InputError("the objects that are cast reach around what mirrors or refracts: no image plane holds them",
                      "the roles", "give those beside and behind it another role, such as \"billboard\"");
   }

@@ -214,14 +214,13 @@ class SpecularStage final : public EffectStage {
     truth_ = std::move(truth);
   }
 
-  /// Fitted to the rays, where that is wanted and can be; for an object that rays of others meet, too, the middle stays
-  /// the best place.
+  /// Fitted to the rays, where that is wanted and can be.
   SenderViews viewsFor(const SecondaryRays& rays) const {
     SenderViews views;
     const std::vector<SpecularObject>& senders = scene_->senders();
     for (size_t i = 0; i < senders.size(); ++i) {
       std::vector<SecondaryRay> own;
-      if (fitsRays_ && (order_ == 1 || !senders[i].isCast)) {
+      if (fitsRays_) {
         std::copy_if(rays.rays.begin(), rays.rays.end(), std::back_inserter(own),
                      [&](const SecondaryRay& ray) { return ray.sender == i; });
       }
@@ -241,7 +240,10 @@ class SpecularStage final : public EffectStage {
     const Box box = boundsOf(sender.mesh);
     const auto [width, height] = std::pair(inputs_.referenceSize.x, inputs_.referenceSize.y);
     const std::optional<RayView> fitted = viewOfRays(rays, *cast.mesh, box.center(), width, height);
-    views.references.emplace_back(fitted ? fitted->view : referenceView(*cast.mesh, box, width, height), width, height);
+    // Mirrors among what is cast stand in the midst of it.
+    const WhatLiesAround around = sender.isCast ? WhatLiesAround::kMayBeLost : WhatLiesAround::kIsAnError;
+    views.references.emplace_back(fitted ? fitted->view : referenceView(*cast.mesh, box, width, height, around), width,
+                                  height);
     ViewCell cell;
     cell.shape = ViewCell::Shape::kSphere;
     cell.sideRadii = inputs_.cellSide.value_or(fitted ? fitted->cellSide : largestSide(box));

@@ -25,8 +25,6 @@ const std::vector<WayWord>& wayWords() {
        [](SpecularWayName& way) { way.finePixels = 1; }},
       {"stepped-1/2", kWalk, "the same in steps of half a pixel", [](SpecularWayName& way) { way.finePixels = 0.5; }},
       {"stepped-1/4", kWalk, "the same in steps of a quarter", [](SpecularWayName& way) { way.finePixels = 0.25; }},
-      {"rims", "what images hold", "images have samples along the rims of surfaces, finer than pixels",
-       [](SpecularWayName& way) { way.rims = true; }},
       {"expected-exit", kExit,
        "rays leave glass where the text expects them to, with the normal of an image of its back faces",
        [](SpecularWayName& way) { way.exit = BackFaceExit::kExpected; }},
@@ -56,13 +54,9 @@ SpecularWayName specularWay(const std::string& text) {
     words[i]->apply(way);
   }
   const bool hasImages = way.target != kTraced && way.target != kEnvironment;
-  if (!hasImages && (way.isStepped() || way.rims)) {
+  if (!hasImages && way.isStepped()) {
     throw InputError("\"" + way.target + "\" has no image for rays to walk in", "--by " + text,
                      "name a camera before the colon, such as di");
-  }
-  if (way.isStepped() && way.rims) {
-    throw InputError("steps along projections meet no samples between pixels", "--by " + text,
-                     "say \"rims\" without \"stepped\"");
   }
   return way;
 }

@@ -16,7 +16,6 @@ struct SpecularWayName {
   double finePixels = 0;  ///< of the text's steps along projections; 0 for the pyramid
   /// How an image of the back faces of glass says where rays leave it; nothing where they are traced through it.
   std::optional<BackFaceExit> exit = {};
-  bool rims = false;  ///< whether images have samples along the rims of surfaces
 
   bool isStepped() const { return finePixels > 0; }
 };
@@ -33,7 +32,7 @@ struct WayWord {
 const std::vector<WayWord>& wayWords();
 
 /// A colon before anything else belongs to the name, as in a path. Throws InputError where words contradict each other
-/// or the name: only a depth image has steps or rims.
+/// or the name: only images have steps.
 SpecularWayName specularWay(const std::string& text);
 
 /// The words with their meanings, for help.
