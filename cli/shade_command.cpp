@@ -255,7 +255,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       .add_option(
           "--cell", choice->cell,
           "Size of the cell of viewpoints that the reference images are made for, as for evaluate; by default as "
-          "large as what sends the rays")
+          "wide as the rays are at the reference view, or as large as what sends them")
       ->type_name("SIDE");
   command
       .add_option("--environment-height", choice->environmentHeight,

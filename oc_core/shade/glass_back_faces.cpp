@@ -76,8 +76,9 @@ std::optional<BackFace> backFaceAt(const Image<BackFace>& image, const PinholeCa
   return BackFace{&object, sum.distance / weights, sum.normal / length};
 }
 
+/// Of unit vectors; exact for small ones, too.
 float angleBetween(const glm::vec3& a, const glm::vec3& b) {
-  return std::acos(std::clamp(glm::dot(a, b), -1.0f, 1.0f));
+  return 2 * std::atan2(glm::length(a - b), glm::length(a + b));
 }
 
 /// How far it is through the object against the normal.

@@ -16,7 +16,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kEachRay = 7;  ///< that is looked at: coprime to the widths of pictures
+constexpr size_t kEnoughRays = 8192;  ///< to be looked at
 constexpr size_t kMinRays = 16;
 constexpr double kRaysInCell = 0.98;
 constexpr float kMinCellShare = 0.01f;  ///< of the distance to what is seen
@@ -188,7 +188,7 @@ std::optional<RayView> viewOfRays(std::span<const SecondaryRay> rays, const Mesh
   std::vector<RayPiece> pieces;
   std::vector<glm::vec3> points;
   glm::dvec3 sum(0);
-  for (size_t i = 0; i < rays.size(); i += kEachRay) {
+  for (size_t i = 0; i < rays.size(); i += 1 + rays.size() / kEnoughRays) {
     if (const std::optional<RayPiece> piece = grid.piece(rays[i])) {
       pieces.push_back(*piece);
       for (const double distance : {piece->first, piece->last}) {

@@ -27,7 +27,7 @@ struct RayView {
 
 /// For images of `width` x `height` pixels, and rays towards `cast`, which nothing needs to have traced: what they may
 /// meet is known from a coarse grid of the cells that hold triangles. `middle` is that of what sends the rays. Nothing
-/// where fewer than 16 of the rays that are looked at, one in seven, may meet anything, where their lines have no
+/// where fewer than 16 of the rays, or of some thousands of them, may meet anything, where their lines have no
 /// meeting point, and where no eye up to the middle sees all that they may meet.
 std::optional<RayView> viewOfRays(std::span<const SecondaryRay> rays, const Mesh& cast, const glm::vec3& middle,
                                   int width, int height);

@@ -119,12 +119,13 @@ class SpecularStage final : public EffectStage {
         scene_(std::make_shared<SpecularScene>(inputs.scene, specular,
                                                FirstSurfaces(*inputs.scene, specular.senders(*inputs.scene)))),
         order_(orderFrom(optionOf(inputs, kOrder))),
-        fitsRays_(fitsRays(optionOf(inputs, kReference))) {}
+        fitsRays_(fitsRays(optionOf(inputs, kReference))),
+        views_(viewsFor(fitsRays_ && inputs.picture ? scene_->raysOf(*inputs.picture) : SecondaryRays{})),
+        mirrorViews_(mirrorViews()) {}
 
   std::unique_ptr<EffectWay> build(const std::string& text) const override {
     const SpecularWayName way = specularWay(text);
-    const SecondaryRays rays = inputs_.picture ? scene_->raysOf(*inputs_.picture) : SecondaryRays{};
-    return std::make_unique<SpecularWay>(scene_, way, proxiesOf(way, viewsFor(rays), mirrorViews()), order_);
+    return std::make_unique<SpecularWay>(scene_, way, proxiesOf(way), order_);
   }
 
   void checkView(const PinholeCamera& camera) const override {
@@ -149,7 +150,7 @@ class SpecularStage final : public EffectStage {
     if (way.full == kTraced) {
       return wayOf(truth_->total, truth_->rays, truth_->picture, way);
     }
-    const SenderProxies proxies = proxiesOf(way, truth_->views, truth_->mirrorViews);
+    const SenderProxies proxies = proxiesOf(way);
     const SecondaryRays rays = way.exit ? scene_->raysOf(camera, way) : SecondaryRays{};
     const SecondaryRays& followed = way.exit ? rays : truth_->rays;
     return wayOf(proxies.total(), followed, shade(followed, proxies, order_, runs), way);
@@ -167,9 +168,9 @@ class SpecularStage final : public EffectStage {
     const int height = inputs_.environmentHeight;
     std::string views;
     std::string cells;
-    for (size_t i = 0; i < truth_->views.references.size(); ++i) {
-      views += (i > 0 ? ", " : "") + jsonText(truth_->views.references[i].view());
-      cells += fmt::format("{}{}", i > 0 ? ", " : "", truth_->views.cells[i].sideRadii);
+    for (size_t i = 0; i < views_.references.size(); ++i) {
+      views += (i > 0 ? ", " : "") + jsonText(views_.references[i].view());
+      cells += fmt::format("{}{}", i > 0 ? ", " : "", views_.cells[i].sideRadii);
     }
     return {{"rays", std::to_string(truth_->rays.rays.size()),
              fmt::format("{} rays, one a pixel that sends one on.", groupedDigits(truth_->rays.rays.size()))},
@@ -177,16 +178,16 @@ class SpecularStage final : public EffectStage {
              fmt::format("{} of them first meet objects that depth images stand for.", groupedDigits(castRays))},
             {"order", std::to_string(order_),
              order_ > 1 ? fmt::format("Rays of up to {} reflections.", order_) : std::string()},
-            {"reference", fmt::format("\"{}\"", fitsRays_ ? kOfRays : kOfMiddle)},
+            {"reference", fmt::format("\"{}\"", fitsRays_ && inputs_.picture ? kOfRays : kOfMiddle)},
             {"reference_views", "[" + views + "]"},
             {"reference_size", fmt::format("[{}, {}]", size.x, size.y),
              fmt::format("Reference images of {} x {} pixels, {}.", size.x, size.y,
-                         fitsRays_ ? "made for the view in which the rays seem to meet"
-                                   : "made for the middle of what sends the rays")},
+                         fitsRays_ && inputs_.picture ? "made for the view in which the rays seem to meet"
+                                                      : "made for the middle of what sends the rays")},
             {"cell_sides", "[" + cells + "]",
-             truth_->views.cells.size() == 1 ? fmt::format("They are for a cell of {:.3g} units around that.",
-                                                           static_cast<double>(truth_->views.cells[0].sideRadii))
-                                             : std::string("Each object that sends rays has its own.")},
+             views_.cells.size() == 1 ? fmt::format("They are for a cell of {:.3g} units around that.",
+                                                    static_cast<double>(views_.cells[0].sideRadii))
+                                      : std::string("Each object that sends rays has its own.")},
             {"environment_height", std::to_string(height),
              fmt::format("Environment maps are of {} x {} pixels.", 2 * height, height)}};
   }
@@ -197,8 +198,6 @@ class SpecularStage final : public EffectStage {
     glm::ivec2 size;
     SecondaryRays rays;
     ShadedPicture picture;
-    SenderViews views;
-    SenderViews mirrorViews;
     BuiltProxy total;
   };
 
@@ -206,24 +205,21 @@ class SpecularStage final : public EffectStage {
   bool hasOtherMirrors() const { return order_ > 1 && &scene_->senders() != &scene_->scene->mirrors; }
 
   void trace(const PinholeCamera& camera, int runs) {
-    Truth truth{camera.view(), {camera.width(), camera.height()}, scene_->raysOf(camera), {}, {}, mirrorViews(), {}};
-    truth.views = viewsFor(truth.rays);
-    const SenderProxies traced = proxiesOf(specularWay(kTraced), truth.views, truth.mirrorViews);
+    Truth truth{camera.view(), {camera.width(), camera.height()}, scene_->raysOf(camera), {}, {}};
+    const SenderProxies traced = proxiesOf(specularWay(kTraced));
     truth.picture = shade(truth.rays, traced, order_, runs);
     truth.total = traced.total();
     truth_ = std::move(truth);
   }
 
-  /// Fitted to the rays, where that is wanted and can be.
+  /// Fitted to the rays, where that can be.
   SenderViews viewsFor(const SecondaryRays& rays) const {
     SenderViews views;
     const std::vector<SpecularObject>& senders = scene_->senders();
     for (size_t i = 0; i < senders.size(); ++i) {
       std::vector<SecondaryRay> own;
-      if (fitsRays_) {
-        std::copy_if(rays.rays.begin(), rays.rays.end(), std::back_inserter(own),
-                     [&](const SecondaryRay& ray) { return ray.sender == i; });
-      }
+      std::copy_if(rays.rays.begin(), rays.rays.end(), std::back_inserter(own),
+                   [&](const SecondaryRay& ray) { return ray.sender == i; });
       addView(views, senders[i], own);
     }
     return views;
@@ -250,7 +246,7 @@ class SpecularStage final : public EffectStage {
     views.cells.push_back(cell);
   }
 
-  SenderProxies proxiesOf(const SpecularWayName& way, const SenderViews& views, const SenderViews& mirrorViews) const {
+  SenderProxies proxiesOf(const SpecularWayName& way) const {
     const auto built = [&](const std::vector<SpecularObject>& senders, const SenderViews& of) {
       std::vector<BuiltProxy> proxies;
       for (size_t i = 0; i < of.references.size(); ++i) {
@@ -260,13 +256,13 @@ class SpecularStage final : public EffectStage {
       }
       return proxies;
     };
-    return {built(scene_->senders(), views), built(scene_->scene->mirrors, mirrorViews)};
+    return {built(scene_->senders(), views_), built(scene_->scene->mirrors, mirrorViews_)};
   }
 
   /// `rays` are those of the way, of the same pixels as the traced ones.
   ShadedWay wayOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& picture,
                   const SpecularWayName& name) const {
-    const Yardsticks yardsticks{truth_->views.references, truth_->mirrorViews.references};
+    const Yardsticks yardsticks{views_.references, mirrorViews_.references};
     ShadeFigures row = figuresOf(built, truth_->rays, truth_->picture, picture, yardsticks);
     ShadedWay way{.name = built.name, .picture = picture.color};
     if (name.exit) {
@@ -292,6 +288,8 @@ class SpecularStage final : public EffectStage {
   std::shared_ptr<const SpecularScene> scene_;
   int order_;
   bool fitsRays_;
+  SenderViews views_;
+  SenderViews mirrorViews_;  ///< of rays that go on from mirrors, where those are not the senders
   std::optional<Truth> truth_;
 };
 
