@@ -110,7 +110,7 @@ void measure(const BenchChoice& choice, size_t triangles) {
   const ShadedScene scene = loadShadedScene(source, rolesFor(source, ""));
   const Box senders = boundsOf(scene.mirrors);
   const SecondaryRays rays = reflectedRays({scene, scene.mirrors}, PinholeCamera(pictureView(senders), 720, 480));
-  const PinholeCamera reference(referenceView(scene.cast, senders, 720, 480).value(), 720, 480);
+  const PinholeCamera reference(referenceView(scene.cast, senders, 720, 480), 720, 480);
   const glm::vec3 size = senders.size();
   const ViewCell cell{.sideRadii = std::max({size.x, size.y, size.z})};
   std::vector<RayPath> paths;

@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "cli/command.h"
@@ -27,12 +29,12 @@ struct ShadeChoice {
   std::string roles;
   std::string effect = "reflection";
   std::vector<std::string> by;
-  std::vector<std::string> settings;
   std::string view;
   std::string size = "720x480";
   std::string imageSize = "720x480";
   std::string cell;
   int environmentHeight = 1024;
+  std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
   int runs = 1;
   bool compares = false;
   std::string json;
@@ -68,6 +70,25 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
+/// Throws InputError for options that the effect does not have, and for values that they do not take.
+std::map<std::string, std::string> givenOptions(const ShadeChoice& choice, const Effect& effect) {
+  std::map<std::string, std::string> given;
+  for (const auto& [name, value] : choice.options) {
+    if (value.empty()) {
+      continue;
+    }
+    const auto row = std::find_if(effect.options.begin(), effect.options.end(),
+                                  [&](const EffectOption& option) { return name == option.name; });
+    if (row == effect.options.end()) {
+      throw InputError(fmt::format("the effect \"{}\" has no such option", effect.name), "--" + name,
+                       "leave it away, or choose another --effect");
+    }
+    row->check(value);
+    given[name] = value;
+  }
+  return given;
+}
+
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
@@ -77,6 +98,7 @@ class ShadeRun {
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
+    const std::map<std::string, std::string> options = givenOptions(choice, effect_);
     const auto scene = std::make_shared<const ShadedScene>(
         loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
                         choice.scene.options, context.progress()));
@@ -89,7 +111,8 @@ class ShadeRun {
     }
     inputs.environmentHeight = choice.environmentHeight;
     inputs.progress = context.progress();
-    inputs.options = effectOptions(effect_, choice.settings);
+    inputs.picture = camera_;
+    inputs.options = options;
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
   }
@@ -185,14 +208,26 @@ std::string waysHelp() {
   return text;
 }
 
-std::string settingsHelp() {
-  std::string text = "Numbers that an effect takes.";
+/// Each option of the effects once, however many have it.
+void addEffectOptions(CLI::App& command, ShadeChoice& choice) {
   for (const Effect& effect : shadeEffects()) {
     for (const EffectOption& option : effect.options) {
-      text += fmt::format(" {}: {} ({}; by default {}).", option.name, option.meaning, effect.name, option.otherwise);
+      if (choice.options.contains(option.name)) {
+        continue;
+      }
+      std::string of;
+      for (const Effect& other : shadeEffects()) {
+        const bool has = std::any_of(other.options.begin(), other.options.end(), [&](const EffectOption& each) {
+          return std::string_view(each.name) == option.name;
+        });
+        of += has ? (of.empty() ? "" : ", ") + std::string(other.name) : "";
+      }
+      command
+          .add_option("--" + std::string(option.name), choice.options[option.name],
+                      fmt::format("{} ({} by default). For {}", option.meaning, option.initial, of))
+          ->type_name(option.values);
     }
   }
-  return text;
 }
 
 }  // namespace
@@ -210,7 +245,6 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       ->type_name("FILE.json");
   command.add_option("--effect", choice->effect, effectHelp())->type_name("NAME");
   command.add_option("--by", choice->by, waysHelp())->required()->delimiter(',')->type_name("NAME,...");
-  command.add_option("--set", choice->settings, settingsHelp())->delimiter(',')->type_name("NAME=VALUE,...");
   command
       .add_option("--view", choice->view,
                   "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
@@ -222,13 +256,14 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       .add_option(
           "--cell", choice->cell,
           "Size of the cell of viewpoints that the reference images are made for, as for evaluate; by default as "
-          "large as what sends the rays")
+          "wide as the rays are at the reference view, or as large as what sends them")
       ->type_name("SIDE");
   command
       .add_option("--environment-height", choice->environmentHeight,
                   "Rows of environment maps, which have twice as many columns")
       ->check(CLI::Range(2, 16384))
       ->type_name("N");
+  addEffectOptions(command, *choice);
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")
       ->check(CLI::Range(1, 1000))
@@ -242,7 +277,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
-                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,cell --set radius=0.4 --page ambient\n"
+                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,corners-8 --radius 0.4 --page ambient\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {
                    checkOutputs(*choice);

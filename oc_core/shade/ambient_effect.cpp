@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <charconv>
 #include <cmath>
 
 #include "oc_core/ambient/ambient_error.h"
@@ -98,16 +99,56 @@ Image<Rgb8> ambientErrorMap(const AmbientSight& sight, const std::vector<float>&
   return map;
 }
 
-std::optional<double> ambientOption(const StageInputs& inputs, const char* name) {
-  const auto found = inputs.options.find(name);
-  return found == inputs.options.end() ? std::nullopt : std::optional(found->second);
+constexpr const char* kByItself = "auto";
+
+/// A number, or nothing for "auto". Throws InputError for another text.
+std::optional<double> numberOrAuto(const std::string& text, const char* option, double least, double most) {
+  if (text == kByItself) {
+    return std::nullopt;
+  }
+  double value = 0;
+  const char* const end = text.data() + text.size();
+  const auto [stop, problem] = std::from_chars(text.data(), end, value);
+  if (problem != std::errc() || stop != end || !(value >= least && value <= most)) {
+    throw InputError(fmt::format("\"{}\" is no number from {} to {}", text, least, most), std::string("--") + option,
+                     std::string("give such a number, or ") + kByItself);
+  }
+  return value;
+}
+
+std::optional<double> radiusFrom(const std::string& text) {
+  return numberOrAuto(text, "radius", 0, 1e6);
+}
+std::optional<double> splitFrom(const std::string& text) {
+  return numberOrAuto(text, "split", -1, 2);
+}
+std::optional<double> turnFrom(const std::string& text) {
+  return numberOrAuto(text, "turn", 0, 80);
+}
+
+const std::vector<EffectOption>& ambientOptions() {
+  static const std::vector<EffectOption> options{
+      {"radius", "DISTANCE|auto", kByItself,
+       "From where on nothing hides light, world units; auto: 0.15 of the scene's diagonal",
+       [](const std::string& value) { radiusFrom(value); }},
+      {"split", "SHARE|auto", kByItself,
+       "Where the splitting point of the graph camera lies, from 0 for the scene's middle to 1 for behind it; auto: on "
+       "a curve made for the scene",
+       [](const std::string& value) { splitFrom(value); }},
+      {"turn", "DEGREES|auto", kByItself, "Of the viewpoints of the graph camera beyond its plane; auto: 30",
+       [](const std::string& value) { turnFrom(value); }}};
+  return options;
 }
 
 AmbientSettings ambientSettings(const StageInputs& inputs) {
+  const auto given = [&](const char* name) {
+    const auto found = inputs.options.find(name);
+    return found == inputs.options.end() ? std::string(kByItself) : found->second;
+  };
   AmbientSettings settings;
-  settings.radius = ambientOption(inputs, "radius");
-  settings.splitShare = ambientOption(inputs, "split");
-  settings.turnDegrees = ambientOption(inputs, "turn").value_or(settings.turnDegrees);
+  settings.radius = radiusFrom(given("radius"));
+  settings.splitShare = splitFrom(given("split"));
+  settings.turnDegrees = turnFrom(given("turn")).value_or(settings.turnDegrees);
   settings.cellSide = inputs.cellSide;
   return settings;
 }
@@ -237,7 +278,7 @@ Effect ambientEffect() {
       "how much of an even sky reaches objects with the role \"receive\", or all of a scene without it";
   effect.ways =
       "traced or traced-N (N rays a point at the geometry), horizon (in the view's depth buffer), horizon-wide (with a "
-      "border), graph (horizons in a graph camera of three frusta), graph-rays (rays at its samples), horizon:NAME (in "
+      "border), graph (horizons in a graph camera of three frusta), graph-rays (rays at its samples), NAME:horizon (in "
       "another graph camera), or the reference images of a camera: a name or a JSON file";
   for (const AmbientFigure& figure : ambientFigures()) {
     effect.columns.push_back(figure.column);
@@ -259,11 +300,7 @@ Effect ambientEffect() {
   effect.stage = [](const StageInputs& inputs) -> std::unique_ptr<EffectStage> {
     return std::make_unique<AmbientStage>(inputs);
   };
-  effect.options = {
-      {"radius", "from where on nothing hides light, world units", "0.15 of the scene's diagonal", 0, 1e6},
-      {"split", "where the splitting point of the graph camera lies, from 0 for the scene's middle to 1 for behind it",
-       "on a curve made for the scene", -1, 2},
-      {"turn", "of the viewpoints of the graph camera beyond its plane, degrees", "30", 0, 80}};
+  effect.options = ambientOptions();
   effect.needsRoles = false;
   return effect;
 }

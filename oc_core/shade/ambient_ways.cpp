@@ -173,7 +173,7 @@ const NamedWay* namedWay(const std::string& way) {
 }
 
 constexpr std::string_view kTracedPrefix = "traced-";
-constexpr std::string_view kHorizonPrefix = "horizon:";
+constexpr std::string_view kHorizonWord = ":horizon";
 
 /// Of "traced-N".
 std::optional<int> raysIn(const std::string& way) {
@@ -217,8 +217,8 @@ AmbientLight ambientLightBy(const std::string& way, const AmbientInputs& inputs,
   if (const std::optional<int> rays = raysIn(way)) {
     return tracedLight(inputs, runs, *rays, kOtherSeed);
   }
-  if (way.starts_with(kHorizonPrefix)) {
-    const std::string name = way.substr(kHorizonPrefix.size());
+  if (way.ends_with(kHorizonWord)) {
+    const std::string name = way.substr(0, way.size() - kHorizonWord.size());
     const PerspectiveImage image =
         perspectiveImage(name, inputs.scene.shaded->whole, inputs.scene.mesh(), inputs.sight.camera);
     return graphLight(graphCameraOf(image, name), inputs, runs);
@@ -230,8 +230,8 @@ void checkAmbientWay(const std::string& way) {
   if (namedWay(way) != nullptr || raysIn(way)) {
     return;
   }
-  const bool isHorizon = way.starts_with(kHorizonPrefix);
-  const std::string name = isHorizon ? way.substr(kHorizonPrefix.size()) : way;
+  const bool isHorizon = way.ends_with(kHorizonWord);
+  const std::string name = isHorizon ? way.substr(0, way.size() - kHorizonWord.size()) : way;
   if (namesConstructor(name)) {
     return;
   }

@@ -44,7 +44,7 @@ inline constexpr int kImageRays = 64;
 ///   graph          horizons in the image of three frusta (three_frusta.h) with the same border; points that it does
 ///                  not hold take those of the view with that border
 ///   graph-rays     rays at the samples of the same image
-///   horizon:NAME   horizons in the image of a graph camera: a constructor's name or a JSON file
+///   NAME:horizon   horizons in the image of a graph camera: a constructor's name or a JSON file
 ///   NAME           rays at the reference images of a camera, for the view with that border: a name, or a JSON file of
 ///                  an occlusion camera or a graph camera
 /// Throws InputError for another, and where images cannot be built.

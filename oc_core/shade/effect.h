@@ -89,13 +89,14 @@ class EffectStage {
   virtual std::vector<ShadeFact> facts(const PinholeCamera& camera) = 0;
 };
 
-/// A number that an effect takes, `--set NAME=VALUE`.
+/// An option that an effect has of its own: `--NAME VALUE`. Effects may share one.
 struct EffectOption {
   const char* name;
-  const char* meaning;    ///< with its unit
-  const char* otherwise;  ///< what stands where it is not given, in words
-  double least;           ///< both included
-  double most;
+  const char* values;   ///< what it takes, in help
+  const char* initial;  ///< its value by default
+  const char* meaning;
+  /// Throws InputError for a value that it does not take.
+  void (*check)(const std::string& value);
 };
 
 struct StageInputs {
@@ -105,7 +106,11 @@ struct StageInputs {
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
   Progress progress = {};
-  std::map<std::string, double> options = {};  ///< those that are given, by name: each is one of the effect's
+  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn
+  /// then.
+  std::optional<PinholeCamera> picture = {};
+  /// Of Effect::options, by name; those that are missing have their initial value.
+  std::map<std::string, std::string> options = {};
 };
 
 struct Effect {

@@ -14,8 +14,4 @@ const std::vector<Effect>& shadeEffects();
 /// Throws InputError that lists them for another name.
 const Effect& shadeEffect(const std::string& name);
 
-/// What a user sets, "NAME=VALUE" each. Throws InputError for a name that the effect does not have, one that is given
-/// twice, and for a value that is no number or out of range.
-std::map<std::string, double> effectOptions(const Effect& effect, const std::vector<std::string>& texts);
-
 }  // namespace ocelli

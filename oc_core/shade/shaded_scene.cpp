@@ -48,10 +48,25 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   return mesh;
 }
 
-void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex) {
-  SpecularObject object{std::move(mesh), {}, refractiveIndex};
+void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex, bool isCast) {
+  SpecularObject object{std::move(mesh), {}, refractiveIndex, isCast};
   object.normals = vertexNormals(object.mesh);
   objects.push_back(std::move(object));
+}
+
+/// From the middle of what sends rays towards the cast objects, 90 degrees high. Nothing where they have one middle.
+std::optional<View> viewTowards(const Mesh& cast, const Box& senders) {
+  View view;
+  view.eye = senders.center();
+  view.target = boundsOf(cast).center();
+  const glm::vec3 way = view.target - view.eye;
+  if (!(glm::length(way) > 0)) {
+    return std::nullopt;
+  }
+  view.up = std::abs(way.y) > 0.95f * glm::length(way) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  view.zNear = 1e-3f * glm::length(way);
+  view.fovVerticalDegrees = 90;
+  return view;
 }
 
 }  // namespace
@@ -117,9 +132,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
     shaded.whole.objectOfTriangle.resize(shaded.whole.mesh.triangles.size(), identity);
     shaded.rolesOfTriangle.resize(shaded.whole.mesh.triangles.size(), role.roles);
     if (role.has(kMirrors)) {
-      addSpecular(shaded.mirrors, std::move(mesh), 1);
+      addSpecular(shaded.mirrors, std::move(mesh), 1, role.has(kCasts));
     } else if (role.has(kRefracts)) {
-      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex);
+      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex, false);
     } else {
       append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
     }
@@ -144,18 +159,12 @@ View pictureView(const Box& senders) {
   return view;
 }
 
-std::optional<View> referenceView(const Mesh& cast, const Box& senders, int width, int height) {
-  View view;
-  view.eye = senders.center();
-  view.target = boundsOf(cast).center();
-  const glm::vec3 way = view.target - view.eye;
-  if (!(glm::length(way) > 0)) {
-    return std::nullopt;
+std::optional<View> planeView(const Mesh& cast, const Box& senders, int width, int height) {
+  std::optional<View> view = viewTowards(cast, senders);
+  if (!view) {
+    return view;
   }
-  view.up = std::abs(way.y) > 0.95f * glm::length(way) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-  view.zNear = 1e-3f * glm::length(way);
-  view.fovVerticalDegrees = 90;
-  const PinholeCamera wide(view, width, height);
+  const PinholeCamera wide(*view, width, height);
   constexpr double kMargin = 1.04;
   constexpr double kMaxTangent = 4;  // 152 degrees
   double tangent = 0;
@@ -163,14 +172,32 @@ std::optional<View> referenceView(const Mesh& cast, const Box& senders, int widt
     for (int corner = 0; corner < 3; ++corner) {
       const glm::dvec3 p(wide.cameraFromWorld(cast.positions[triangle[corner]]));
       const double aside = std::max(std::abs(p.y), std::abs(p.x) * height / width);
-      tangent = std::max(tangent, p.z > static_cast<double>(view.zNear) ? aside / p.z : 2 * kMaxTangent);
+      tangent = std::max(tangent, p.z > static_cast<double>(view->zNear) ? aside / p.z : 2 * kMaxTangent);
     }
   }
   if (tangent * kMargin > kMaxTangent) {
     return std::nullopt;
   }
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(tangent * kMargin));
+  view->fovVerticalDegrees = 2 * degreesFromRadians(std::atan(tangent * kMargin));
   return view;
+}
+
+View referenceView(const Mesh& cast, const Box& senders, int width, int height, WhatLiesAround around) {
+  if (const std::optional<View> view = planeView(cast, senders, width, height)) {
+    return *view;
+  }
+  std::optional<View> view = viewTowards(cast, senders);
+  if (!view) {
+    throw InputError("the objects that are cast stand around what mirrors or refracts", "the roles",
+                     "move them apart, or give objects on the other side the role \"billboard\"");
+  }
+  if (around == WhatLiesAround::kIsAnError) {
+    throw InputError("the objects that are cast reach around what mirrors or refracts: no image plane holds them",
+                     "the roles", "give those beside and behind it another role, such as \"billboard\"");
+  }
+  constexpr double kWideTangent = 1.2;  // 100 degrees
+  view->fovVerticalDegrees = 2 * degreesFromRadians(std::atan(kWideTangent));
+  return *view;
 }
 
 View aroundView(const Mesh& cast, const Box& senders) {
@@ -206,7 +233,8 @@ View unhiddenView(const View& view, const ShadedScene& scene, const Box& senders
     const auto hidden = std::count_if(points.begin(), points.end(), [&](const glm::vec3& point) {
       return rays.hit({raised.eye, point}).has_value();
     });
-    if (2 * static_cast<size_t>(hidden) <= points.size()) {
+    const auto count = static_cast<size_t>(hidden);
+    if (step == 0 ? count < points.size() : 2 * count <= points.size()) {
       return raised;
     }
   }

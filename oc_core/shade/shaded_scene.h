@@ -16,13 +16,14 @@ struct SpecularObject {
   Mesh mesh;
   std::vector<glm::vec3> normals;
   double refractiveIndex = 1;  ///< of one that refracts
+  bool isCast = false;         ///< of one that mirrors: whether rays of others meet it, through depth images
 };
 
 struct ShadedScene {
   std::string source = {};  ///< as errors say it
   std::vector<SpecularObject> mirrors;
   std::vector<SpecularObject> lenses;
-  Mesh cast;          ///< what depth images stand for
+  Mesh cast;          ///< what depth images stand for, but for mirrors among it
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
   /// All objects together, with the guides of the scene: for light from all sides, and for constructors of cameras.
@@ -49,16 +50,23 @@ void requireCast(const ShadedScene& scene);
 /// and as wide as the sphere around that.
 View pictureView(const Box& senders);
 
+/// What becomes of objects beside and behind what sends rays to them, which no image plane holds.
+enum class WhatLiesAround { kIsAnError, kMayBeLost };
+
 /// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
-/// them, and as wide as they are from there, with a margin. Nothing where they lie around that place, so that no image
-/// plane holds them.
-std::optional<View> referenceView(const Mesh& cast, const Box& senders, int width, int height);
-/// The view for objects that lie around: from the same place straight towards +z, whence the default view looks, 90
-/// degrees high. Images of one plane show those there; panoramas and graph cameras see more.
+/// them, and as wide as they are from there, with a margin. Throws InputError where they lie around that place, so that
+/// no image plane holds them; or, where what lies around may be lost, gives a view of 100 degrees then.
+View referenceView(const Mesh& cast, const Box& senders, int width, int height,
+                   WhatLiesAround around = WhatLiesAround::kIsAnError);
+/// The same; nothing where referenceView() throws.
+std::optional<View> planeView(const Mesh& cast, const Box& senders, int width, int height);
+/// A view for objects that lie all around: from the middle of what sends rays straight towards +z, whence the default
+/// view looks, 90 degrees high. Images of one plane show those there; panoramas and graph cameras see more.
 View aroundView(const Mesh& cast, const Box& senders);
 
-/// The picture's view, raised about its target in steps of 15 degrees up to 75, while other objects hide more than half
-/// of `senders` from it: the first where they do not; as it is where there is none.
+/// The picture's view, where it shows anything of what lies in `senders`; where other objects hide all of that, raised
+/// about its target in steps of 15 degrees up to 75, to where they hide half of it at most. As it is where that is
+/// nowhere.
 View unhiddenView(const View& view, const ShadedScene& scene, const Box& senders);
 
 Box boundsOf(const std::vector<SpecularObject>& objects);

@@ -45,9 +45,9 @@ PinholeCamera fromAside() {
 }
 
 TEST(AmbientEffect, measuresAllItsWays) {
-  const auto stage = shadeEffect("ambient").stage({.scene = boxBeforeWall(), .options = {{"radius", 0.9}}});
+  const auto stage = shadeEffect("ambient").stage({.scene = boxBeforeWall(), .options = {{"radius", "0.9"}}});
   for (const char* name : {"traced", "traced-16", "horizon", "horizon-wide", "graph", "graph-rays", "di", "cell",
-                           "occluder", "horizon:occluder"}) {
+                           "occluder", "occluder:horizon"}) {
     EXPECT_NO_THROW(checkAmbientWay(name)) << name;
     const bool hasObject = std::string(name).find("occluder") == std::string::npos;
     if (!hasObject) {
@@ -70,17 +70,17 @@ TEST(AmbientEffect, measuresAllItsWays) {
 TEST(AmbientEffect, takesGraphCamerasFromFiles) {
   const test::TemporaryFolder folder;
   const std::string file = folder.write("around.json", R"({"camera": "occluder", "object": 1})");
-  const auto stage = shadeEffect("ambient").stage({.scene = boxBeforeWall(), .options = {{"radius", 0.9}}});
+  const auto stage = shadeEffect("ambient").stage({.scene = boxBeforeWall(), .options = {{"radius", "0.9"}}});
   View view;
   view.eye = {0, 1.5f, 9};
   const PinholeCamera camera(view, 90, 60);
-  for (const std::string& name : {file, "horizon:" + file}) {
+  for (const std::string& name : {file, file + ":horizon"}) {
     EXPECT_NO_THROW(checkAmbientWay(name));
     const ShadedWay way = stage->measure(name, camera, 1);
     EXPECT_LT(*way.figures[figure("rmse")], 0.15) << name;
   }
   const std::string curved = folder.write("curved.json", R"({"camera": "curved", "turns": []})");
-  EXPECT_THROW(stage->measure("horizon:" + curved, camera, 1), InputError);
+  EXPECT_THROW(stage->measure(curved + ":horizon", camera, 1), InputError);
 }
 
 // A way that has been built stands for itself, and draws what is measured.
@@ -110,7 +110,7 @@ TEST(AmbientEffect, measuresOnWhatReceives) {
 }
 
 TEST(AmbientEffect, hidesNothingWithinNoRadius) {
-  const auto stage = shadeEffect("ambient").stage({.scene = boxBeforeWall(), .options = {{"radius", 0}}});
+  const auto stage = shadeEffect("ambient").stage({.scene = boxBeforeWall(), .options = {{"radius", "0"}}});
   for (const char* name : {"traced", "horizon", "graph", "di"}) {
     const ShadedWay way = stage->measure(name, fromAside(), 1);
     EXPECT_NEAR(*way.figures[figure("mean_light")], 1, 1e-9) << name;
@@ -122,7 +122,7 @@ TEST(AmbientEffect, saysWhatItCannotDo) {
   const Effect& effect = shadeEffect("ambient");
   EXPECT_FALSE(effect.needsRoles);
   EXPECT_THROW(effect.requireObjects(ShadedScene{}), InputError);
-  for (const char* name : {"traced-0", "traced-many", "traced-9999", "horizon:cell", "geometry", "nothing.json"}) {
+  for (const char* name : {"traced-0", "traced-many", "traced-9999", "cell:horizon", "geometry", "nothing.json"}) {
     EXPECT_THROW(checkAmbientWay(name), Error) << name;
   }
   const auto stage = effect.stage({.scene = boxBeforeWall()});
@@ -139,21 +139,15 @@ TEST(AmbientEffect, saysWhatItCannotDo) {
   EXPECT_NO_THROW(stage->measure("horizon", PinholeCamera(down, 90, 60), 1));
 }
 
-TEST(EffectOptions, areReadAndChecked) {
-  const Effect& effect = shadeEffect("ambient");
-  const auto values = effectOptions(effect, {"radius=0.5", "turn=12"});
-  EXPECT_EQ(values.at("radius"), 0.5);
-  EXPECT_EQ(values.at("turn"), 12);
-  EXPECT_TRUE(effectOptions(effect, {}).empty());
-  for (const char* text : {"radius", "radius=", "radius=x", "radius=1x", "radius=-1", "radius=nan", "turn=400"}) {
-    EXPECT_THAT([&] { effectOptions(effect, {text}); }, ThrowsMessage<InputError>(HasSubstr("must be a number")))
-        << text;
+TEST(AmbientEffect, checksItsOptions) {
+  for (const EffectOption& option : shadeEffect("ambient").options) {
+    EXPECT_NO_THROW(option.check(option.initial)) << option.name;
+    EXPECT_NO_THROW(option.check("0.5")) << option.name;
+    for (const char* text : {"", "x", "1x", "-2", "nan", "1e9"}) {
+      EXPECT_THAT([&] { option.check(text); }, ThrowsMessage<InputError>(HasSubstr(std::string("--") + option.name)))
+          << option.name << " " << text;
+    }
   }
-  EXPECT_THAT([&] { effectOptions(effect, {"radios=1"}); },
-              ThrowsMessage<InputError>(HasSubstr("radius, split, turn")));
-  EXPECT_THAT([&] { effectOptions(effect, {"turn=1", "turn=2"}); }, ThrowsMessage<InputError>(HasSubstr("twice")));
-  EXPECT_THAT([&] { effectOptions(shadeEffect("reflection"), {"radius=1"}); },
-              ThrowsMessage<InputError>(HasSubstr("leave --set out")));
 }
 
 }  // namespace

@@ -66,7 +66,7 @@ TEST(ShadedScene, looksForRolesBesideTheScene) {
 
 TEST(ReferenceView, holdsWhatIsCast) {
   const ShadedScene scene = test::mirrorBeforeBox();
-  const PinholeCamera camera(*referenceView(scene.cast, boundsOf(scene.mirrors), 90, 60), 90, 60);
+  const PinholeCamera camera(referenceView(scene.cast, boundsOf(scene.mirrors), 90, 60), 90, 60);
   float nearestToBorder = 60;
   for (const glm::vec3& position : scene.cast.positions) {
     const auto q = camera.project(position);
@@ -77,21 +77,34 @@ TEST(ReferenceView, holdsWhatIsCast) {
   EXPECT_LT(nearestToBorder, 4) << "and little else";
 }
 
-TEST(ReferenceView, isNoneOfWhatLiesAround) {
+TEST(PlaneView, isNoneOfWhatLiesAround) {
   Mesh around = test::wall(1, 1);
   append(around, test::wall(-1, 1));
   const auto viewFrom = [&](const glm::vec3& at) {
     Box senders;
     senders.add(at);
-    return referenceView(around, senders, 90, 60);
+    return planeView(around, senders, 90, 60);
   };
   EXPECT_FALSE(viewFrom({0, 0, 0}));
   EXPECT_FALSE(viewFrom({0, 0, 0.1f}));
-  EXPECT_TRUE(viewFrom({0, 0, 3}));
+  ASSERT_TRUE(viewFrom({0, 0, 3}));
   Box senders;
   senders.add({0, 0, 0.1f});
   const PinholeCamera ahead(aroundView(around, senders), 90, 60);
   EXPECT_TRUE(ahead.project({0, 0, 1})) << "what lies to the front";
+}
+
+TEST(ReferenceView, refusesWhatLiesAround) {
+  Mesh around = test::wall(1, 1);
+  append(around, test::wall(-1, 1));
+  const auto view = [&](const glm::vec3& at) {
+    Box senders;
+    senders.add(at);
+    referenceView(around, senders, 90, 60);
+  };
+  EXPECT_THAT([&] { view({0, 0, 0}); }, ThrowsMessage<InputError>(HasSubstr("stand around")));
+  EXPECT_THAT([&] { view({0, 0, 0.1f}); }, ThrowsMessage<InputError>(HasSubstr("no image plane holds them")));
+  EXPECT_NO_THROW(view({0, 0, 3}));
 }
 
 }  // namespace
