@@ -13,6 +13,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/depth_rays/depth_ray_caster.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/shade/shaded_scene.h"
 
@@ -95,6 +96,8 @@ struct StageInputs {
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
   Progress progress = {};
+  /// Casts rays at depth images, for ways of which Effect::castsOnDevice() says so; nothing: the CPU does.
+  std::shared_ptr<const DepthRayCaster> caster = {};
 };
 
 struct Effect {
@@ -114,6 +117,8 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  /// Whether StageInputs::caster casts the rays of a way; nullptr for an effect without such ways.
+  bool (*castsOnDevice)(const std::string& way) = nullptr;
 };
 
 }  // namespace ocelli

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
 #include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
@@ -13,6 +14,8 @@ namespace ocelli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr size_t kRaysATask = 512;
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -85,11 +88,37 @@ class DepthImageProxy final : public SceneProxy {
       : target_(images),
         billboards_(in.scene.billboards),
         map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()),
-        reach_(reachOf(in.scene)) {}
+        reach_(reachOf(in.scene)),
+        onDevice_(in.caster != nullptr ? in.caster->prepare(target_) : nullptr) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
     const RayPath path = pathOf(ray, reach_);
-    const std::optional<Hit> hit = target_.hit(path, cost);
+    return seenBy(ray, path, target_.hit(path, cost));
+  }
+  bool hitsOnDevice(std::span<const SecondaryRay> rays, std::span<ProxyHit> found,
+                    std::span<RayCost> costs) const override {
+    if (onDevice_ == nullptr) {
+      return false;
+    }
+    std::vector<RayPath> paths(rays.size());
+    std::vector<std::optional<Hit>> hits(rays.size());
+    parallelFor(rays.size(), kRaysATask, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        paths[i] = pathOf(rays[i], reach_);
+      }
+    });
+    onDevice_->hits(paths, hits, costs);
+    parallelFor(rays.size(), kRaysATask, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        found[i] = seenBy(rays[i], paths[i], hits[i]);
+      }
+    });
+    return true;
+  }
+  const DepthImageTarget& target() const { return target_; }
+
+ private:
+  ProxyHit seenBy(const SecondaryRay& ray, const RayPath& path, const std::optional<Hit>& hit) const {
     const std::optional<Hit> billboard = billboards_.hit(path);
     if (hit && (!billboard || hit->t <= billboard->t)) {
       return {hit->color, hit->t, true};
@@ -97,13 +126,12 @@ class DepthImageProxy final : public SceneProxy {
     return billboard ? ProxyHit{billboard->color, billboard->t, false}
                      : ProxyHit{map_.colorOf(ray.direction), {}, false};
   }
-  const DepthImageTarget& target() const { return target_; }
 
- private:
   DepthImageTarget target_;
   RayScene billboards_;
   EnvironmentMap map_;
   float reach_;
+  std::unique_ptr<DepthRayCaster::Target> onDevice_;
 };
 
 BuiltProxy buildTraced(const ProxyInputs& in) {

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
-#include "oc_core/depth_rays/ray_cost.h"
+#include "oc_core/depth_rays/depth_ray_caster.h"
 #include "oc_core/ocri/view_cell.h"
 #include "oc_core/shade/effect.h"
 #include "oc_core/shade/secondary_rays.h"
@@ -29,6 +29,12 @@ class SceneProxy {
   virtual ~SceneProxy() = default;
   /// `cost` grows by what it took in pyramids. Safe to call from many threads.
   virtual ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const = 0;
+  /// The same for each of many rays, which the caster of ProxyInputs casts; false where none casts them. Called by one
+  /// thread at a time.
+  virtual bool hitsOnDevice(std::span<const SecondaryRay> /*rays*/, std::span<ProxyHit> /*found*/,
+                            std::span<RayCost> /*costs*/) const {
+    return false;
+  }
   /// Whether it tells distances.
   virtual bool hasDepth() const { return true; }
 };
@@ -40,6 +46,7 @@ struct ProxyInputs {
   ViewCell cell;                   ///< that they are made for: what sends rays lies in it
   int environmentHeight = 1024;
   const Progress& progress;
+  const DepthRayCaster* caster = nullptr;  ///< of rays at reference images; nullptr: the CPU
 };
 
 struct BuiltProxy {

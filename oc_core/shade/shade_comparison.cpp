@@ -5,6 +5,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/image_quality.h"
@@ -13,7 +14,29 @@
 namespace ocelli {
 namespace {
 
+using Clock = std::chrono::steady_clock;
+
 constexpr size_t kChunks = 256;
+
+ShadedPicture blankPicture(const SecondaryRays& rays) {
+  return {rays.base, std::vector<ProxyHit>(rays.rays.size()), std::vector<uint32_t>(rays.rays.size())};
+}
+
+/// Time and cost of a run that began at `start`.
+void addRun(ShadedPicture& picture, int run, Clock::time_point start, const std::vector<RayCost>& costs) {
+  const double taken = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+  picture.milliseconds = run == 0 ? taken : std::min(picture.milliseconds, taken);
+  picture.cost = {};
+  for (const RayCost& cost : costs) {
+    picture.cost += cost;
+  }
+}
+
+void colorPixels(const SecondaryRays& rays, ShadedPicture& picture) {
+  for (size_t i = 0; i < rays.rays.size(); ++i) {
+    picture.color[rays.rays[i].pixel] = picture.hits[i].color;
+  }
+}
 
 /// The linear colours of the rays' pixels alone, as an image of one row.
 Image<Rgb8> colorsOfRays(const SecondaryRays& rays, const ShadedPicture& picture) {
@@ -55,11 +78,28 @@ Rgb8 heat(double share) {
 }  // namespace
 
 ShadedPicture shade(const SecondaryRays& rays, const SceneProxy& proxy, int runs) {
-  ShadedPicture picture{
-      rays.base, std::vector<ProxyHit>(rays.rays.size()), std::vector<uint32_t>(rays.rays.size()), {}, 0};
+  ShadedPicture picture = blankPicture(rays);
+  picture.onDevice = true;
+  std::vector<RayCost> costs(rays.rays.size());
+  for (int run = 0; run < runs; ++run) {
+    const auto start = Clock::now();
+    if (!proxy.hitsOnDevice(rays.rays, picture.hits, costs)) {
+      return shadeOnCpu(rays, proxy, runs);
+    }
+    addRun(picture, run, start, costs);
+  }
+  for (size_t i = 0; i < rays.rays.size(); ++i) {
+    picture.stepsOfRay[i] = static_cast<uint32_t>(costs[i].steps());
+  }
+  colorPixels(rays, picture);
+  return picture;
+}
+
+ShadedPicture shadeOnCpu(const SecondaryRays& rays, const SceneProxy& proxy, int runs) {
+  ShadedPicture picture = blankPicture(rays);
   for (int run = 0; run < runs; ++run) {
     std::vector<RayCost> costs(kChunks);
-    const auto start = std::chrono::steady_clock::now();
+    const auto start = Clock::now();
     parallelChunks(rays.rays.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const size_t before = costs[chunk].steps();
@@ -67,17 +107,26 @@ ShadedPicture shade(const SecondaryRays& rays, const SceneProxy& proxy, int runs
         picture.stepsOfRay[i] = static_cast<uint32_t>(costs[chunk].steps() - before);
       }
     });
-    const double taken = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    picture.milliseconds = run == 0 ? taken : std::min(picture.milliseconds, taken);
-    picture.cost = {};
-    for (const RayCost& cost : costs) {
-      picture.cost += cost;
-    }
+    addRun(picture, run, start, costs);
   }
-  for (size_t i = 0; i < rays.rays.size(); ++i) {
-    picture.color[rays.rays[i].pixel] = picture.hits[i].color;
-  }
+  colorPixels(rays, picture);
   return picture;
+}
+
+size_t differingRays(const ShadedPicture& a, const ShadedPicture& b) {
+  OC_CHECK(a.hits.size() == b.hits.size(), "pictures of the same rays");
+  constexpr float kNear = 1e-4f;  // of the distance: a hundred roundings and more
+  constexpr float kGrey = 1.0f / 255;
+  size_t differing = 0;
+  for (size_t i = 0; i < a.hits.size(); ++i) {
+    const ProxyHit& p = a.hits[i];
+    const ProxyHit& q = b.hits[i];
+    const glm::vec3 step = glm::abs(p.color - q.color);
+    differing += p.onCast != q.onCast || p.distance.has_value() != q.distance.has_value() ||
+                 (p.distance && std::abs(*p.distance - *q.distance) > kNear * *p.distance) ||
+                 std::max({step.x, step.y, step.z}) > kGrey;
+  }
+  return differing;
 }
 
 std::vector<HitState> compareHits(const SecondaryRays& rays, const ShadedPicture& truth, const ShadedPicture& picture,

@@ -9,6 +9,7 @@
 // these are lost too.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,11 +24,17 @@ struct ShadedPicture {
   Image<glm::vec3> color;            ///< linear
   std::vector<ProxyHit> hits;        ///< of each ray
   std::vector<uint32_t> stepsOfRay;  ///< in pyramids
-  RayCost cost;
+  RayCost cost = {};
   double milliseconds = 0;  ///< of all rays, on all threads: the least of the runs
+  bool onDevice = false;    ///< cast by SceneProxy::hitsOnDevice()
 };
 
+/// On the device of the proxy, where it has one.
 ShadedPicture shade(const SecondaryRays& rays, const SceneProxy& proxy, int runs = 1);
+ShadedPicture shadeOnCpu(const SecondaryRays& rays, const SceneProxy& proxy, int runs = 1);
+
+/// Rays of two pictures by the same proxy that meet something else, or at another distance, or see another colour.
+size_t differingRays(const ShadedPicture& a, const ShadedPicture& b);
 
 /// What became of the first hit of a ray.
 enum class HitState : uint8_t { kElsewhere, kRight, kOff, kMissing, kFalse };
@@ -48,6 +55,7 @@ struct ShadeFigures {
   double buildMilliseconds = 0;
   double structureMilliseconds = 0;
   double shadeMilliseconds = 0;
+  std::optional<size_t> deviceDiffering = {};  ///< rays that a device casts otherwise than the CPU
 
   double lostRatio() const { return ratio(lost, castRays); }
   double missingRatio() const { return ratio(missing, castRays); }

@@ -8,6 +8,7 @@
 #include <functional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_document.h"
 #include "oc_core/camera/view.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/page/html.h"
@@ -30,6 +31,10 @@ Value inPyramids(const Row& row, double value) {
 }
 Value counted(size_t number) {
   return number > 0 ? Value(static_cast<double>(number)) : std::nullopt;
+}
+
+double ratioOf(size_t part, size_t whole) {
+  return whole > 0 ? static_cast<double>(part) / static_cast<double>(whole) : 0;
 }
 
 struct Figure {
@@ -68,6 +73,11 @@ const std::vector<Figure>& specularFigures() {
        [](const Row& r) { return inPyramids(r, r.structureMilliseconds); }},
       {{"shade_ms", "rays ms", "of all rays, on all threads", 1, 1},
        [](const Row& r) -> Value { return r.shadeMilliseconds; }},
+      {{"gl_differing", "GL off %",
+        "with --gl: rays that meet something else than on the CPU, or at another distance, or see another colour, of "
+        "all rays",
+        3, 100},
+       [](const Row& r) { return r.deviceDiffering ? Value(ratioOf(*r.deviceDiffering, r.rays)) : std::nullopt; }},
   };
   return figures;
 }
@@ -148,7 +158,10 @@ class SpecularStage final : public EffectStage {
       return wayOf(built, truth_->picture);
     }
     prepareTruth(camera);
-    return wayOf(built, shade(truth_->rays, *built.proxy, runs));
+    const ShadedPicture picture = shade(truth_->rays, *built.proxy, runs);
+    return wayOf(built, picture,
+                 picture.onDevice ? std::optional(differingRays(picture, shadeOnCpu(truth_->rays, *built.proxy)))
+                                  : std::nullopt);
   }
 
   std::vector<ShadeFact> facts(const PinholeCamera& camera) override {
@@ -159,18 +172,24 @@ class SpecularStage final : public EffectStage {
     }
     const glm::ivec2 size = inputs_.referenceSize;
     const int height = inputs_.environmentHeight;
-    return {{"reference_view", jsonText(reference_.view())},
-            {"rays", std::to_string(truth_->rays.rays.size()),
-             fmt::format("{} rays, one a pixel that sends one on.", groupedDigits(truth_->rays.rays.size()))},
-            {"cast_rays", std::to_string(castRays),
-             fmt::format("{} of them first meet objects that depth images stand for.", groupedDigits(castRays))},
-            {"reference_size", fmt::format("[{}, {}]", size.x, size.y),
-             fmt::format("Reference images of {} x {} pixels.", size.x, size.y)},
-            {"cell_side", fmt::format("{}", cell_.sideRadii),
-             fmt::format("They are for a cell of {:.3g} units around what sends the rays.",
-                         static_cast<double>(cell_.sideRadii))},
-            {"environment_height", std::to_string(height),
-             fmt::format("Environment maps are of {} x {} pixels.", 2 * height, height)}};
+    std::vector<ShadeFact> facts{
+        {"reference_view", jsonText(reference_.view())},
+        {"rays", std::to_string(truth_->rays.rays.size()),
+         fmt::format("{} rays, one a pixel that sends one on.", groupedDigits(truth_->rays.rays.size()))},
+        {"cast_rays", std::to_string(castRays),
+         fmt::format("{} of them first meet objects that depth images stand for.", groupedDigits(castRays))},
+        {"reference_size", fmt::format("[{}, {}]", size.x, size.y),
+         fmt::format("Reference images of {} x {} pixels.", size.x, size.y)},
+        {"cell_side", fmt::format("{}", cell_.sideRadii),
+         fmt::format("They are for a cell of {:.3g} units around what sends the rays.",
+                     static_cast<double>(cell_.sideRadii))},
+        {"environment_height", std::to_string(height),
+         fmt::format("Environment maps are of {} x {} pixels.", 2 * height, height)}};
+    if (inputs_.caster != nullptr) {
+      const std::string by = inputs_.caster->description();
+      facts.push_back({"gl", textOfJson(by), fmt::format("Rays at depth images are cast by {}.", by)});
+    }
+    return facts;
   }
 
  private:
@@ -182,8 +201,8 @@ class SpecularStage final : public EffectStage {
   };
 
   BuiltProxy proxyOf(const std::string& way) const {
-    return buildProxy(
-        way, {*scene_->scene, senders_.center(), reference_, cell_, inputs_.environmentHeight, inputs_.progress});
+    return buildProxy(way, {*scene_->scene, senders_.center(), reference_, cell_, inputs_.environmentHeight,
+                            inputs_.progress, inputs_.caster.get()});
   }
 
   void prepareTruth(const PinholeCamera& camera) {
@@ -192,8 +211,10 @@ class SpecularStage final : public EffectStage {
     }
   }
 
-  ShadedWay wayOf(const BuiltProxy& built, const ShadedPicture& picture) const {
-    const ShadeFigures row = figuresOf(built, truth_->rays, truth_->picture, picture, reference_);
+  ShadedWay wayOf(const BuiltProxy& built, const ShadedPicture& picture,
+                  std::optional<size_t> deviceDiffering = {}) const {
+    ShadeFigures row = figuresOf(built, truth_->rays, truth_->picture, picture, reference_);
+    row.deviceDiffering = deviceDiffering;
     ShadedWay way{.name = built.name, .picture = picture.color};
     if (row.hasDepth && built.name != kTraced) {
       way.maps.push_back({"errors", "where first hits are wrong",
@@ -241,6 +262,7 @@ Effect specularEffect() {
   effect.terms = {{"Footprint",
                    "What a pixel of the reference view covers at the depth of a hit: depth / focal length in pixels."}};
   effect.checkWay = checkProxyName;
+  effect.castsOnDevice = [](const std::string& way) { return way != kTraced && way != kEnvironment; };
   return effect;
 }
 
