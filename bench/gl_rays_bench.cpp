@@ -1,5 +1,6 @@
 // Rays at reference images on the GPU: the pyramid's walk against the same on the CPU and against Embree on the
-// geometry, with the reflected rays of `builtin:mirror`, in the same run; and the whole picture with its mirror.
+// geometry, with the reflected rays of `builtin:mirror`, in the same run; the whole picture with its mirror; and the
+// text's steps on both.
 //
 // Times of the CPU are wall times of all threads; those of OpenGL end when the GPU has finished. "cast" is the walk of
 // rays that are on the GPU and stay there; "list" also uploads the rays and reads back what they hit. The least of
@@ -15,7 +16,11 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl_rays/gl_reflection.h"
+#include "oc_core/gl_rays/gl_stepped_image.h"
 #include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/cast_representation.h"
+#include "oc_core/ocri/ddoc_builder.h"
+#include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/shade/environment_map.h"
 #include "oc_core/shade/scene_proxies.h"
@@ -160,6 +165,43 @@ Json measureCamera(GlContext& context, const std::string& name, const Case& c, d
           {"cpuPictureMs", pictureOnCpu}};
 }
 
+/// The text's steps along the same rays, at what a camera sees.
+template <Camera C>
+Json measureSteps(GlContext& context, const std::string& name, const C& camera, const Case& c, int runs) {
+  const ReferenceImage image = placedImage(camera, c.scene.cast, RayScene(c.scene.cast), c.reference.view(), name);
+  const CameraMap map = mapOf(camera);
+  const SteppedImage stepped(image, map, {.finePixels = 0.25});
+  std::vector<float> expected(c.straight.size());
+  constexpr size_t kGrain = 512;
+  const double cpu = leastMilliseconds(runs, [&] {
+    parallelFor(c.straight.size(), kGrain, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        RayCost cost;
+        const auto meeting = stepped.meet(c.straight[i], cost);
+        expected[i] = meeting ? static_cast<float>(meeting->share) * glm::length(c.straight[i].step) : 0;
+      }
+    });
+  });
+  const Image<StraightRay> list = rayImage(c.straight);
+  const GlRays onGpu(context, list);
+  const GlSteppedImage walk(context, stepped, camera);
+  const double cast = leastMilliseconds(runs, [&] {
+    walk.walk(onGpu);
+    context.gl().Finish();
+  });
+  const auto hits =
+      readTexture<glm::vec4>(context, walk.walk(onGpu).hits, list.width(), list.height(), GL_RGBA, GL_FLOAT);
+  size_t off = 0;
+  for (size_t i = 0; i < expected.size(); ++i) {
+    off += std::abs(hits[rayTexel(list, i)].x - expected[i]) > 1e-4f * std::max(expected[i], 1.0f);
+  }
+  const double differ = static_cast<double>(off) / static_cast<double>(expected.size());
+  fmt::print("  {:<28} cast {:>8.2f} ms, CPU {:>8.2f} ms, ratio {:>5.2f}, differ {:.3f} %\n",
+             name + ", steps of 6 and 1/4", cast, cpu, cast / cpu, 100 * differ);
+  std::fflush(stdout);
+  return {{"camera", name}, {"glCastMs", cast}, {"cpuCastMs", cpu}, {"glPerCpu", cast / cpu}, {"differing", differ}};
+}
+
 void measureRays(const BenchChoice& choice) {
   const std::unique_ptr<GlContext> context = openGlContext(choice.provider, "--provider");
   const GlScope scope(*context);
@@ -188,10 +230,14 @@ void measureRays(const BenchChoice& choice) {
     for (const std::string& camera : choice.cameras) {
       cameras.push_back(measureCamera(*context, camera, c, embree, choice.runs));
     }
+    const Json steps{measureSteps(*context, "di", c.reference, c, choice.runs),
+                     measureSteps(*context, "spoc", buildSpocCamera(c.reference, c.scene.cast), c, choice.runs),
+                     measureSteps(*context, "ddoc", buildDdocCamera(c.reference, c.scene.cast), c, choice.runs)};
     report["scenes"].push_back({{"scene", source},
                                 {"castTriangles", c.scene.cast.triangles.size()},
                                 {"rays", c.paths.size()},
-                                {"cameras", cameras}});
+                                {"cameras", cameras},
+                                {"steps", steps}});
   }
   if (!choice.json.empty()) {
     writeFile(choice.json, report.dump(2) + "\n");

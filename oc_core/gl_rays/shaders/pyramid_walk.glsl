@@ -124,10 +124,16 @@ bool walkPyramid(StraightRay ray, inout Meeting best, inout uvec4 cost) {
         break;
       }
       waitingEntry[count] = entry;
-      waiting[count++] = any(equal(e0, vec4(entry)))   ? taken(e0, entry, nodes[reference].child[0])
-                         : any(equal(e1, vec4(entry))) ? taken(e1, entry, nodes[reference].child[1])
-                         : any(equal(e2, vec4(entry))) ? taken(e2, entry, nodes[reference].child[2])
-                                                       : taken(e3, entry, nodes[reference].child[3]);
+      if (any(equal(e0, vec4(entry)))) {
+        waiting[count] = taken(e0, entry, nodes[reference].child[0]);
+      } else if (any(equal(e1, vec4(entry)))) {
+        waiting[count] = taken(e1, entry, nodes[reference].child[1]);
+      } else if (any(equal(e2, vec4(entry)))) {
+        waiting[count] = taken(e2, entry, nodes[reference].child[2]);
+      } else {
+        waiting[count] = taken(e3, entry, nodes[reference].child[3]);
+      }
+      ++count;
     }
   }
   return true;
