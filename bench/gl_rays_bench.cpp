@@ -130,8 +130,8 @@ Json measureCamera(GlContext& context, const std::string& name, const Case& c, d
     cost += each;
   }
 
-  GlReflection reflection(
-      context, {c.direct, c.mirrors, c.normals, target, c.scene.billboards, c.map.image(), shadeBackground()});
+  const GlReflection reflection(context, c.mirrors, c.normals,
+                                {c.direct, target, c.scene.billboards, c.map.image(), shadeBackground()});
   const double picture = leastMilliseconds(runs, [&] {
     reflection.draw(c.camera);
     gl.Finish();

@@ -10,7 +10,9 @@ namespace ocelli {
 
 class GlRayCaster final : public DepthRayCaster {
  public:
-  explicit GlRayCaster(std::unique_ptr<GlContext> context) : context_(std::move(context)) {}
+  explicit GlRayCaster(std::shared_ptr<GlContext> context) : context_(std::move(context)) {}
+  /// A context that others own, such as a window's: it must outlive this and all that prepare() returns.
+  explicit GlRayCaster(GlContext& context) : context_(std::shared_ptr<GlContext>(), &context) {}
 
   /// Throws GlError where the GPU has no room, or its driver refuses a shader; so does what it returns.
   std::unique_ptr<Target> prepare(const DepthImageTarget& target) const override;

@@ -81,5 +81,19 @@ TEST_P(GlRayCasterTest, targetsOutliveTheCaster) {
   EXPECT_GT(costs[0].steps(), 0u);
 }
 
+// A window's context is its own, and others may draw with it before and after.
+TEST_P(GlRayCasterTest, castsInAContextOfOthers) {
+  const auto context = openTestContext(GetParam());
+  const DepthImageTarget image({buildDepthImage(PinholeCamera({}, 60, 40), test::wall(0, 1))});
+  const std::vector<RayPath> rays{{{0, 0, 5}, {0, 0, -5}}};
+  std::vector<std::optional<Hit>> found(1);
+  std::vector<RayCost> costs(1);
+  const GlScope scope(*context);
+  GlRayCaster(*context).prepare(image)->hits(rays, found, costs);
+  EXPECT_TRUE(found[0]);
+  EXPECT_EQ(context->liveObjects(), 0);
+  context->check("drawing on");
+}
+
 }  // namespace
 }  // namespace ocelli

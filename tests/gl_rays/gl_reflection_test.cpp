@@ -3,95 +3,51 @@
 
 #include <gtest/gtest.h>
 
-#include "oc_core/gl/gl_api.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/shade/environment_map.h"
 #include "oc_core/shade/scene_proxies.h"
 #include "oc_core/shade/shade_comparison.h"
 #include "tests/gl/gl_test_context.h"
+#include "tests/gl_rays/ray_picture_parts.h"
 #include "tests/shade/small_shaded_scene.h"
 
 namespace ocelli {
 namespace {
 
-/// A scene of `ocelli shade` as GlReflection takes it.
-struct Parts {
-  explicit Parts(const ShadedScene& scene) : billboards(scene.billboards) {
-    for (const Mesh* part : {&scene.cast, &scene.billboards, &scene.surroundings}) {
-      append(direct, *part);
-    }
-    for (const SpecularObject& lens : scene.lenses) {
-      append(direct, lens.mesh);
-    }
-    for (const SpecularObject& mirror : scene.mirrors) {
-      append(mirrors, mirror.mesh);
-      normals.insert(normals.end(), mirror.normals.begin(), mirror.normals.end());
-    }
-  }
-
-  Mesh direct;
-  Mesh mirrors;
-  std::vector<glm::vec3> normals;
-  const Mesh& billboards;
-};
+using test::differingPixels;
+using test::readPicture;
 
 class GlReflectionTest : public testing::TestWithParam<GlProvider> {
  protected:
   ~GlReflectionTest() override { EXPECT_EQ(context_->liveObjects(), 0); }
 
-  Image<glm::vec3> read(const GlObject& picture, const PinholeCamera& camera) const {
-    const auto pixels = readTexture<glm::vec4>(*context_, picture, camera.width(), camera.height(), GL_RGBA, GL_FLOAT);
-    Image<glm::vec3> image(camera.width(), camera.height());
-    for (size_t i = 0; i < pixels.size(); ++i) {
-      EXPECT_EQ(pixels[i].w, 1);
-      image[i] = glm::vec3(pixels[i]);
-    }
-    return image;
-  }
-
   const std::unique_ptr<GlContext> context_ = openTestContext(GetParam());
 };
 INSTANTIATE_TEST_SUITE_P(Providers, GlReflectionTest, kOffscreenProviders, providerName);
-
-size_t differingPixels(const Image<glm::vec3>& a, const Image<glm::vec3>& b) {
-  const Image<Rgb8> p = srgbFromLinear(a);
-  const Image<Rgb8> q = srgbFromLinear(b);
-  size_t differing = 0;
-  for (size_t i = 0; i < p.size(); ++i) {
-    const glm::ivec3 step = glm::abs(glm::ivec3(p[i]) - glm::ivec3(q[i]));
-    // Reflections are interpolated: a pixel whose colours are rounded apart is none that differs.
-    differing += std::max({step.x, step.y, step.z}) > 1;
-  }
-  return differing;
-}
 
 // One picture by two renderers, of which one casts what the other rasterises: as many as 0.5 % of the pixels that show
 // mirrors may differ.
 TEST_P(GlReflectionTest, drawsWhatShadeDraws) {
   const ShadedScene scene = loadShadedScene("builtin:mirror", rolesFor("builtin:mirror", ""));
-  const Parts parts(scene);
+  const Mesh direct = test::directPart(scene, scene.mirrors);
+  const test::MirrorMesh mirrors(scene.mirrors);
   const Box box = boundsOf(scene.mirrors);
   const PinholeCamera camera(pictureView(box), 240, 160);
   const PinholeCamera reference(referenceView(scene.cast, box, 240, 160), 240, 160);
   const EnvironmentMap map(box.center(), scene.surroundings, 256, shadeBackground());
-  const FirstSurfaces surfaces(scene, scene.mirrors);
-  const SecondaryRays rays = reflectedRays(surfaces, camera);
+  const SecondaryRays rays = reflectedRays(FirstSurfaces(scene, scene.mirrors), camera);
   const Progress none;
-  std::unique_ptr<GlReflection> reflection;
   const GlScope scope(*context_);
+  const DepthImageTarget before({});
+  GlReflection reflection(*context_, mirrors.mesh, mirrors.normals,
+                          {direct, before, scene.billboards, map.image(), shadeBackground()});
   for (const char* name : {"di", "spoc", "cell", "ldi-4"}) {
     const ViewCell cell{.sideRadii = 1};
     const DepthImageTarget target(buildReferenceImages(cameraChoice(name, cell), reference, scene.cast));
-    if (reflection == nullptr) {
-      reflection =
-          std::make_unique<GlReflection>(*context_, MirrorScene{parts.direct, parts.mirrors, parts.normals, target,
-                                                                parts.billboards, map.image(), shadeBackground()});
-    }
-    reflection->setTarget(target);
-    const Image<glm::vec3> got = read(reflection->draw(camera), camera);
+    reflection.setTarget(target);
+    const Image<glm::vec3> got = readPicture(*context_, reflection.draw(camera), camera);
     const BuiltProxy built = buildProxy(name, {scene, box.center(), reference, cell, 256, none});
-    const Image<glm::vec3> expected = shade(rays, *built.proxy).color;
-    const size_t differing = differingPixels(expected, got);
+    const size_t differing = differingPixels(shade(rays, *built.proxy).color, got);
     EXPECT_LE(differing, rays.rays.size() / 200) << name;
     testing::Test::RecordProperty(name, std::to_string(differing));
     EXPECT_GT(differingPixels(rays.base, got), rays.rays.size() / 2) << "mirrors show something";
@@ -101,7 +57,8 @@ TEST_P(GlReflectionTest, drawsWhatShadeDraws) {
 // A mirror at z = 0 sees a red box before it, a green wall behind the eye, and the sky.
 TEST_P(GlReflectionTest, mirrorsABoxWhereItIs) {
   const ShadedScene scene = test::mirrorBeforeBox();
-  const Parts parts(scene);
+  const Mesh direct = test::directPart(scene, scene.mirrors);
+  const test::MirrorMesh mirrors(scene.mirrors);
   const GlScope scope(*context_);
   View view;
   view.eye = {0, 0, 5};
@@ -114,15 +71,15 @@ TEST_P(GlReflectionTest, mirrorsABoxWhereItIs) {
   const Image<glm::vec3> sky(4, 2, glm::vec3(0.2f, 0.3f, 0.4f));
   const Mesh nothing;
   const auto colorAt = [&](const GlReflection& reflection, const glm::vec3& mirrored) {
-    // What stands at z behind the eye's side of the mirror is seen at -z through it.
+    // What stands at z before the mirror is seen at -z through it.
     const auto q = camera.project({mirrored.x, mirrored.y, -mirrored.z});
-    return read(reflection.draw(camera), camera)(static_cast<int>(q->u), static_cast<int>(q->v));
+    return readPicture(*context_, reflection.draw(camera), camera)(static_cast<int>(q->u), static_cast<int>(q->v));
   };
-  const MirrorScene all{parts.direct, parts.mirrors, parts.normals, target, parts.billboards, sky, glm::vec3(1)};
-  const GlReflection reflection(*context_, all);
+  const GlReflection reflection(*context_, mirrors.mesh, mirrors.normals,
+                                {direct, target, scene.billboards, sky, glm::vec3(1)});
   EXPECT_LT(glm::distance(colorAt(reflection, {0.25f, 0.2f, 1.9f}), {0.8f, 0.1f, 0.1f}), 1e-5f);
   EXPECT_LT(glm::distance(colorAt(reflection, {-0.25f, -0.2f, 1.9f}), {0.1f, 0.6f, 0.1f}), 1e-5f) << "the wall";
-  const GlReflection open(*context_, {parts.direct, parts.mirrors, parts.normals, target, nothing, sky, glm::vec3(1)});
+  const GlReflection open(*context_, mirrors.mesh, mirrors.normals, {direct, target, nothing, sky, glm::vec3(1)});
   EXPECT_LT(glm::distance(colorAt(open, {-0.25f, -0.2f, 1.9f}), {0.2f, 0.3f, 0.4f}), 1e-5f) << "the sky";
 }
 
@@ -131,9 +88,9 @@ TEST_P(GlReflectionTest, aPictureOfNothingIsTheBackground) {
   const DepthImageTarget target({});
   const Image<glm::vec3> sky(2, 1, glm::vec3(0.5f));
   const GlScope scope(*context_);
-  const GlReflection reflection(*context_, {nothing, nothing, {}, target, nothing, sky, {0.1f, 0.2f, 0.3f}});
+  const GlReflection reflection(*context_, nothing, {}, {nothing, target, nothing, sky, {0.1f, 0.2f, 0.3f}});
   const PinholeCamera camera(View{}, 1, 1);
-  EXPECT_EQ(read(reflection.draw(camera), camera)(0, 0), glm::vec3(0.1f, 0.2f, 0.3f));
+  EXPECT_EQ(readPicture(*context_, reflection.draw(camera), camera)(0, 0), glm::vec3(0.1f, 0.2f, 0.3f));
 }
 
 }  // namespace

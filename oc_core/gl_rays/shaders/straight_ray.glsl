@@ -1,5 +1,6 @@
 // A straight piece of a ray, and where it meets a triangle: oc_core/depth_rays/straight_ray.h, with the same operations
-// in the same order. `precise` keeps compilers from fusing and reordering them.
+// in the same order. `precise` keeps compilers from fusing and reordering them. Arrays that a variable indexes hold no
+// doubles: some drivers (NVIDIA 580) keep them as floats.
 struct StraightRay {
   vec3 origin;
   vec3 step;
