@@ -137,10 +137,11 @@ Json measureCamera(GlContext& context, const std::string& name, const Case& c, d
     gl.Finish();
   });
   const Progress none;
+  const CastObjects cast = castObjects(c.scene, nullptr);
   const BuiltProxy built =
-      buildProxy(name, {c.scene, c.senders.center(), c.reference, c.cell, kEnvironmentHeight, none});
+      buildProxy(specularWay(name), {c.scene, cast, c.senders.center(), c.reference, c.cell, kEnvironmentHeight, none});
   const double pictureOnCpu =
-      leastMilliseconds(runs, [&] { shadeOnCpu(reflectedRays(c.surfaces, c.camera), *built.proxy); });
+      leastMilliseconds(runs, [&] { shade(reflectedRays(c.surfaces, c.camera), *built.proxy); });
 
   const auto rays = static_cast<double>(c.paths.size());
   const double off = static_cast<double>(differing(expected, found)) / rays;

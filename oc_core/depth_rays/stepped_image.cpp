@@ -15,10 +15,10 @@ SteppedImage::SteppedImage(const ReferenceImage& image, const CameraMap& map, co
     }
   }
   if (!bounds_.empty()) {
-    // A ray must begin before a surface that lies in a side of the bounds, such as a wall that faces the view.
-    constexpr float kMarginShare = 1e-4f;
-    const glm::vec3 size = bounds_.size();
-    const float margin = kMarginShare * std::max({size.x, size.y, size.z});
+    // A ray crosses a plane of samples within bounds that have a depth, even where the plane itself has none.
+    constexpr float kMarginFootprints = 2;
+    const float farthest = glm::distance(pinhole_.eye(), bounds_.center()) + glm::length(bounds_.size()) / 2;
+    const float margin = kMarginFootprints * farthest / pinhole_.focalPixels();
     bounds_.lower -= margin;
     bounds_.upper += margin;
   }

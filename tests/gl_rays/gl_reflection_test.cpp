@@ -37,6 +37,7 @@ TEST_P(GlReflectionTest, drawsWhatShadeDraws) {
   const EnvironmentMap map(box.center(), scene.surroundings, 256, shadeBackground());
   const SecondaryRays rays = reflectedRays(FirstSurfaces(scene, scene.mirrors), camera);
   const Progress none;
+  const CastObjects cast = castObjects(scene, nullptr);
   const GlScope scope(*context_);
   const DepthImageTarget before({});
   GlReflection reflection(*context_, mirrors.mesh, mirrors.normals,
@@ -46,7 +47,7 @@ TEST_P(GlReflectionTest, drawsWhatShadeDraws) {
     const DepthImageTarget target(buildReferenceImages(cameraChoice(name, cell), reference, scene.cast));
     reflection.setTarget(target);
     const Image<glm::vec3> got = readPicture(*context_, reflection.draw(camera), camera);
-    const BuiltProxy built = buildProxy(name, {scene, box.center(), reference, cell, 256, none});
+    const BuiltProxy built = buildProxy(specularWay(name), {scene, cast, box.center(), reference, cell, 256, none});
     const size_t differing = differingPixels(shade(rays, *built.proxy).color, got);
     EXPECT_LE(differing, rays.rays.size() / 200) << name;
     testing::Test::RecordProperty(name, std::to_string(differing));

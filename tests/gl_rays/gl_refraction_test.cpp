@@ -45,7 +45,8 @@ class GlRefractionTest : public testing::TestWithParam<GlProvider> {
     const GlRefraction refraction(*context_, glassOf(scene.lenses),
                                   {direct, target, scene.billboards, map.image(), shadeBackground()});
     const Image<glm::vec3> got = readPicture(*context_, refraction.draw(camera), camera);
-    const BuiltProxy built = buildProxy("di", {scene, box.center(), reference, cell, 256, none});
+    const CastObjects cast = castObjects(scene, nullptr);
+    const BuiltProxy built = buildProxy(specularWay("di"), {scene, cast, box.center(), reference, cell, 256, none});
     const size_t differing = differingPixels(shade(rays, *built.proxy).color, got);
     EXPECT_LE(static_cast<double>(differing), share * static_cast<double>(rays.rays.size()));
     EXPECT_GT(differingPixels(rays.base, got), rays.rays.size() / 2) << "glass shows something";
