@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "oc_core/depth_rays/ray_block.h"
 #include "oc_core/depth_rays/ray_cost.h"
 #include "oc_core/depth_rays/sample_cells.h"
 #include "oc_core/depth_rays/straight_ray.h"
@@ -32,6 +33,12 @@ class SamplePyramid {
   /// The first triangle that the ray meets. The ray has finite numbers and a direction. `cost` grows.
   std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const;
 
+  /// The same for each ray of a block, which stands for fewer steps where they run close to each other: a triangle that is
+  /// met nearer than the reach of a ray takes the place of what `meeting` says, and shortens the reach.
+  void meetBlock(RayBlock& block, RayCost& cost) const;
+
+  /// Cells that hold surfaces.
+  size_t filledCells() const { return filledCells_; }
   /// The most steps that a ray can take: no node is opened twice, and no cell is tested twice.
   size_t maxSteps() const { return nodes_.size() + filledCells_; }
   Box bounds() const { return bounds_; }
