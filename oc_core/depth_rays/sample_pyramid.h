@@ -33,8 +33,8 @@ class SamplePyramid {
   /// The first triangle that the ray meets. The ray has finite numbers and a direction. `cost` grows.
   std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const;
 
-  /// The same for each ray of a block, which stands for fewer steps where they run close to each other: a triangle that is
-  /// met nearer than the reach of a ray takes the place of what `meeting` says, and shortens the reach.
+  /// The same for each ray of a block, which stands for fewer steps where they run close to each other: a triangle that
+  /// is met nearer than the reach of a ray takes the place of what `meeting` says, and shortens the reach.
   void meetBlock(RayBlock& block, RayCost& cost) const;
 
   /// Cells that hold surfaces.

@@ -27,10 +27,10 @@ FourPixels pixelsAround(const Image<T>& image, float u, float v) {
   const int bottom = std::min(top + 1, image.height() - 1);
   const float a = x - static_cast<float>(left);
   const float b = y - static_cast<float>(top);
-  FourPixels four{{image.index(left, top), image.index(right, top), image.index(left, bottom),
-                   image.index(right, bottom)},
-                  {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b},
-                  0};
+  FourPixels four{
+      {image.index(left, top), image.index(right, top), image.index(left, bottom), image.index(right, bottom)},
+      {(1 - a) * (1 - b), a * (1 - b), (1 - a) * b, a * b},
+      0};
   four.nearest = four.index[(a > 0.5f ? 1 : 0) + (b > 0.5f ? 2 : 0)];
   return four;
 }
@@ -147,9 +147,8 @@ std::optional<TriangleMeeting> HeightFieldRelief::meetSlowly(const StraightRay& 
 
 /// Of the pixels around that have the layer, weighted.
 ReliefSurface HeightFieldRelief::surfaceAt(const TriangleMeeting& meeting) const {
-  const FourPixels four =
-      pixelsAround(layers_.counts, meeting.b1 * static_cast<float>(layers_.width),
-                   meeting.b2 * static_cast<float>(layers_.height));
+  const FourPixels four = pixelsAround(layers_.counts, meeting.b1 * static_cast<float>(layers_.width),
+                                       meeting.b2 * static_cast<float>(layers_.height));
   ReliefSurface sum;
   float weights = 0;
   for (size_t i = 0; i < 4; ++i) {

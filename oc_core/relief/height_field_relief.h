@@ -18,8 +18,8 @@ struct ReliefSearch {
 
 class HeightFieldRelief final : public ReliefObject {
  public:
-  /// With one layer all below a surface is solid. With more, what lies between the first and the second layer is, and so
-  /// on in turn, as in a closed object.
+  /// With one layer all below a surface is solid. With more, what lies between the first and the second layer is, and
+  /// so on in turn, as in a closed object.
   HeightFieldRelief(OrthographicLayers layers, const ReliefSearch& search);
 
   /// The number of a meeting is that of the layer, the weights are the place in the image, as shares of its sides.

@@ -22,9 +22,9 @@ class ReliefObject {
  public:
   virtual ~ReliefObject() = default;
 
-  /// The first surface that the ray meets; `share` of its step. What the number and the weights of a meeting mean is the
-  /// object's own matter. The ray has finite numbers and a direction. `cost` grows. Safe to call from many threads, as
-  /// all of these are.
+  /// The first surface that the ray meets; `share` of its step. What the number and the weights of a meeting mean is
+  /// the object's own matter. The ray has finite numbers and a direction. `cost` grows. Safe to call from many threads,
+  /// as all of these are.
   virtual std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const = 0;
   /// The same, slowly, by looking at all there is: what tests compare with.
   virtual std::optional<TriangleMeeting> meetSlowly(const StraightRay& ray) const = 0;

@@ -2,8 +2,8 @@
 //
 // Builders of reference images keep a colour at each sample, and nothing else of the surface. So a copy of the mesh is
 // given to them whose colours are labels: the number of the triangle and two barycentric weights. Each triangle has
-// vertices of its own there, so that numbers are not interpolated. From the labels of the samples come colours, normals,
-// and whatever else the mesh knows.
+// vertices of its own there, so that numbers are not interpolated. From the labels of the samples come colours,
+// normals, and whatever else the mesh knows.
 #pragma once
 
 #include <vector>
