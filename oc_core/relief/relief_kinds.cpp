@@ -20,6 +20,10 @@ namespace {
 
 /// A cell's images may have so many times the texels: it adds rows below those of the view from above.
 constexpr double kCellTexels = 1.2;
+/// Rows are added for what is seen from the eight corners of the cell. From more viewpoints, slivers come that take
+/// more texels, in tiles of 16 x 16 pixels, than their samples are worth.
+constexpr int kCellSatellites = 8;
+constexpr float kAnyNumber = 64;  ///< of the samples of the view from above: texels are bounded here
 constexpr int kMaxSteps = 4096;
 constexpr int kMaxLayers = 16;
 
@@ -93,8 +97,10 @@ ReferenceImages cellImages(CameraChoice choice, const Mesh& mesh, size_t texels,
     const ReliefViews views =
         reliefViews(bounds, std::max<size_t>(1, static_cast<size_t>(share * static_cast<double>(texels))), true);
     const double own = static_cast<double>(views.size.x) * views.size.y;
-    choice.cell.maxSamples = 64;
+    choice.cell.maxSamples = kAnyNumber;
     choice.cell.coarsestSpacing = 1;
+    choice.cell.seamPixels = 2;
+    choice.cell.maxSatellites = std::min(choice.cell.maxSatellites, kCellSatellites);
     ReferenceImages images = imagesOf(choice, mesh, views, progress);
     const size_t taken = texelsOf(images);
     if (taken <= limit && taken > texelsOf(best)) {

@@ -272,7 +272,13 @@ ReliefRenderer::ReliefRenderer(std::shared_ptr<const ReliefScene> tiles, std::sh
 
 ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, int runs) const {
   ReliefPicture picture = blankPicture(camera);
-  const Image<PixelMeeting> behind = behindTiles(around_.get(), camera);
+  Image<PixelMeeting> behind;
+  for (int run = 0; run < runs; ++run) {
+    const auto start = std::chrono::steady_clock::now();
+    behind = behindTiles(around_.get(), camera);
+    const double taken = millisecondsSince(start);
+    picture.geometryMilliseconds = run == 0 ? taken : std::min(picture.geometryMilliseconds, taken);
+  }
   const EyeRays rays(camera);
   Image<PixelMeeting> pixels;
   const auto strips = static_cast<size_t>((camera.height() + kStripRows - 1) / kStripRows);

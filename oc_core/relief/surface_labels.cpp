@@ -10,11 +10,6 @@
 namespace ocelli {
 
 SurfaceLabels::SurfaceLabels(const Mesh& mesh) : mesh_(mesh) {
-  if (mesh.triangles.size() > kMaxTriangles) {
-    throw InputError("a relief tile has " + std::to_string(mesh.triangles.size()) + " triangles, more than " +
-                         std::to_string(kMaxTriangles),
-                     "the object with the role \"relief\"", "simplify it");
-  }
   const VertexShading split(mesh_);
   normals_.assign(mesh_.positions.size(), glm::vec3(0));
   for (const glm::uvec3& t : mesh_.triangles) {
@@ -30,6 +25,11 @@ SurfaceLabels::SurfaceLabels(const Mesh& mesh) : mesh_(mesh) {
 }
 
 Mesh SurfaceLabels::labelledMesh() const {
+  if (mesh_.triangles.size() > kMaxTriangles) {
+    throw InputError("a relief tile has " + std::to_string(mesh_.triangles.size()) + " triangles, more than " +
+                         std::to_string(kMaxTriangles),
+                     "the object with the role \"relief\"", "simplify it");
+  }
   Mesh labelled;
   labelled.isPart = mesh_.isPart;
   const size_t corners = 3 * mesh_.triangles.size();

@@ -15,13 +15,14 @@ namespace ocelli {
 
 class SurfaceLabels {
  public:
-  /// The most triangles that single precision tells apart.
-  static constexpr size_t kMaxTriangles = 1 << 22;
+  /// The most triangles that labels tell apart after single precision has interpolated them.
+  static constexpr size_t kMaxTriangles = 1 << 20;
 
-  /// Keeps a copy of the mesh. Throws InputError where it has more triangles than that.
+  /// Keeps a copy of the mesh.
   explicit SurfaceLabels(const Mesh& mesh);
 
-  /// The copy with labels for colours; triangles are in the order of the mesh.
+  /// The copy with labels for colours; triangles are in the order of the mesh. Throws InputError where it has more
+  /// triangles than kMaxTriangles.
   Mesh labelledMesh() const;
   /// What the surface is where a sample has this label.
   ReliefSurface surfaceOf(const glm::vec3& label) const;

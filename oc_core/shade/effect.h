@@ -114,6 +114,8 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  /// Of reference images, pixels, where the user gives none.
+  glm::ivec2 referenceSize{720, 480};
 };
 
 }  // namespace ocelli
