@@ -39,6 +39,7 @@ struct SeenTile {
   float nearest = 0;  ///< z of its box
   glm::ivec2 from{0};
   glm::ivec2 to{0};  ///< one behind the last pixel
+  const ReliefObject* level = nullptr;
   int blockSide = 1;
 };
 
@@ -79,8 +80,9 @@ std::optional<SeenTile> seenTile(const ReliefScene& scene, size_t tile, const Pi
     return std::nullopt;
   }
   const float z = std::max(seen.nearest, camera.view().zNear);
-  const float toTile = scene.objectOf(tile).texelSize() / std::max(scene.texelSizeOf(tile), 1e-30f);
-  seen.blockSide = std::clamp(scene.objectOf(tile).blockSide(z / camera.focalPixels() * toTile), 1, RayBlock::kMaxSide);
+  const float raySpacing = z / camera.focalPixels() / scene.scaleOf(tile);
+  seen.level = &scene.objectOf(tile).levelFor(raySpacing);
+  seen.blockSide = std::clamp(seen.level->blockSide(raySpacing), 1, RayBlock::kMaxSide);
   return seen;
 }
 
@@ -142,7 +144,7 @@ class Strip {
       return;
     }
     const size_t before = cost.steps();
-    scene_.objectOf(tile.tile).meetBlock(block, cost);
+    tile.level->meetBlock(block, cost);
     const size_t taken = cost.steps() - before;
     const auto each = static_cast<size_t>(block.rays());
     raysMet += each;
@@ -153,7 +155,7 @@ class Strip {
         steps = static_cast<uint16_t>(std::min<size_t>(steps + (taken + each - 1) / each, 0xffff));
         if (block.meets[i]) {
           PixelMeeting& pixel = pixels_(x + column, y + row);
-          pixel.tile = ReliefScene::Meeting{tile.tile, block.meeting[i]};
+          pixel.tile = ReliefScene::Meeting{tile.tile, tile.level, block.meeting[i]};
           pixel.z = static_cast<float>(block.meeting[i].share);
         }
       }
@@ -192,7 +194,7 @@ class Lighting {
     float offset = kOffset * extent_;
     if (pixel.tile) {
       surface = tiles_.surfaceAt(*pixel.tile, step);
-      offset = kTexels * tiles_.texelSizeOf(pixel.tile->tile);
+      offset = kTexels * pixel.tile->level->texelSize() * tiles_.scaleOf(pixel.tile->tile);
       picture.shown[i] = static_cast<int32_t>(pixel.tile->tile);
     } else {
       const Fragment& f = pixel.geometry;
@@ -206,7 +208,9 @@ class Lighting {
     picture.z[i] = pixel.z;
     picture.point[i] = point;
     const bool faces = glm::dot(surface.normal, directionToSun()) > 0;
-    const bool shadowed = faces && withShadows && blocked(point + (surface.normal + directionToSun()) * offset);
+    const bool shadowed =
+        faces && withShadows &&
+        blocked(point + (surface.normal + directionToSun()) * offset, pixel.z / camera_.focalPixels());
     picture.inShadow[i] = shadowed ? 1 : 0;
     picture.color[i] = surface.color * sunlitShade(surface.normal, !shadowed);
   }
@@ -215,10 +219,10 @@ class Lighting {
   static constexpr float kOffset = 1e-4f;  ///< of rays to the sun, of the size of the scene
   static constexpr float kTexels = 1.5f;   ///< of those that leave tiles
 
-  bool blocked(const glm::vec3& from) const {
+  bool blocked(const glm::vec3& from, float footprint) const {
     const glm::vec3 step = directionToSun() * extent_;
     RayCost ignored;
-    return tiles_.meetsAny({from, step, 1}, ignored) ||
+    return tiles_.meetsAny({from, step, 1}, footprint, ignored) ||
            (around_ != nullptr && around_->rays().intersect({from, from + step}).covered());
   }
 
@@ -335,14 +339,18 @@ ReliefPicture ReliefRenderer::drawSlowly(const PinholeCamera& camera) const {
   Image<PixelMeeting> pixels = behindTiles(around_.get(), camera);
   const EyeRays rays(camera);
   const Lighting lighting(*tiles_, around_.get(), camera);
+  const std::vector<SeenTile> seen = seenTiles(*tiles_, camera);
   parallelFor(pixels.size(), 16, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const int x = static_cast<int>(i) % camera.width();
       const int y = static_cast<int>(i) / camera.width();
-      const float reach = pixels[i].z > 0 ? pixels[i].z : camera.view().zFar;
-      if (const auto found = tiles_->meetSlowly({camera.eye(), rays.at(x, y), reach})) {
-        pixels[i].tile = *found;
-        pixels[i].z = static_cast<float>(found->meeting.share);
+      for (const SeenTile& tile : seen) {
+        const float reach = pixels[i].z > 0 ? pixels[i].z : camera.view().zFar;
+        const StraightRay ray = tiles_->rayInTile({camera.eye(), rays.at(x, y), reach}, tile.tile);
+        if (const auto found = ray.hasDirection() ? tile.level->meetSlowly(ray) : std::nullopt) {
+          pixels[i].tile = ReliefScene::Meeting{tile.tile, tile.level, *found};
+          pixels[i].z = static_cast<float>(found->share);
+        }
       }
       lighting.light(pixels[i], x, y, false, picture);
     }

@@ -72,6 +72,7 @@ ReliefScene::ReliefScene(Objects objects, std::vector<ReliefTile> tiles)
                        "the scene", "scale it by other factors than 0");
     }
     tileFromWorld_.push_back(glm::mat4(glm::inverse(glm::dmat4(tiles_[i].worldFromTile))));
+    scales_.push_back(std::cbrt(std::abs(glm::determinant(glm::mat3(tiles_[i].worldFromTile)))));
     boxes_.push_back(movedBox(objects_[tiles_[i].object]->bounds(), tiles_[i].worldFromTile));
     if (!boxes_.back().empty()) {
       met.push_back(i);
@@ -161,7 +162,7 @@ std::optional<ReliefScene::Meeting> ReliefScene::meet(const StraightRay& ray, Ra
     const StraightRay inTile = rayInTile(shorter, tile);
     const auto found = inTile.hasDirection() ? objectOf(tile).meet(inTile, cost) : std::nullopt;
     if (found && (!best || std::pair(found->share, tile) < std::pair(best->meeting.share, best->tile))) {
-      best = Meeting{tile, *found};
+      best = Meeting{tile, &objectOf(tile), *found};
       shorter.reach = std::nextafter(static_cast<float>(found->share), std::numeric_limits<float>::max());
     }
     return false;
@@ -169,12 +170,13 @@ std::optional<ReliefScene::Meeting> ReliefScene::meet(const StraightRay& ray, Ra
   return best;
 }
 
-bool ReliefScene::meetsAny(const StraightRay& ray, RayCost& cost) const {
+bool ReliefScene::meetsAny(const StraightRay& ray, float raySpacing, RayCost& cost) const {
   bool meets = false;
   StraightRay same = ray;
   visitAlong(same, [&](size_t tile) {
     const StraightRay inTile = rayInTile(ray, tile);
-    meets = inTile.hasDirection() && objectOf(tile).meet(inTile, cost).has_value();
+    const ReliefObject& level = objectOf(tile).levelFor(raySpacing / scaleOf(tile));
+    meets = inTile.hasDirection() && level.meet(inTile, cost).has_value();
     return meets;
   });
   return meets;
@@ -186,14 +188,14 @@ std::optional<ReliefScene::Meeting> ReliefScene::meetSlowly(const StraightRay& r
     const StraightRay inTile = rayInTile(ray, tile);
     const auto found = inTile.hasDirection() ? objectOf(tile).meetSlowly(inTile) : std::nullopt;
     if (found && (!best || found->share < best->meeting.share)) {
-      best = Meeting{tile, *found};
+      best = Meeting{tile, &objectOf(tile), *found};
     }
   }
   return best;
 }
 
 ReliefScene::Surface ReliefScene::surfaceAt(const Meeting& meeting, const glm::vec3& towards) const {
-  const ReliefSurface surface = objectOf(meeting.tile).surfaceAt(meeting.meeting);
+  const ReliefSurface surface = meeting.level->surfaceAt(meeting.meeting);
   const glm::vec3 normal = glm::transpose(glm::mat3(tileFromWorld_[meeting.tile])) * surface.normal;
   const float length = glm::length(normal);
   const glm::vec3 unit = length > 0 ? normal / length : -glm::normalize(towards);
@@ -202,10 +204,6 @@ ReliefScene::Surface ReliefScene::surfaceAt(const Meeting& meeting, const glm::v
 
 Box ReliefScene::bounds() const {
   return nodes_.empty() ? Box{} : nodes_[0].box;
-}
-
-float ReliefScene::texelSizeOf(size_t tile) const {
-  return objectOf(tile).texelSize() * std::cbrt(std::abs(glm::determinant(glm::mat3(tiles_[tile].worldFromTile))));
 }
 
 }  // namespace ocelli

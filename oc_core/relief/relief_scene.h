@@ -28,12 +28,13 @@ class ReliefScene {
 
   struct Meeting {
     size_t tile = 0;
-    TriangleMeeting meeting;
+    const ReliefObject* level = nullptr;  ///< of the tile's object, whose meeting it is
+    TriangleMeeting meeting = {};
   };
   /// The first surface of any tile: through a tree over their boxes. Of equally near ones that of the first tile.
   std::optional<Meeting> meet(const StraightRay& ray, RayCost& cost) const;
-  /// Whether any tile is met at all.
-  bool meetsAny(const StraightRay& ray, RayCost& cost) const;
+  /// Whether any tile is met at all, where neighbouring rays are that far apart in the world.
+  bool meetsAny(const StraightRay& ray, float raySpacing, RayCost& cost) const;
   /// As meet(), one tile after the other, each as its object does it slowly: what tests compare with.
   std::optional<Meeting> meetSlowly(const StraightRay& ray) const;
 
@@ -50,8 +51,9 @@ class ReliefScene {
   /// In the world; empty for a tile that nothing meets.
   const Box& boxOf(size_t tile) const { return boxes_[tile]; }
   Box bounds() const;
-  /// Texels of the image of a tile, in the world.
-  float texelSizeOf(size_t tile) const;
+  /// What a length in a tile is multiplied with in the world, on average of the directions.
+  float scaleOf(size_t tile) const { return scales_[tile]; }
+  StraightRay rayInTile(const StraightRay& ray, size_t tile) const;
 
  private:
   /// A binary tree: a leaf has one tile.
@@ -63,7 +65,6 @@ class ReliefScene {
   };
 
   void build(size_t node, std::vector<size_t> tiles);
-  StraightRay rayInTile(const StraightRay& ray, size_t tile) const;
   /// Calls `visit(tile)` for tiles whose box the ray meets within the reach that visit() leaves it; until it returns
   /// true.
   template <class Visit>
@@ -72,6 +73,7 @@ class ReliefScene {
   Objects objects_;
   std::vector<ReliefTile> tiles_;
   std::vector<glm::mat4> tileFromWorld_;
+  std::vector<float> scales_;
   std::vector<Box> boxes_;
   std::vector<Node> nodes_;
 };

@@ -1,5 +1,5 @@
 // A relief object by reference images of any camera: rays meet the surfaces between samples, through a pyramid of their
-// bounds (oc_core/depth_rays).
+// bounds (oc_core/depth_rays). Far away, a smaller image of the same camera takes its place.
 #pragma once
 
 #include <memory>
@@ -14,13 +14,15 @@ namespace ocelli {
 
 class SampledRelief final : public ReliefObject {
  public:
-  /// The images are of labels.labelledMesh(). Images without samples are met by no ray.
-  SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels);
+  /// The images are of labels.labelledMesh(). Images without samples are met by no ray. `coarser` may be null.
+  SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels,
+                std::shared_ptr<const SampledRelief> coarser = nullptr);
 
   std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const override;
   std::optional<TriangleMeeting> meetSlowly(const StraightRay& ray) const override;
   void meetBlock(RayBlock& block, RayCost& cost) const override;
   int blockSide(float raySpacing) const override;
+  const ReliefObject& levelFor(float raySpacing) const override;
   ReliefSurface surfaceAt(const TriangleMeeting& meeting) const override;
 
   Box bounds() const override { return pyramid_.bounds(); }
@@ -30,6 +32,7 @@ class SampledRelief final : public ReliefObject {
   const SampleCells& cells() const { return cells_; }
 
  private:
+  std::shared_ptr<const SampledRelief> coarser_;
   SampleCells cells_;
   SamplePyramid pyramid_;
   std::vector<ReliefSurface> surfaceOfVertex_;

@@ -4,7 +4,9 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/page/html.h"
@@ -313,6 +315,29 @@ class ReliefStage final : public EffectStage {
   std::optional<Truth> truth_;
 };
 
+/// Nearer than that of other effects, and somewhat from the right, so that near tiles are larger and stand before
+/// others; as wide as the tiles are from there.
+View tilesView(const ShadedScene& scene) {
+  constexpr float kDistance = 3.2f;  // radii of the tiles
+  constexpr double kProportion = 1.5;
+  constexpr double kMargin = 1.04;
+  const Box box = boundsOf(scene.tiled->flatTiles());
+  const float radius = std::max(glm::length(box.size()) / 2, 1e-6f);
+  View view;
+  view.target = box.center();
+  view.eye = view.target + glm::normalize(glm::vec3(0.45f, 0, 1)) * (kDistance * radius);
+  view.zNear = 0.01f * radius;
+  view.fovVerticalDegrees = 30;
+  const PinholeCamera camera(view, 16, 16);
+  double tangent = 0;
+  for (const glm::vec3& corner : cornersOf(box)) {
+    const glm::dvec3 p(camera.cameraFromWorld(corner));
+    tangent = std::max({tangent, std::abs(p.y) / p.z, std::abs(p.x) / p.z / kProportion});
+  }
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(kMargin * tangent));
+  return view;
+}
+
 }  // namespace
 
 Effect reliefEffect() {
@@ -343,10 +368,7 @@ Effect reliefEffect() {
                        "give one that role with --roles FILE.json, take builtin:parking, or choose another --effect");
     }
   };
-  effect.defaultView = [](const ShadedScene& scene) {
-    Box box = boundsOf(scene.tiled->flatTiles());
-    return pictureView(box);
-  };
+  effect.defaultView = tilesView;
   effect.stage = [](const StageInputs& inputs) -> std::unique_ptr<EffectStage> {
     return std::make_unique<ReliefStage>(inputs);
   };
