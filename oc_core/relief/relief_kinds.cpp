@@ -20,9 +20,6 @@ namespace {
 
 /// A cell's images may have so many times the texels: it adds rows below those of the view from above.
 constexpr double kCellTexels = 1.2;
-/// The image that is drawn far away has so many times fewer texels a side.
-constexpr size_t kCoarserBy = 4;
-constexpr size_t kMinCoarseTexels = 64;
 /// Rows are added for what is seen from the eight corners of the cell. From more viewpoints, slivers come that take
 /// more texels, in tiles of 16 x 16 pixels, than their samples are worth.
 constexpr int kCellSatellites = 8;
@@ -156,25 +153,11 @@ BuiltRelief buildReliefObject(const std::string& name, const Mesh& mesh, size_t 
     built.buildMilliseconds = millisecondsSince(start);
     return built;
   }
-  // Both levels together have as many texels as are wanted.
-  const size_t coarse = texels / (kCoarserBy * kCoarserBy + 1);
-  std::vector<ReferenceImages> levels;
-  if (!mesh.empty()) {
-    const Mesh labelled = labels.labelledMesh();
-    if (coarse >= kMinCoarseTexels) {
-      levels.push_back(reliefImages(name, labelled, coarse, progress));
-    }
-    levels.push_back(reliefImages(name, labelled, levels.empty() ? texels : texels - coarse, progress));
-  } else {
-    levels.emplace_back();
-  }
+  const ReferenceImages images =
+      mesh.empty() ? ReferenceImages{} : reliefImages(name, labels.labelledMesh(), texels, progress);
   built.buildMilliseconds = millisecondsSince(start);
   start = std::chrono::steady_clock::now();
-  std::shared_ptr<const SampledRelief> finest;
-  for (const ReferenceImages& images : levels) {
-    finest = std::make_shared<SampledRelief>(images, labels, finest);
-  }
-  built.object = finest;
+  built.object = std::make_shared<SampledRelief>(images, labels);
   built.structureMilliseconds = millisecondsSince(start);
   return built;
 }

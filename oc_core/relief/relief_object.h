@@ -35,16 +35,11 @@ class ReliefObject {
     static_cast<void>(raySpacing);
     return RayBlock::kMaxSide;
   }
-  /// What is drawn in its place where neighbouring rays are that far apart at it: of fewer samples, or itself.
-  virtual const ReliefObject& levelFor(float raySpacing) const {
-    static_cast<void>(raySpacing);
-    return *this;
-  }
   virtual ReliefSurface surfaceAt(const TriangleMeeting& meeting) const = 0;
 
   /// Around all that rays can meet; empty where they can meet nothing.
   virtual Box bounds() const = 0;
-  /// Pixels of its images, those that hold nothing among them; of all levels.
+  /// Pixels of its images, those that hold nothing among them.
   virtual size_t texels() const = 0;
   /// Pixels that hold something.
   virtual size_t samples() const = 0;

@@ -39,7 +39,6 @@ struct SeenTile {
   float nearest = 0;  ///< z of its box
   glm::ivec2 from{0};
   glm::ivec2 to{0};  ///< one behind the last pixel
-  const ReliefObject* level = nullptr;
   int blockSide = 1;
 };
 
@@ -81,8 +80,7 @@ std::optional<SeenTile> seenTile(const ReliefScene& scene, size_t tile, const Pi
   }
   const float z = std::max(seen.nearest, camera.view().zNear);
   const float raySpacing = z / camera.focalPixels() / scene.scaleOf(tile);
-  seen.level = &scene.objectOf(tile).levelFor(raySpacing);
-  seen.blockSide = std::clamp(seen.level->blockSide(raySpacing), 1, RayBlock::kMaxSide);
+  seen.blockSide = std::clamp(scene.objectOf(tile).blockSide(raySpacing), 1, RayBlock::kMaxSide);
   return seen;
 }
 
@@ -144,7 +142,7 @@ class Strip {
       return;
     }
     const size_t before = cost.steps();
-    tile.level->meetBlock(block, cost);
+    scene_.objectOf(tile.tile).meetBlock(block, cost);
     const size_t taken = cost.steps() - before;
     const auto each = static_cast<size_t>(block.rays());
     raysMet += each;
@@ -155,7 +153,7 @@ class Strip {
         steps = static_cast<uint16_t>(std::min<size_t>(steps + (taken + each - 1) / each, 0xffff));
         if (block.meets[i]) {
           PixelMeeting& pixel = pixels_(x + column, y + row);
-          pixel.tile = ReliefScene::Meeting{tile.tile, tile.level, block.meeting[i]};
+          pixel.tile = ReliefScene::Meeting{tile.tile, block.meeting[i]};
           pixel.z = static_cast<float>(block.meeting[i].share);
         }
       }
@@ -194,7 +192,7 @@ class Lighting {
     float offset = kOffset * extent_;
     if (pixel.tile) {
       surface = tiles_.surfaceAt(*pixel.tile, step);
-      offset = kTexels * pixel.tile->level->texelSize() * tiles_.scaleOf(pixel.tile->tile);
+      offset = kTexels * tiles_.objectOf(pixel.tile->tile).texelSize() * tiles_.scaleOf(pixel.tile->tile);
       picture.shown[i] = static_cast<int32_t>(pixel.tile->tile);
     } else {
       const Fragment& f = pixel.geometry;
@@ -208,9 +206,7 @@ class Lighting {
     picture.z[i] = pixel.z;
     picture.point[i] = point;
     const bool faces = glm::dot(surface.normal, directionToSun()) > 0;
-    const bool shadowed =
-        faces && withShadows &&
-        blocked(point + (surface.normal + directionToSun()) * offset, pixel.z / camera_.focalPixels());
+    const bool shadowed = faces && withShadows && blocked(point + (surface.normal + directionToSun()) * offset);
     picture.inShadow[i] = shadowed ? 1 : 0;
     picture.color[i] = surface.color * sunlitShade(surface.normal, !shadowed);
   }
@@ -219,10 +215,10 @@ class Lighting {
   static constexpr float kOffset = 1e-4f;  ///< of rays to the sun, of the size of the scene
   static constexpr float kTexels = 1.5f;   ///< of those that leave tiles
 
-  bool blocked(const glm::vec3& from, float footprint) const {
+  bool blocked(const glm::vec3& from) const {
     const glm::vec3 step = directionToSun() * extent_;
     RayCost ignored;
-    return tiles_.meetsAny({from, step, 1}, footprint, ignored) ||
+    return tiles_.meetsAny({from, step, 1}, ignored) ||
            (around_ != nullptr && around_->rays().intersect({from, from + step}).covered());
   }
 
@@ -347,8 +343,8 @@ ReliefPicture ReliefRenderer::drawSlowly(const PinholeCamera& camera) const {
       for (const SeenTile& tile : seen) {
         const float reach = pixels[i].z > 0 ? pixels[i].z : camera.view().zFar;
         const StraightRay ray = tiles_->rayInTile({camera.eye(), rays.at(x, y), reach}, tile.tile);
-        if (const auto found = ray.hasDirection() ? tile.level->meetSlowly(ray) : std::nullopt) {
-          pixels[i].tile = ReliefScene::Meeting{tile.tile, tile.level, *found};
+        if (const auto found = ray.hasDirection() ? tiles_->objectOf(tile.tile).meetSlowly(ray) : std::nullopt) {
+          pixels[i].tile = ReliefScene::Meeting{tile.tile, *found};
           pixels[i].z = static_cast<float>(found->share);
         }
       }

@@ -162,7 +162,7 @@ std::optional<ReliefScene::Meeting> ReliefScene::meet(const StraightRay& ray, Ra
     const StraightRay inTile = rayInTile(shorter, tile);
     const auto found = inTile.hasDirection() ? objectOf(tile).meet(inTile, cost) : std::nullopt;
     if (found && (!best || std::pair(found->share, tile) < std::pair(best->meeting.share, best->tile))) {
-      best = Meeting{tile, &objectOf(tile), *found};
+      best = Meeting{tile, *found};
       shorter.reach = std::nextafter(static_cast<float>(found->share), std::numeric_limits<float>::max());
     }
     return false;
@@ -170,13 +170,12 @@ std::optional<ReliefScene::Meeting> ReliefScene::meet(const StraightRay& ray, Ra
   return best;
 }
 
-bool ReliefScene::meetsAny(const StraightRay& ray, float raySpacing, RayCost& cost) const {
+bool ReliefScene::meetsAny(const StraightRay& ray, RayCost& cost) const {
   bool meets = false;
   StraightRay same = ray;
   visitAlong(same, [&](size_t tile) {
     const StraightRay inTile = rayInTile(ray, tile);
-    const ReliefObject& level = objectOf(tile).levelFor(raySpacing / scaleOf(tile));
-    meets = inTile.hasDirection() && level.meet(inTile, cost).has_value();
+    meets = inTile.hasDirection() && objectOf(tile).meet(inTile, cost).has_value();
     return meets;
   });
   return meets;
@@ -188,14 +187,14 @@ std::optional<ReliefScene::Meeting> ReliefScene::meetSlowly(const StraightRay& r
     const StraightRay inTile = rayInTile(ray, tile);
     const auto found = inTile.hasDirection() ? objectOf(tile).meetSlowly(inTile) : std::nullopt;
     if (found && (!best || found->share < best->meeting.share)) {
-      best = Meeting{tile, &objectOf(tile), *found};
+      best = Meeting{tile, *found};
     }
   }
   return best;
 }
 
 ReliefScene::Surface ReliefScene::surfaceAt(const Meeting& meeting, const glm::vec3& towards) const {
-  const ReliefSurface surface = meeting.level->surfaceAt(meeting.meeting);
+  const ReliefSurface surface = objectOf(meeting.tile).surfaceAt(meeting.meeting);
   const glm::vec3 normal = glm::transpose(glm::mat3(tileFromWorld_[meeting.tile])) * surface.normal;
   const float length = glm::length(normal);
   const glm::vec3 unit = length > 0 ? normal / length : -glm::normalize(towards);

@@ -28,13 +28,12 @@ class ReliefScene {
 
   struct Meeting {
     size_t tile = 0;
-    const ReliefObject* level = nullptr;  ///< of the tile's object, whose meeting it is
     TriangleMeeting meeting = {};
   };
   /// The first surface of any tile: through a tree over their boxes. Of equally near ones that of the first tile.
   std::optional<Meeting> meet(const StraightRay& ray, RayCost& cost) const;
-  /// Whether any tile is met at all, where neighbouring rays are that far apart in the world.
-  bool meetsAny(const StraightRay& ray, float raySpacing, RayCost& cost) const;
+  /// Whether any tile is met at all.
+  bool meetsAny(const StraightRay& ray, RayCost& cost) const;
   /// As meet(), one tile after the other, each as its object does it slowly: what tests compare with.
   std::optional<Meeting> meetSlowly(const StraightRay& ray) const;
 

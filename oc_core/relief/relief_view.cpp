@@ -63,8 +63,8 @@ ReliefViews reliefViews(const Box& bounds, size_t texels, bool forCell) {
   tangents = glm::max(tangents * kImageMargin, glm::dvec2(1e-3));
   views.size = imageSizeFor(tangents.x, tangents.y, texels);
   // Pixels are square: the side that is narrower for its pixels gives way.
-  const double perPixel = std::max(tangents.x / views.size.x, tangents.y / views.size.y);
-  views.reference.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(perPixel * views.size.y));
+  const double perPixel = 2 * std::max(tangents.x / views.size.x, tangents.y / views.size.y);
+  views.reference.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(perPixel * views.size.y / 2));
   return views;
 }
 
@@ -76,9 +76,9 @@ SpocCamera reliefSpoc(const Box& bounds, size_t texels) {
   const double spread = static_cast<double>(std::max(bottom - top, 1e-4f)) / static_cast<double>(bottom);
   const glm::dvec2 tangents = tangentsOf(above, bounds) * kImageMargin + spread;
   const glm::ivec2 size = imageSizeFor(tangents.x, tangents.y, texels);
-  const double perPixel = std::max(tangents.x / size.x, tangents.y / size.y);
+  const double perPixel = 2 * std::max(tangents.x / size.x, tangents.y / size.y);
   View view = above;
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(perPixel * size.y));
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(perPixel * size.y / 2));
   const PinholeCamera reference(view, size.x, size.y);
   SpocDistortion distortion;
   distortion.pole = reference.centerPixels();

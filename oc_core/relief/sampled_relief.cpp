@@ -6,12 +6,8 @@
 
 namespace ocelli {
 
-SampledRelief::SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels,
-                             std::shared_ptr<const SampledRelief> coarser)
-    : coarser_(std::move(coarser)),
-      cells_(sampleCells(images)),
-      pyramid_(cells_),
-      surfaceOfVertex_(cells_.mesh.positions.size()) {
+SampledRelief::SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels)
+    : cells_(sampleCells(images)), pyramid_(cells_), surfaceOfVertex_(cells_.mesh.positions.size()) {
   if (!labels.mesh().empty()) {
     parallelFor(surfaceOfVertex_.size(), 1 << 14, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
@@ -22,10 +18,6 @@ SampledRelief::SampledRelief(const ReferenceImages& images, const SurfaceLabels&
   for (const ReferenceImage& image : images) {
     texels_ += image.t.size();
     samples_ += image.sampleCount();
-  }
-  if (coarser_ != nullptr) {
-    texels_ += coarser_->texels();
-    samples_ += coarser_->samples();
   }
   if (!images.empty()) {
     const PinholeCamera reference = images[0].reference();
@@ -53,13 +45,7 @@ void SampledRelief::meetBlock(RayBlock& block, RayCost& cost) const {
 /// A block looks at all cells that it sees; where that are many more than rays, each ray by itself looks at fewer.
 int SampledRelief::blockSide(float raySpacing) const {
   const float cellsAcross = texelSize_ > 0 ? raySpacing / texelSize_ : 0;
-  return cellsAcross < 1.7f ? RayBlock::kMaxSide : cellsAcross < 4 ? RayBlock::kMaxSide / 2 : 1;
-}
-
-/// The coarser one where its samples lie about as close as rays.
-const ReliefObject& SampledRelief::levelFor(float raySpacing) const {
-  constexpr float kAlmost = 0.9f;
-  return coarser_ != nullptr && raySpacing >= kAlmost * coarser_->texelSize_ ? coarser_->levelFor(raySpacing) : *this;
+  return cellsAcross < 1.5f ? RayBlock::kMaxSide : cellsAcross < 2.2f ? RayBlock::kMaxSide / 2 : 1;
 }
 
 ReliefSurface SampledRelief::surfaceAt(const TriangleMeeting& meeting) const {

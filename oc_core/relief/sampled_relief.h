@@ -1,8 +1,7 @@
 // A relief object by reference images of any camera: rays meet the surfaces between samples, through a pyramid of their
-// bounds (oc_core/depth_rays). Far away, a smaller image of the same camera takes its place.
+// bounds (oc_core/depth_rays).
 #pragma once
 
-#include <memory>
 #include <vector>
 
 #include "oc_core/depth_rays/sample_pyramid.h"
@@ -14,15 +13,13 @@ namespace ocelli {
 
 class SampledRelief final : public ReliefObject {
  public:
-  /// The images are of labels.labelledMesh(). Images without samples are met by no ray. `coarser` may be null.
-  SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels,
-                std::shared_ptr<const SampledRelief> coarser = nullptr);
+  /// The images are of labels.labelledMesh(). Images without samples are met by no ray.
+  SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels);
 
   std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const override;
   std::optional<TriangleMeeting> meetSlowly(const StraightRay& ray) const override;
   void meetBlock(RayBlock& block, RayCost& cost) const override;
   int blockSide(float raySpacing) const override;
-  const ReliefObject& levelFor(float raySpacing) const override;
   ReliefSurface surfaceAt(const TriangleMeeting& meeting) const override;
 
   Box bounds() const override { return pyramid_.bounds(); }
@@ -32,7 +29,6 @@ class SampledRelief final : public ReliefObject {
   const SampleCells& cells() const { return cells_; }
 
  private:
-  std::shared_ptr<const SampledRelief> coarser_;
   SampleCells cells_;
   SamplePyramid pyramid_;
   std::vector<ReliefSurface> surfaceOfVertex_;

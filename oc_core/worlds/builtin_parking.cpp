@@ -31,6 +31,13 @@ float jitter(uint32_t tile, uint32_t what) {
   return static_cast<float>((h ^ (h >> 15)) >> 8) / 8388608.0f - 1;
 }
 
+/// Of paint: its strongest channel is 1, so that dark parts stay visible.
+glm::vec3 paintTint(uint32_t tile) {
+  const auto number = static_cast<size_t>((jitter(tile, 7) + 1) / 2 * static_cast<float>(kTints.size()));
+  const glm::vec3 color = kTints[std::min(number, kTints.size() - 1)]();
+  return color / std::max({color.x, color.y, color.z});
+}
+
 struct TilePlace {
   float x, z;
   double turnDegrees;
@@ -56,9 +63,8 @@ Scene tiledScene(Mesh ground, Mesh object, bool tinted, const std::vector<TilePl
   const size_t mesh = scene.meshes.size() - 1;
   for (uint32_t i = 0; i < places.size(); ++i) {
     const TilePlace& place = places[i];
-    const auto tint = static_cast<size_t>((jitter(i, 7) + 1) / 2 * static_cast<float>(kTints.size()));
-    scene.instances.push_back({mesh, placedAt({place.x, 0, place.z}, place.turnDegrees),
-                               tinted ? kTints[std::min(tint, kTints.size() - 1)]() : glm::vec3(1), kTileObject});
+    scene.instances.push_back(
+        {mesh, placedAt({place.x, 0, place.z}, place.turnDegrees), tinted ? paintTint(i) : glm::vec3(1), kTileObject});
   }
   const glm::mat4 tilt =
       glm::rotate(glm::mat4(1), static_cast<float>(radiansFromDegrees(kTiltDegrees)), glm::vec3(1, 0, 0));

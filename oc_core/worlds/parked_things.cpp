@@ -14,14 +14,14 @@ namespace {
 
 constexpr double kTau = 6.283185307179586;
 
-// Of the car, linear.
+// Of the car, linear. Light enough that no tint makes them black on a display that emits light.
 constexpr glm::vec3 kBody{0.9f, 0.9f, 0.9f};
-constexpr glm::vec3 kGlass{0.03f, 0.05f, 0.075f};
-constexpr glm::vec3 kTyre{0.025f, 0.025f, 0.03f};
+constexpr glm::vec3 kGlass{0.10f, 0.115f, 0.14f};
+constexpr glm::vec3 kTyre{0.10f, 0.10f, 0.105f};
 constexpr glm::vec3 kHub{0.55f, 0.57f, 0.6f};
 constexpr glm::vec3 kBumper{0.30f, 0.31f, 0.33f};
 constexpr glm::vec3 kHeadlight{0.95f, 0.92f, 0.75f};
-constexpr glm::vec3 kTailLight{0.75f, 0.04f, 0.03f};
+constexpr glm::vec3 kTailLight{0.75f, 0.12f, 0.10f};
 // Of the barrel.
 constexpr glm::vec3 kWood{0.34f, 0.16f, 0.06f};
 constexpr glm::vec3 kDarkWood{0.22f, 0.10f, 0.035f};

@@ -28,8 +28,8 @@ TEST(ReliefScene, theNearestTileWins) {
   const ReliefScene::Surface surface = scene.surfaceAt(*found, ray.step);
   EXPECT_NEAR(surface.color.x, 0.4f, 1e-2f);  // with the tint
   EXPECT_GT(surface.normal.z, 0.99f);
-  EXPECT_TRUE(scene.meetsAny(ray, 0, cost));
-  EXPECT_FALSE(scene.meetsAny({{0, 0, 5}, {0, 0, 1}, 100}, 0, cost));
+  EXPECT_TRUE(scene.meetsAny(ray, cost));
+  EXPECT_FALSE(scene.meetsAny({{0, 0, 5}, {0, 0, 1}, 100}, cost));
   EXPECT_FALSE(scene.meet({{0, 0, 5}, {0, 0, -1}, 4}, cost));  // out of reach
 }
 
@@ -58,20 +58,20 @@ TEST(ReliefScene, theTreeFindsWhatLookingAtEveryTileFinds) {
   }
   const ReliefScene scene({buildReliefObject("di", test::table(), 500).object}, tiles);
   size_t met = 0;
-  for (int i = 0; i < 3000; ++i) {
+  for (int i = 0; i < 1500; ++i) {
     const StraightRay ray = test::rayInto(random);
     RayCost cost;
     const auto fast = scene.meet(ray, cost);
     const auto slow = scene.meetSlowly(ray);
     ASSERT_EQ(fast.has_value(), slow.has_value());
-    EXPECT_EQ(scene.meetsAny(ray, 0, cost), slow.has_value());
+    EXPECT_EQ(scene.meetsAny(ray, cost), slow.has_value());
     if (fast) {
       ++met;
       EXPECT_EQ(fast->tile, slow->tile);
       EXPECT_EQ(fast->meeting.share, slow->meeting.share);
     }
   }
-  EXPECT_GT(met, 1000u);
+  EXPECT_GT(met, 300u);
 }
 
 TEST(ReliefScene, emptyAndDegenerateTiles) {
@@ -84,14 +84,18 @@ TEST(ReliefScene, emptyAndDegenerateTiles) {
   const auto placed = [](const glm::mat4& place) { ReliefScene({boxObject()}, {{0, place, glm::vec3(1)}}); };
   using testing::HasSubstr;
   using testing::ThrowsMessage;
-  EXPECT_THAT([&] { placed(glm::scale(glm::mat4(1), {1, 0, 1})); },
-              ThrowsMessage<InputError>(HasSubstr("tile 1 is placed without an extent")));
+  EXPECT_THAT(
+      [&] {
+        placed(glm::scale(glm::mat4(1), {1, 0, 1}));
+      },
+      ThrowsMessage<InputError>(HasSubstr("tile 1 is placed without an extent")));
   EXPECT_THROW(placed(placedAt({std::numeric_limits<float>::quiet_NaN(), 0, 0})), InputError);
 }
 
 // From inside of a box all around is its surface.
 TEST(ReliefScene, raysBeginInsideOfATile) {
-  const ReliefScene scene({buildReliefObject("cell", test::redBox(), 20'000).object}, {{0, glm::mat4(1), glm::vec3(1)}});
+  const ReliefScene scene({buildReliefObject("cell", test::redBox(), 20'000).object},
+                          {{0, glm::mat4(1), glm::vec3(1)}});
   RayCost cost;
   const auto found = scene.meet({{0, 0, 0}, {1, 0, 0}, 100}, cost);
   ASSERT_TRUE(found);

@@ -45,16 +45,5 @@ TEST(SampledRelief, showsColoursAndNormalsOfTheMesh) {
   EXPECT_LT(glm::normalize(built.object->surfaceAt(*leg).normal).x, -0.9f);
 }
 
-TEST(SampledRelief, smallerImagesAreDrawnFarAway) {
-  const BuiltRelief built = buildReliefObject("di", test::redBox(), 17'000);
-  const float texel = built.object->texelSize();
-  EXPECT_EQ(&built.object->levelFor(texel), built.object.get());
-  const ReliefObject& coarse = built.object->levelFor(5 * texel);
-  EXPECT_NE(&coarse, built.object.get());
-  EXPECT_NEAR(coarse.texelSize(), 4 * texel, 0.2f * texel);
-  EXPECT_LE(built.object->texels(), 17'000u);
-  EXPECT_GT(built.object->blockSide(texel), built.object->blockSide(20 * texel));
-}
-
 }  // namespace
 }  // namespace ocelli

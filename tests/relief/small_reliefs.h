@@ -18,13 +18,13 @@ inline Mesh redBox(const glm::vec3& half = {0.5f, 0.25f, 0.5f}) {
   return box;
 }
 
-/// A plate of half sides 0.5 between y = 0.3 and 0.4 on a leg of half sides 0.1 that stands on y = -0.4.
+/// A plate of half sides 0.5 between y = 0.3 and 0.4 over a leg of half sides 0.1 from y = -0.4 to 0.29.
 inline Mesh table() {
   Mesh mesh;
   append(mesh, redBox({0.5f, 0.05f, 0.5f}), placedAt({0, 0.35f, 0}));
-  Mesh leg = makeBox({0.1f, 0.35f, 0.1f});
+  Mesh leg = makeBox({0.1f, 0.345f, 0.1f});
   paint(leg, {0.1f, 0.1f, 0.8f});
-  append(mesh, leg, placedAt({0, -0.05f, 0}));
+  append(mesh, leg, placedAt({0, -0.055f, 0}));
   return mesh;
 }
 

@@ -20,8 +20,8 @@ TEST(SurfaceLabels, nameTrianglesAndPlaces) {
     const ReliefSurface surface = labels.surfaceOf(label);
     EXPECT_NEAR(glm::distance(surface.color, mesh.color(mesh.triangles[i].x)), 0, 1e-5f);
     const glm::uvec3& own = mesh.triangles[i];
-    const glm::vec3 normal = glm::normalize(glm::cross(mesh.positions[own.y] - mesh.positions[own.x],
-                                                       mesh.positions[own.z] - mesh.positions[own.x]));
+    const glm::vec3 normal = glm::normalize(
+        glm::cross(mesh.positions[own.y] - mesh.positions[own.x], mesh.positions[own.z] - mesh.positions[own.x]));
     // Boxes have creases of 90 degrees: each face keeps its own normal.
     EXPECT_NEAR(glm::dot(glm::normalize(surface.normal), normal), 1, 1e-5f);
   }
