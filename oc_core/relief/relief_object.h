@@ -30,11 +30,6 @@ class ReliefObject {
   virtual std::optional<TriangleMeeting> meetSlowly(const StraightRay& ray) const = 0;
   /// The same for all rays of a block. Meetings that lie before the reach of their ray replace what the block says.
   virtual void meetBlock(RayBlock& block, RayCost& cost) const;
-  /// How many rays a side blocks of them should have where neighbouring rays are that far apart at the object.
-  virtual int blockSide(float raySpacing) const {
-    static_cast<void>(raySpacing);
-    return RayBlock::kMaxSide;
-  }
   virtual ReliefSurface surfaceAt(const TriangleMeeting& meeting) const = 0;
 
   /// Around all that rays can meet; empty where they can meet nothing.

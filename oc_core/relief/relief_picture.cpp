@@ -39,7 +39,6 @@ struct SeenTile {
   float nearest = 0;  ///< z of its box
   glm::ivec2 from{0};
   glm::ivec2 to{0};  ///< one behind the last pixel
-  int blockSide = 1;
 };
 
 /// The pixels of a box; nothing where they are none.
@@ -78,9 +77,6 @@ std::optional<SeenTile> seenTile(const ReliefScene& scene, size_t tile, const Pi
   if (seen.from.x >= seen.to.x || seen.from.y >= seen.to.y) {
     return std::nullopt;
   }
-  const float z = std::max(seen.nearest, camera.view().zNear);
-  const float raySpacing = z / camera.focalPixels() / scene.scaleOf(tile);
-  seen.blockSide = std::clamp(scene.objectOf(tile).blockSide(raySpacing), 1, RayBlock::kMaxSide);
   return seen;
 }
 
@@ -113,10 +109,10 @@ class Strip {
     block.perRow = turn * rays_.perRow;
     const int firstRow = std::max(tile.from.y, top);
     const int lastRow = std::min(tile.to.y, bottom);
-    for (int y = firstRow; y < lastRow; y += tile.blockSide) {
-      block.rows = std::min(tile.blockSide, lastRow - y);
-      for (int x = tile.from.x; x < tile.to.x; x += tile.blockSide) {
-        block.columns = std::min(tile.blockSide, tile.to.x - x);
+    for (int y = firstRow; y < lastRow; y += RayBlock::kMaxSide) {
+      block.rows = std::min(RayBlock::kMaxSide, lastRow - y);
+      for (int x = tile.from.x; x < tile.to.x; x += RayBlock::kMaxSide) {
+        block.columns = std::min(RayBlock::kMaxSide, tile.to.x - x);
         block.first = turn * rays_.at(x, y);
         meet(tile, block, x, y);
       }

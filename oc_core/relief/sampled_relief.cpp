@@ -1,10 +1,17 @@
 #include "oc_core/relief/sampled_relief.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
+namespace {
+
+/// A block looks at all cells that its rays run through. Where these are many more than rays, they go on alone.
+constexpr float kWideTexels = 1.8f;
+
+}  // namespace
 
 SampledRelief::SampledRelief(const ReferenceImages& images, const SurfaceLabels& labels)
     : cells_(sampleCells(images)), pyramid_(cells_), surfaceOfVertex_(cells_.mesh.positions.size()) {
@@ -35,17 +42,21 @@ std::optional<TriangleMeeting> SampledRelief::meetSlowly(const StraightRay& ray)
 }
 
 void SampledRelief::meetBlock(RayBlock& block, RayCost& cost) const {
-  if (block.rays() > 1) {
+  if (block.rays() == 1) {
+    ReliefObject::meetBlock(block, cost);
+  } else if (raySpacingAt(block) < kWideTexels * texelSize_) {
     pyramid_.meetBlock(block, cost);
   } else {
-    ReliefObject::meetBlock(block, cost);
+    pyramid_.meetWideBlock(block, cost);
   }
 }
 
-/// A block looks at all cells that it sees; where that are many more than rays, each ray by itself looks at fewer.
-int SampledRelief::blockSide(float raySpacing) const {
-  const float cellsAcross = texelSize_ > 0 ? raySpacing / texelSize_ : 0;
-  return cellsAcross < 1.5f ? RayBlock::kMaxSide : cellsAcross < 2.2f ? RayBlock::kMaxSide / 2 : 1;
+/// At the nearest point of the object, about.
+float SampledRelief::raySpacingAt(const RayBlock& block) const {
+  const Box box = pyramid_.bounds();
+  const glm::vec3 way = glm::max(glm::max(box.lower - block.origin, block.origin - box.upper), glm::vec3(0));
+  const float stepLength = glm::length(block.first);
+  return std::max(glm::length(block.perColumn), glm::length(block.perRow)) * glm::length(way) / stepLength;
 }
 
 ReliefSurface SampledRelief::surfaceAt(const TriangleMeeting& meeting) const {

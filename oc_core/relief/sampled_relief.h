@@ -19,7 +19,6 @@ class SampledRelief final : public ReliefObject {
   std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const override;
   std::optional<TriangleMeeting> meetSlowly(const StraightRay& ray) const override;
   void meetBlock(RayBlock& block, RayCost& cost) const override;
-  int blockSide(float raySpacing) const override;
   ReliefSurface surfaceAt(const TriangleMeeting& meeting) const override;
 
   Box bounds() const override { return pyramid_.bounds(); }
@@ -29,6 +28,8 @@ class SampledRelief final : public ReliefObject {
   const SampleCells& cells() const { return cells_; }
 
  private:
+  float raySpacingAt(const RayBlock& block) const;
+
   SampleCells cells_;
   SamplePyramid pyramid_;
   std::vector<ReliefSurface> surfaceOfVertex_;

@@ -44,16 +44,23 @@ TEST(PyramidBlock, meetsWhatEachRayMeets) {
                                 const RayBlock before = block;
                                 RayCost cost;
                                 pyramid.meetBlock(block, cost);
+                                RayBlock wide = before;
+                                RayCost costOfWide;
+                                pyramid.meetWideBlock(wide, costOfWide);
+                                EXPECT_LE(costOfWide.steps(), (RayBlock::kMaxRays + 1) * pyramid.maxSteps()) << name;
                                 EXPECT_LE(cost.steps(), pyramid.maxSteps()) << name;
                                 for (int row = 0; row < block.rows; ++row) {
                                   for (int column = 0; column < block.columns; ++column) {
                                     const auto slow = meetEveryCell(cells, before.ray(column, row));
                                     const auto at = static_cast<size_t>(block.indexOf(column, row));
                                     ASSERT_EQ(block.meets[at], slow.has_value()) << name;
+                                    ASSERT_EQ(wide.meets[at], slow.has_value()) << name;
                                     if (slow) {
                                       ++met;
                                       EXPECT_EQ(block.meeting[at].share, slow->share) << name;
                                       EXPECT_EQ(block.meeting[at].triangle, slow->triangle) << name;
+                                      EXPECT_EQ(wide.meeting[at].share, slow->share) << name;
+                                      EXPECT_EQ(wide.meeting[at].triangle, slow->triangle) << name;
                                     }
                                   }
                                 }
@@ -95,6 +102,7 @@ TEST(PyramidBlock, nothingIsMetOfNothing) {
   RayBlock block = randomBlock(random);
   RayCost cost;
   pyramid.meetBlock(block, cost);
+  pyramid.meetWideBlock(block, cost);
   EXPECT_EQ(cost.steps(), 0u);
   EXPECT_FALSE(block.meets[0]);
 }
