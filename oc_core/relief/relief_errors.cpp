@@ -36,12 +36,12 @@ ReliefState stateOf(const ReliefPicture& truth, const ReliefPicture& picture, si
 
 }  // namespace
 
-ReliefPicture traceTiles(const TracedTiles& traced, const PinholeCamera& camera, int runs) {
+ReliefPicture traceTiles(const TracedTiles& traced, const PinholeCamera& camera, const ReliefDrawing& how) {
   // The same renderer, without tiles: all of it is geometry.
   const auto none = std::make_shared<const ReliefScene>(ReliefScene::Objects{}, std::vector<ReliefTile>{});
   // Not owned: what it points to outlives the renderer.
   const std::shared_ptr<const PlainGeometry> all(std::shared_ptr<const PlainGeometry>(), &traced.all);
-  ReliefPicture picture = ReliefRenderer(none, all).draw(camera, runs);
+  ReliefPicture picture = ReliefRenderer(none, all).draw(camera, how);
   for (size_t i = 0; i < picture.shown.size(); ++i) {
     if (picture.shown[i] == ReliefPicture::kGeometry && picture.triangle[i] < traced.tileTriangles) {
       picture.shown[i] = 0;

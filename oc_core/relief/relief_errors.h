@@ -28,7 +28,7 @@ struct TracedTiles {
 };
 
 /// Traced eye rays and shadows, as ReliefRenderer::draw() gives them; every tile has the number 0.
-ReliefPicture traceTiles(const TracedTiles& traced, const PinholeCamera& camera, int runs = 1);
+ReliefPicture traceTiles(const TracedTiles& traced, const PinholeCamera& camera, const ReliefDrawing& how = {});
 
 Image<ReliefState> reliefStates(const ReliefPicture& truth, const ReliefPicture& picture, const RayScene& tiles,
                                 const PinholeCamera& camera);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <glm/common.hpp>
 
 #include "oc_core/base/parallel.h"
@@ -266,10 +267,10 @@ constexpr int kStripRows = RayBlock::kMaxSide;
 ReliefRenderer::ReliefRenderer(std::shared_ptr<const ReliefScene> tiles, std::shared_ptr<const PlainGeometry> around)
     : tiles_(std::move(tiles)), around_(std::move(around)) {}
 
-ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, int runs) const {
+ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, const ReliefDrawing& how) const {
   ReliefPicture picture = blankPicture(camera);
   Image<PixelMeeting> behind;
-  for (int run = 0; run < runs; ++run) {
+  for (int run = 0; run < how.runs; ++run) {
     const auto start = std::chrono::steady_clock::now();
     behind = behindTiles(around_.get(), camera);
     const double taken = millisecondsSince(start);
@@ -278,12 +279,13 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, int runs) const 
   const EyeRays rays(camera);
   Image<PixelMeeting> pixels;
   const auto strips = static_cast<size_t>((camera.height() + kStripRows - 1) / kStripRows);
-  for (int run = 0; run < runs; ++run) {
+  for (int run = 0; run < how.runs; ++run) {
     pixels = behind;
     std::fill(picture.steps.begin(), picture.steps.end(), uint16_t{0});
     std::vector<RayCost> costs(strips);
     std::vector<size_t> counts(strips);
     const auto start = std::chrono::steady_clock::now();
+    const std::clock_t processor = std::clock();
     const std::vector<SeenTile> seen = seenTiles(*tiles_, camera);
     parallelFor(strips, 1, [&](size_t begin, size_t end) {
       for (size_t s = begin; s < end; ++s) {
@@ -297,7 +299,9 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, int runs) const 
       }
     });
     const double taken = millisecondsSince(start);
+    const double used = 1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
     picture.milliseconds = run == 0 ? taken : std::min(picture.milliseconds, taken);
+    picture.processorMilliseconds = run == 0 ? used : std::min(picture.processorMilliseconds, used);
     picture.cost = {};
     picture.rays = 0;
     for (size_t s = 0; s < strips; ++s) {
@@ -318,8 +322,11 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, int runs) const 
     });
     return millisecondsSince(start);
   };
-  for (int run = 0; run < runs; ++run) {
+  for (int run = 0; run < how.runs; ++run) {
     const double without = light(false);
+    if (!how.shadows) {
+      break;
+    }
     const double taken = std::max(light(true) - without, 0.0);
     picture.shadowMilliseconds = run == 0 ? taken : std::min(picture.shadowMilliseconds, taken);
   }

@@ -37,18 +37,24 @@ struct ReliefPicture {
   static constexpr int32_t kNothing = -1;   ///< the background
   static constexpr int32_t kGeometry = -2;  ///< what is no tile
 
-  Image<int32_t> shown;             ///< the number of the tile, or one of those above
-  Image<uint32_t> triangle;         ///< of what is no tile; of no meaning elsewhere
-  Image<float> z;                   ///< along the view direction; 0 where nothing is shown
-  Image<glm::vec3> point;           ///< in the world; of no meaning there
-  Image<glm::vec3> color;           ///< linear, with light and shadow
-  Image<uint8_t> inShadow;          ///< 1 where the sun does not reach what faces it
-  RayCost cost;                     ///< of rays from the eye
-  size_t rays = 0;                  ///< pixels of boxes, summed over tiles: those rays
-  Image<uint16_t> steps;            ///< of each pixel, where a ray is looked at by itself; of blocks, evenly
-  double geometryMilliseconds = 0;  ///< of the eye rays to what is no tile
-  double milliseconds = 0;          ///< of tiles, from the eye: boxes, intersections, depth
-  double shadowMilliseconds = 0;    ///< of the rays to the sun
+  Image<int32_t> shown;              ///< the number of the tile, or one of those above
+  Image<uint32_t> triangle;          ///< of what is no tile; of no meaning elsewhere
+  Image<float> z;                    ///< along the view direction; 0 where nothing is shown
+  Image<glm::vec3> point;            ///< in the world; of no meaning there
+  Image<glm::vec3> color;            ///< linear, with light and shadow
+  Image<uint8_t> inShadow;           ///< 1 where the sun does not reach what faces it
+  RayCost cost;                      ///< of rays from the eye
+  size_t rays = 0;                   ///< pixels of boxes, summed over tiles: those rays
+  Image<uint16_t> steps;             ///< of each pixel, where a ray is looked at by itself; of blocks, evenly
+  double geometryMilliseconds = 0;   ///< of the eye rays to what is no tile
+  double milliseconds = 0;           ///< of tiles, from the eye: boxes, intersections, depth
+  double processorMilliseconds = 0;  ///< the same, of the CPU time of this process, all threads together
+  double shadowMilliseconds = 0;     ///< of the rays to the sun
+};
+
+struct ReliefDrawing {
+  int runs = 1;  ///< times are the least of them
+  bool shadows = true;
 };
 
 class ReliefRenderer {
@@ -56,8 +62,8 @@ class ReliefRenderer {
   /// `around` may be null.
   ReliefRenderer(std::shared_ptr<const ReliefScene> tiles, std::shared_ptr<const PlainGeometry> around);
 
-  /// Times are the least of so many runs. On all threads; the same with any number of them.
-  ReliefPicture draw(const PinholeCamera& camera, int runs = 1) const;
+  /// On all threads; the same with any number of them.
+  ReliefPicture draw(const PinholeCamera& camera, const ReliefDrawing& how = {}) const;
   /// The same picture, ray by ray at every tile and every cell: what tests compare with. Without shadows.
   ReliefPicture drawSlowly(const PinholeCamera& camera) const;
 

@@ -236,7 +236,7 @@ class ReliefStage final : public EffectStage {
 
   ShadedWay measure(const std::string& way, const PinholeCamera& camera, int runs) override {
     if (way == kTraced) {
-      truth_ = Truth{camera, traceTiles(traced_->traced(), camera, runs)};
+      truth_ = Truth{camera, traceTiles(traced_->traced(), camera, {.runs = runs})};
       ReliefRow row{.picture = truth_->picture, .figures = {}, .traced = true};
       row.figures = reliefFigures(truth_->picture, truth_->picture, statesOf(truth_->picture));
       row.buildMilliseconds = tracedBuildMilliseconds_;
@@ -246,7 +246,7 @@ class ReliefStage final : public EffectStage {
     }
     prepareTruth(camera);
     const BuiltTiles built = builtBy(way);
-    const ReliefPicture picture = ReliefRenderer(built.scene, around_).draw(camera, runs);
+    const ReliefPicture picture = ReliefRenderer(built.scene, around_).draw(camera, {.runs = runs});
     const Image<ReliefState> states = statesOf(picture);
     ReliefRow row{.picture = picture, .figures = reliefFigures(truth_->picture, picture, states)};
     row.texels = built.texels;
