@@ -1,11 +1,13 @@
 // A scene as `ocelli shade` takes it apart by the roles of its objects (object_roles.h).
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/shade/tiled_scene.h"
 #include "oc_core/worlds/object_roles.h"
 #include "oc_core/worlds/scene_source.h"
 
@@ -30,6 +32,9 @@ struct ShadedScene {
   /// Objects that come to the scene have identities above its own.
   GuidedScene whole = {};
   std::vector<uint32_t> rolesOfTriangle = {};  ///< of `whole`: bits of object_roles.h
+  /// What relief tiles are made of, where an object has that role; nothing elsewhere. Its objects are also in the
+  /// meshes above, by their other roles.
+  std::shared_ptr<const TiledScene> tiled = {};
 };
 
 /// The file of roles beside the file of a scene: "teapot.roles.json" beside "teapot.obj".

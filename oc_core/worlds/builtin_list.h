@@ -5,6 +5,7 @@
 
 namespace ocelli {
 
+BuiltinScene barrelsScene();
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
@@ -15,6 +16,7 @@ BuiltinScene lensScene();
 BuiltinScene mazeScene();
 BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
+BuiltinScene parkingScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
 BuiltinScene statuesScene();
