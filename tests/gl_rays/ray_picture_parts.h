@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "oc_core/gl_rays/gl_ray_picture.h"
-#include "oc_core/image/color.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/shade/shaded_scene.h"
 
