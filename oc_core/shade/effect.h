@@ -106,7 +106,8 @@ struct StageInputs {
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
   Progress progress = {};
-  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn then.
+  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn
+  /// then.
   std::optional<PinholeCamera> picture = {};
   /// Of Effect::options, by name; those that are missing have their initial value.
   std::map<std::string, std::string> options = {};
