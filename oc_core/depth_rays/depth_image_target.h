@@ -19,6 +19,7 @@ class DepthImageTarget final : public RayTarget {
  public:
   /// Images without samples, and no image at all, are met by no ray.
   explicit DepthImageTarget(const ReferenceImages& images);
+  explicit DepthImageTarget(SampleCells cells);
 
   /// The first surface between samples that the ray meets, from either side; its colour is interpolated between them.
   /// The element is the triangle: cells().placeOf(). Nothing for rays whose coordinates are not finite or as large as

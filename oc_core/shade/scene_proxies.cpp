@@ -6,6 +6,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/depth_rays/depth_image_target.h"
+#include "oc_core/depth_rays/rim_cells.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/union_mesh.h"
@@ -138,11 +139,8 @@ bool comesBefore(float distance, const ProxyHit& other) {
 /// The surfaces between samples, through their pyramid.
 class DepthImageProxy final : public SceneProxy {
  public:
-  DepthImageProxy(const ProxyInputs& in, const ProxyImages& images)
-      : target_(images.images),
-        mirrorNormals_(colorsOfVertices(images.normals)),
-        beside_(in),
-        reach_(reachOf(in.scene)) {}
+  DepthImageProxy(const ProxyInputs& in, SampleCells cells, std::vector<glm::vec3> mirrorNormals)
+      : target_(std::move(cells)), mirrorNormals_(std::move(mirrorNormals)), beside_(in), reach_(reachOf(in.scene)) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
     const RayPath path = pathOf(ray, reach_);
@@ -160,13 +158,8 @@ class DepthImageProxy final : public SceneProxy {
   const DepthImageTarget& target() const { return target_; }
 
  private:
-  /// In the order of the vertices of the target's cells.
-  static std::vector<glm::vec3> colorsOfVertices(const ReferenceImages& images) {
-    return images.empty() ? std::vector<glm::vec3>() : unionMesh(images).colors;
-  }
-
   DepthImageTarget target_;
-  std::vector<glm::vec3> mirrorNormals_;
+  std::vector<glm::vec3> mirrorNormals_;  ///< of the vertices of its cells; none where nothing mirrors
   BesideImages beside_;
   float reach_;
 };
@@ -219,6 +212,36 @@ BuiltProxy buildEnvironment(const ProxyInputs& in) {
   return built;
 }
 
+/// What rays meet of images.
+struct HitSurfaces {
+  SampleCells cells;
+  std::vector<glm::vec3> mirrorNormals;
+  size_t rims = 0;
+};
+
+HitSurfaces surfacesOf(const ProxyImages& images) {
+  return {sampleCells(images.images),
+          images.normals.empty() ? std::vector<glm::vec3>() : unionMesh(images.normals).colors};
+}
+
+HitSurfaces surfacesToRims(const CameraChoice& choice, const ProxyImages& images, const ProxyInputs& in) {
+  if (!canHaveRims(images.images) || choice.kind->maps == nullptr) {
+    throw InputError("the images of \"" + choice.name + "\" have no rims between their samples", "--by",
+                     "take a camera of one image that displaces a pinhole's, such as di, ddoc or cell, or leave "
+                     "\"rims\" away");
+  }
+  const std::vector<CameraMap> maps = cameraMaps(choice, in.reference, *in.cast.mesh, images.images, in.progress);
+  const RayScene geometry(*in.cast.mesh, RayScene::Quality::kLow);
+  RimCells rims = rimCells(images.images[0], maps[0].ray, geometry);
+  HitSurfaces surfaces{std::move(rims.cells), {}, rims.rims};
+  for (const uint32_t pixel : rims.pixelOfVertex) {
+    if (!images.normals.empty()) {
+      surfaces.mirrorNormals.push_back(images.normals[0].color[pixel]);
+    }
+  }
+  return surfaces;
+}
+
 BuiltProxy buildDepthImages(const CameraChoice& choice, const SpecularWayName& way, const ProxyInputs& in) {
   BuiltProxy built{.name = way.full};
   const auto start = Clock::now();
@@ -238,11 +261,12 @@ BuiltProxy buildDepthImages(const CameraChoice& choice, const SpecularWayName& w
     return built;
   }
   const auto ready = Clock::now();
-  static_cast<void>(DepthImageTarget(images.images));
+  HitSurfaces surfaces = way.rims ? surfacesToRims(choice, images, in) : surfacesOf(images);
+  built.samples += surfaces.rims;
+  static_cast<void>(SamplePyramid(surfaces.cells));
   built.structureMilliseconds = millisecondsSince(ready);
-  auto proxy = std::make_unique<DepthImageProxy>(in, images);
-  built.triangles = proxy->target().cells().mesh.triangles.size();
-  built.proxy = std::move(proxy);
+  built.triangles = surfaces.cells.mesh.triangles.size();
+  built.proxy = std::make_unique<DepthImageProxy>(in, std::move(surfaces.cells), std::move(surfaces.mirrorNormals));
   return built;
 }
 

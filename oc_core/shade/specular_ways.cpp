@@ -25,6 +25,8 @@ const std::vector<WayWord>& wayWords() {
        [](SpecularWayName& way) { way.finePixels = 1; }},
       {"stepped-1/2", kWalk, "the same in steps of half a pixel", [](SpecularWayName& way) { way.finePixels = 0.5; }},
       {"stepped-1/4", kWalk, "the same in steps of a quarter", [](SpecularWayName& way) { way.finePixels = 0.25; }},
+      {"rims", kWalk, "surfaces end where those of the scene do, and not half a pixel behind the last sample",
+       [](SpecularWayName& way) { way.rims = true; }},
       {"expected-exit", kExit,
        "rays leave glass where the text expects them to, with the normal of an image of its back faces",
        [](SpecularWayName& way) { way.exit = BackFaceExit::kExpected; }},
@@ -54,8 +56,8 @@ SpecularWayName specularWay(const std::string& text) {
     words[i]->apply(way);
   }
   const bool hasImages = way.target != kTraced && way.target != kEnvironment;
-  if (!hasImages && way.isStepped()) {
-    throw InputError("\"" + way.target + "\" has no image for rays to walk in", "--by " + text,
+  if (!hasImages && (way.isStepped() || way.rims)) {
+    throw InputError("\"" + way.target + "\" has no image for rays to meet", "--by " + text,
                      "name a camera before the colon, such as di");
   }
   return way;

@@ -17,6 +17,8 @@ struct SpecularWayName {
   /// How an image of the back faces of glass says where rays leave it; nothing where they are traced through it.
   std::optional<BackFaceExit> exit = {};
 
+  bool rims = false;  ///< whether surfaces of images end where the scene's do, between samples
+
   bool isStepped() const { return finePixels > 0; }
 };
 
@@ -32,7 +34,7 @@ struct WayWord {
 const std::vector<WayWord>& wayWords();
 
 /// A colon before anything else belongs to the name, as in a path. Throws InputError where words contradict each other
-/// or the name: only images have steps.
+/// or the name: only images have steps and rims.
 SpecularWayName specularWay(const std::string& text);
 
 /// The words with their meanings, for help.
