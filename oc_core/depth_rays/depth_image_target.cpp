@@ -35,9 +35,9 @@ std::optional<Hit> firstHit(const RayPath& path, const Mesh& mesh, const Meet& m
 
 }  // namespace
 
-DepthImageTarget::DepthImageTarget(const ReferenceImages& images) : DepthImageTarget(sampleCells(images)) {}
+DepthImageTarget::DepthImageTarget(const ReferenceImages& images) : DepthImageTarget(sampleCells(images), kCells) {}
 
-DepthImageTarget::DepthImageTarget(SampleCells cells)
+DepthImageTarget::DepthImageTarget(SampleCells cells, Cells)
     : cells_(std::make_unique<SampleCells>(std::move(cells))), pyramid_(*cells_) {}
 
 std::optional<Hit> DepthImageTarget::hit(const RayPath& ray) const {

@@ -140,7 +140,10 @@ bool comesBefore(float distance, const ProxyHit& other) {
 class DepthImageProxy final : public SceneProxy {
  public:
   DepthImageProxy(const ProxyInputs& in, SampleCells cells, std::vector<glm::vec3> mirrorNormals)
-      : target_(std::move(cells)), mirrorNormals_(std::move(mirrorNormals)), beside_(in), reach_(reachOf(in.scene)) {}
+      : target_(DepthImageTarget::ofCells(std::move(cells))),
+        mirrorNormals_(std::move(mirrorNormals)),
+        beside_(in),
+        reach_(reachOf(in.scene)) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
     const RayPath path = pathOf(ray, reach_);
