@@ -106,7 +106,8 @@ TEST(RimCells, trianglesKnowTheirPixels) {
 TEST(RimCells, areOfOneImageThatDisplacesAPinholes) {
   const Mesh mesh = test::thingsBeforeWall();
   test::forEachSampledScene(mesh, smallCamera(), [](const std::string& name, const ReferenceImages& images) {
-    const bool isOne = name == "di" || name == "di-wide" || name.starts_with("ddoc") || name == "spoc" || name == "rppc" || name == "cell";
+    const bool isOne = name == "di" || name == "di-wide" || name.starts_with("ddoc") || name == "spoc" ||
+                       name == "rppc" || name == "cell";
     EXPECT_EQ(canHaveRims(images), isOne) << name;
   });
 }
