@@ -136,6 +136,8 @@ struct Effect {
   std::vector<EffectOption> options = {};
   /// Whether StageInputs::caster casts the rays of a way; nullptr for an effect without such ways.
   bool (*castsOnDevice)(const std::string& way) = nullptr;
+  /// Of reference images, pixels, where the user gives none.
+  glm::ivec2 referenceSize{720, 480};
 };
 
 }  // namespace ocelli

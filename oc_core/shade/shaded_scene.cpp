@@ -41,10 +41,12 @@ Mesh partOf(const GuidedScene& scene, uint32_t object) {
 Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const Progress& progress) {
   SceneOptions own = options;
   own.fit = true;
-  Mesh mesh = loadScene(object.source, own, progress);
-  transform(mesh,
-            glm::scale(placedAt(object.center, object.turnDegrees), glm::vec3(static_cast<float>(object.radius))));
-  return mesh;
+  const Mesh mesh = loadScene(object.source, own, progress);
+  Mesh placed;
+  for (const glm::mat4& place : placesOf(object)) {
+    append(placed, mesh, place);
+  }
+  return placed;
 }
 
 void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex, bool isCast) {
@@ -112,6 +114,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
     } else {
       append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
     }
+  }
+  if (std::any_of(roles.begin(), roles.end(), [](const RoledObject& role) { return role.has(kIsRelief); })) {
+    shaded.tiled = std::make_shared<TiledScene>(loadTiledScene(source, roles, scene.worldFromScene, options, progress));
   }
   return shaded;
 }

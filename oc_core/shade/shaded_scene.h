@@ -1,10 +1,12 @@
 // A scene as `ocelli shade` takes it apart by the roles of its objects (object_roles.h).
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/shade/tiled_scene.h"
 #include "oc_core/worlds/object_roles.h"
 #include "oc_core/worlds/scene_source.h"
 
@@ -25,6 +27,9 @@ struct ShadedScene {
   Mesh cast;          ///< what depth images stand for, but for mirrors among it
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
+  /// What relief tiles are made of, where an object has that role; nothing elsewhere. Its objects are also in the
+  /// meshes above, by their other roles.
+  std::shared_ptr<const TiledScene> tiled = {};
 };
 
 /// The file of roles beside the file of a scene: "teapot.roles.json" beside "teapot.obj".

@@ -5,6 +5,7 @@
 
 namespace ocelli {
 
+BuiltinScene barrelsScene();
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
@@ -14,6 +15,7 @@ BuiltinScene fenceScene();
 BuiltinScene lensScene();
 BuiltinScene mazeScene();
 BuiltinScene mirrorScene();
+BuiltinScene parkingScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
 BuiltinScene statuesScene();
