@@ -35,6 +35,24 @@ SampleCells::Place SampleCells::placeOf(uint32_t triangle) const {
   return {grid->image, pixel % grid->width, pixel / grid->width};
 }
 
+SampleCells cellsFrom(Mesh mesh, std::vector<SampleGrid> grids, uint32_t pixels,
+                      const std::vector<uint32_t>& cellOfTriangle) {
+  SampleCells cells{std::move(mesh), std::move(grids), {}};
+  // Sorted by cell; within one, in their order.
+  cells.firstTriangle.assign(static_cast<size_t>(pixels) + 1, 0);
+  for (const uint32_t cell : cellOfTriangle) {
+    ++cells.firstTriangle[cell + 1];
+  }
+  std::partial_sum(cells.firstTriangle.begin(), cells.firstTriangle.end(), cells.firstTriangle.begin());
+  std::vector<uint32_t> next(cells.firstTriangle.begin(), cells.firstTriangle.end() - 1);
+  std::vector<glm::uvec3> sorted(cellOfTriangle.size());
+  for (size_t i = 0; i < sorted.size(); ++i) {
+    sorted[next[cellOfTriangle[i]]++] = cells.mesh.triangles[i];
+  }
+  cells.mesh.triangles = std::move(sorted);
+  return cells;
+}
+
 SampleCells sampleCells(const ReferenceImages& images) {
   SampleCells cells;
   std::vector<uint32_t> cellOfTriangle;
@@ -52,19 +70,7 @@ SampleCells sampleCells(const ReferenceImages& images) {
       append(cells.mesh, part.mesh);
     }
   }
-  // Sorted by cell; within one, in their order.
-  cells.firstTriangle.assign(static_cast<size_t>(pixels) + 1, 0);
-  for (const uint32_t cell : cellOfTriangle) {
-    ++cells.firstTriangle[cell + 1];
-  }
-  std::partial_sum(cells.firstTriangle.begin(), cells.firstTriangle.end(), cells.firstTriangle.begin());
-  std::vector<uint32_t> next(cells.firstTriangle.begin(), cells.firstTriangle.end() - 1);
-  std::vector<glm::uvec3> sorted(cellOfTriangle.size());
-  for (size_t i = 0; i < sorted.size(); ++i) {
-    sorted[next[cellOfTriangle[i]]++] = cells.mesh.triangles[i];
-  }
-  cells.mesh.triangles = std::move(sorted);
-  return cells;
+  return cellsFrom(std::move(cells.mesh), std::move(cells.grids), pixels, cellOfTriangle);
 }
 
 SampleCells triangleCells(const Mesh& mesh) {

@@ -39,6 +39,10 @@ struct SampleCells {
   Place placeOf(uint32_t triangle) const;
 };
 
+/// From triangles in any order, and the cell of each; `pixels` are those of all grids.
+SampleCells cellsFrom(Mesh mesh, std::vector<SampleGrid> grids, uint32_t pixels,
+                      const std::vector<uint32_t>& cellOfTriangle);
+
 /// No image, and images without samples, give no triangle.
 SampleCells sampleCells(const ReferenceImages& images);
 

@@ -38,26 +38,14 @@ struct RayPiece {
   }
 };
 
-/// Which cells of a grid may hold surfaces: those that boxes around triangles touch.
+/// Which cells of a grid may hold surfaces: those that boxes around triangles, or parts of them, touch.
 class OccupiedGrid {
  public:
   explicit OccupiedGrid(const Mesh& mesh) : box_(boundsOf(mesh)), cells_(kSide * kSide * kSide, 0) {
     const glm::vec3 least = glm::vec3(1e-6f * glm::length(box_.size()));
     cellSize_ = glm::max(box_.size(), least) / static_cast<float>(kSide);
-    for (const glm::uvec3& triangle : mesh.triangles) {
-      Box around;
-      for (int corner = 0; corner < 3; ++corner) {
-        around.add(mesh.positions[triangle[corner]]);
-      }
-      const glm::ivec3 lower = cellAt(around.lower);
-      const glm::ivec3 upper = cellAt(around.upper);
-      for (int z = lower.z; z <= upper.z; ++z) {
-        for (int y = lower.y; y <= upper.y; ++y) {
-          for (int x = lower.x; x <= upper.x; ++x) {
-            cells_[indexOf({x, y, z})] = 1;
-          }
-        }
-      }
+    for (const glm::uvec3& t : mesh.triangles) {
+      occupy(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z], 0);
     }
   }
 
@@ -94,6 +82,37 @@ class OccupiedGrid {
  private:
   static constexpr int kSide = 48;
 
+  /// The cells of a box around the triangle, which is halved until those are few.
+  void occupy(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, int halvings) {
+    constexpr int kFewCells = 64;
+    constexpr int kMaxHalvings = 24;  // a triangle across the grid has 48 x 48 cells: 12 suffice
+    Box around;
+    for (const glm::vec3& corner : {a, b, c}) {
+      around.add(corner);
+    }
+    const glm::ivec3 lower = cellAt(around.lower);
+    const glm::ivec3 upper = cellAt(around.upper);
+    const glm::ivec3 count = upper - lower + 1;
+    if (count.x * count.y * count.z > kFewCells && halvings < kMaxHalvings) {
+      const float ab = glm::distance(a, b);
+      const float bc = glm::distance(b, c);
+      const float ca = glm::distance(c, a);
+      const auto halve = [&](const glm::vec3& p, const glm::vec3& q, const glm::vec3& apex) {
+        const glm::vec3 middle = (p + q) / 2.0f;
+        occupy(p, middle, apex, halvings + 1);
+        occupy(middle, q, apex, halvings + 1);
+      };
+      ab >= bc&& ab >= ca ? halve(a, b, c) : bc >= ca ? halve(b, c, a) : halve(c, a, b);
+      return;
+    }
+    for (int z = lower.z; z <= upper.z; ++z) {
+      for (int y = lower.y; y <= upper.y; ++y) {
+        for (int x = lower.x; x <= upper.x; ++x) {
+          cells_[indexOf({x, y, z})] = 1;
+        }
+      }
+    }
+  }
   glm::ivec3 cellAt(const glm::vec3& point) const {
     return glm::clamp(glm::ivec3((point - box_.lower) / cellSize_), glm::ivec3(0), glm::ivec3(kSide - 1));
   }

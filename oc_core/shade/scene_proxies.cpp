@@ -11,6 +11,7 @@
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/depth_rays/graph_image_target.h"
+#include "oc_core/depth_rays/rim_cells.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/union_mesh.h"
@@ -146,9 +147,9 @@ bool comesBefore(float distance, const ProxyHit& other) {
 /// The surfaces between samples, through their pyramid.
 class DepthImageProxy final : public SceneProxy {
  public:
-  DepthImageProxy(const ProxyInputs& in, const ProxyImages& images)
-      : target_(images.images),
-        mirrorNormals_(colorsOfVertices(images.normals)),
+  DepthImageProxy(const ProxyInputs& in, SampleCells cells, std::vector<glm::vec3> mirrorNormals)
+      : target_(DepthImageTarget::ofCells(std::move(cells))),
+        mirrorNormals_(std::move(mirrorNormals)),
         beside_(in),
         reach_(reachOf(in.scene)),
         onDevice_(in.caster != nullptr ? in.caster->prepare(target_) : nullptr) {}
@@ -174,7 +175,6 @@ class DepthImageProxy final : public SceneProxy {
       }
     });
   }
-  const DepthImageTarget& target() const { return target_; }
 
  private:
   ProxyHit seenBy(const SecondaryRay& ray, const RayPath& path, const std::optional<Hit>& hit) const {
@@ -188,13 +188,9 @@ class DepthImageProxy final : public SceneProxy {
     }
     return seen;
   }
-  /// In the order of the vertices of the target's cells.
-  static std::vector<glm::vec3> colorsOfVertices(const ReferenceImages& images) {
-    return images.empty() ? std::vector<glm::vec3>() : unionMesh(images).colors;
-  }
 
   DepthImageTarget target_;
-  std::vector<glm::vec3> mirrorNormals_;
+  std::vector<glm::vec3> mirrorNormals_;  ///< of the vertices of its cells; none where nothing mirrors
   BesideImages beside_;
   float reach_;
   std::unique_ptr<DepthRayCaster::Target> onDevice_;
@@ -276,6 +272,45 @@ BuiltProxy buildEnvironment(const ProxyInputs& in) {
   return built;
 }
 
+/// What rays meet of images.
+struct HitSurfaces {
+  SampleCells cells;
+  std::vector<glm::vec3> mirrorNormals;
+  size_t rims = 0;
+};
+
+HitSurfaces surfacesOf(const ProxyImages& images) {
+  return {sampleCells(images.images),
+          images.normals.empty() ? std::vector<glm::vec3>() : unionMesh(images.normals).colors};
+}
+
+HitSurfaces surfacesToRims(const CameraChoice& choice, const ProxyImages& images, const ProxyInputs& in) {
+  if (!canHaveRims(images.images) || choice.kind->maps == nullptr) {
+    throw InputError("the images of \"" + choice.name + "\" have no rims between their samples", "--by",
+                     "take a camera of one image that displaces a pinhole's, such as di, ddoc or cell, or leave "
+                     "\"rims\" away");
+  }
+  const std::vector<CameraMap> maps = cameraMaps(choice, in.reference, *in.cast.mesh, images.images, in.progress);
+  const RayScene geometry(*in.cast.mesh, RayScene::Quality::kLow);
+  RimCells rims = rimCells(images.images[0], maps[0].ray, geometry);
+  HitSurfaces surfaces{std::move(rims.cells), {}, rims.rims};
+  for (const uint32_t pixel : rims.pixelOfVertex) {
+    if (!images.normals.empty()) {
+      surfaces.mirrorNormals.push_back(images.normals[0].color[pixel]);
+    }
+  }
+  return surfaces;
+}
+
+/// The surfaces were begun at `start`.
+void addPyramid(BuiltProxy& built, const ProxyInputs& in, HitSurfaces surfaces, Clock::time_point start) {
+  // Environment maps and billboards are those of every other camera: their time is no part of this one's.
+  static_cast<void>(SamplePyramid(surfaces.cells));
+  built.structureMilliseconds = millisecondsSince(start);
+  built.triangles = surfaces.cells.mesh.triangles.size();
+  built.proxy = std::make_unique<DepthImageProxy>(in, std::move(surfaces.cells), std::move(surfaces.mirrorNormals));
+}
+
 BuiltProxy buildDepthImages(const CameraChoice& choice, const SpecularWayName& way, const ProxyInputs& in) {
   BuiltProxy built{.name = way.full};
   const auto start = Clock::now();
@@ -289,17 +324,14 @@ BuiltProxy buildDepthImages(const CameraChoice& choice, const SpecularWayName& w
   for (const ReferenceImage& image : images.images) {
     built.samples += image.sampleCount();
   }
-  // Environment maps and billboards are those of every other camera: their time is no part of this one's.
   if (way.isStepped()) {
     built.proxy = std::make_unique<SteppedProxy>(in, std::move(images), choice, way.finePixels);
     return built;
   }
   const auto ready = Clock::now();
-  static_cast<void>(DepthImageTarget(images.images));
-  built.structureMilliseconds = millisecondsSince(ready);
-  auto proxy = std::make_unique<DepthImageProxy>(in, images);
-  built.triangles = proxy->target().cells().mesh.triangles.size();
-  built.proxy = std::move(proxy);
+  HitSurfaces surfaces = way.rims ? surfacesToRims(choice, images, in) : surfacesOf(images);
+  built.samples += surfaces.rims;
+  addPyramid(built, in, std::move(surfaces), ready);
   return built;
 }
 
@@ -331,11 +363,7 @@ BuiltProxy buildPerspective(const SpecularWayName& way, const ProxyInputs& in) {
   built.buildMilliseconds = millisecondsSince(start);
   built.samples = images.images[0].sampleCount();
   const auto ready = Clock::now();
-  static_cast<void>(DepthImageTarget(images.images));
-  built.structureMilliseconds = millisecondsSince(ready);
-  auto proxy = std::make_unique<DepthImageProxy>(in, images);
-  built.triangles = proxy->target().cells().mesh.triangles.size();
-  built.proxy = std::move(proxy);
+  addPyramid(built, in, surfacesOf(images), ready);
   return built;
 }
 
@@ -346,9 +374,9 @@ void checkPerspective(const SpecularWayName& way) {
     throw InputError("\"" + way.target + "\" is no graph camera, and has no frusta", "--by " + way.full,
                      "use the name of a constructor of `ocelli camera list`, or its file");
   }
-  if (isPerspective && way.isStepped()) {
-    throw InputError("\"" + way.target + "\" is not walked by steps along projections", "--by " + way.full,
-                     "write :by-frusta behind its name, or the name alone");
+  if (isPerspective && (way.isStepped() || way.rims)) {
+    throw InputError("\"" + way.target + "\" is not walked by steps along projections, and has no rims",
+                     "--by " + way.full, "write :by-frusta behind its name, or the name alone");
   }
 }
 

@@ -282,10 +282,19 @@ class SpecularStage final : public EffectStage {
     return {built(scene_->senders(), views_), built(scene_->scene->mirrors, mirrorViews_)};
   }
 
+  /// Finer images are no stricter yardsticks: what counts is what the picture shows.
+  std::vector<PinholeCamera> atPictureSize(const std::vector<PinholeCamera>& references) const {
+    std::vector<PinholeCamera> yardsticks;
+    for (const PinholeCamera& reference : references) {
+      yardsticks.emplace_back(reference.view(), truth_->size.x, truth_->size.y);
+    }
+    return yardsticks;
+  }
+
   /// `rays` are those of the way, of the same pixels as the traced ones.
   ShadedWay wayOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& picture,
                   const SpecularWayName& name, std::optional<size_t> deviceDiffering = {}) const {
-    const Yardsticks yardsticks{views_.references, mirrorViews_.references};
+    const Yardsticks yardsticks{atPictureSize(views_.references), atPictureSize(mirrorViews_.references)};
     ShadeFigures row = figuresOf(built, truth_->rays, truth_->picture, picture, yardsticks);
     row.deviceDiffering = deviceDiffering;
     ShadedWay way{.name = built.name, .picture = picture.color};
@@ -345,13 +354,14 @@ Effect specularEffect() {
                    {kWrongFrontColor, "false: a sample stands before the traced first hit"}};
   static_assert(kBrightestSteps == 48);
   effect.mapNote = "Steps: from dark blue for none over red to white for 48 or more.";
-  effect.terms = {{"Footprint",
-                   "What a pixel of the reference view covers at the depth of a hit: depth / focal length in pixels."}};
+  effect.terms = {
+      {"Footprint",
+       "What a pixel of the reference view covers at the depth of a hit, if its image were as large as the picture: "
+       "depth / focal length in pixels."}};
   effect.checkWay = checkProxyName;
   effect.castsOnDevice = [](const std::string& text) {
     const SpecularWayName way = specularWay(text);
-    return way.target != kTraced && way.target != kEnvironment && !way.isStepped() &&
-           !namesConstructor(way.target);
+    return way.target != kTraced && way.target != kEnvironment && !way.isStepped() && !namesConstructor(way.target);
   };
   return effect;
 }

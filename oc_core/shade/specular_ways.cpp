@@ -28,6 +28,8 @@ const std::vector<WayWord>& wayWords() {
       {"by-frusta", kWalk,
        "rays walk frustum by frustum through the image of a graph camera (the name of its constructor, or its file)",
        [](SpecularWayName& way) { way.byFrusta = true; }},
+      {"rims", kWalk, "surfaces end where those of the scene do, and not half a pixel behind the last sample",
+       [](SpecularWayName& way) { way.rims = true; }},
       {"expected-exit", kExit,
        "rays leave glass where the text expects them to, with the normal of an image of its back faces",
        [](SpecularWayName& way) { way.exit = BackFaceExit::kExpected; }},
@@ -57,8 +59,8 @@ SpecularWayName specularWay(const std::string& text) {
     words[i]->apply(way);
   }
   const bool hasImages = way.target != kTraced && way.target != kEnvironment;
-  if (!hasImages && (way.isStepped() || way.byFrusta)) {
-    throw InputError("\"" + way.target + "\" has no image for rays to walk in", "--by " + text,
+  if (!hasImages && (way.isStepped() || way.byFrusta || way.rims)) {
+    throw InputError("\"" + way.target + "\" has no image for rays to meet", "--by " + text,
                      "name a camera before the colon, such as di");
   }
   return way;

@@ -18,6 +18,7 @@ struct SpecularWayName {
   std::optional<BackFaceExit> exit = {};
 
   bool byFrusta = false;  ///< of a graph camera: rays walk frustum by frustum through its image
+  bool rims = false;      ///< whether surfaces of images end where the scene's do, between samples
 
   bool isStepped() const { return finePixels > 0; }
 };
@@ -34,7 +35,7 @@ struct WayWord {
 const std::vector<WayWord>& wayWords();
 
 /// A colon before anything else belongs to the name, as in a path. Throws InputError where words contradict each other
-/// or the name: only images have steps.
+/// or the name: only images have steps and rims.
 SpecularWayName specularWay(const std::string& text);
 
 /// The words with their meanings, for help.

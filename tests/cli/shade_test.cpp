@@ -81,7 +81,7 @@ TEST(Shade, walksByStepsAndFollowsRaysOfSecondOrder) {
   const auto json = nlohmann::json::parse(result.output);
   EXPECT_EQ(json["order"], 2);
   EXPECT_EQ(json["reference_views"].size(), 2u) << "each mirror has its own";
-  EXPECT_EQ(json["by"][0]["second_lost"], 0.0);
+  EXPECT_EQ(json["by"][0]["lost"], 0.0);
   EXPECT_GT(json["by"][2]["steps_per_ray"], 0.0);
   EXPECT_EQ(json["by"][2]["name"], "di:stepped-1/2");
   EXPECT_TRUE(json["by"][2]["triangles"].is_null());

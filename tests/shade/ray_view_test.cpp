@@ -77,6 +77,17 @@ TEST(RayView, looksFromBeforeAFocus) {
   EXPECT_GT(found->cellSide, 0.05f) << "they spread there";
 }
 
+// A large triangle across the box of everything occupies what it passes, and not the box: rays beside it meet nothing.
+TEST(RayView, knowsWhereLargeTrianglesAre) {
+  Mesh things;
+  things.positions = {{-1, -1, 4}, {1, -1, 4}, {1, -1, 6}, {-1, 1, 6}, {-1, 1, 5.9f}, {-1, 0.9f, 6}};
+  things.triangles = {{0, 1, 2}, {3, 4, 5}};
+  EXPECT_FALSE(viewOfRays(raysFrom({0, 0, 1}, {0.5f, 0.5f, 5}, 0.5f), things, {0, 0, 0}, 90, 90));
+  const auto found = viewOfRays(raysFrom({0, 0, 1}, {0.4f, -1, 4.5f}, 0.5f), things, {0, 0, 0}, 90, 90);
+  ASSERT_TRUE(found);
+  EXPECT_LT(found->view.fovVerticalDegrees, 20) << "as wide as the rays, not as the triangle";
+}
+
 TEST(RayView, givesUpWhereThereIsNone) {
   Mesh things = makeSphere(16);
   EXPECT_FALSE(viewOfRays({}, things, {0, 0, 0}, 90, 60));

@@ -54,7 +54,7 @@ struct TwoMirrors {
 
 TEST(ShadedPicture, raysGoOnFromMirrorsUpToTheirOrder) {
   const TwoMirrors two;
-  for (const char* way : {"traced", "di", "ddoc", "cell", "ldi-2", "di:stepped-1/4"}) {
+  for (const char* way : {"traced", "di", "ddoc", "cell", "ldi-2", "di:stepped-1/4", "di:rims"}) {
     const SenderProxies proxies = two.proxies(way);
     const ShadedPicture first = shade(TwoMirrors::oneRay(), proxies, 1);
     EXPECT_LT(glm::distance(first.color(0, 0), kGrey), 1e-3f) << way << ": the mirror's own colour";

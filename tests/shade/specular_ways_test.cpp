@@ -33,6 +33,8 @@ TEST(SpecularWays, mistakesAreNamed) {
               ThrowsMessage<InputError>(HasSubstr("where rays leave glass")));
   EXPECT_THAT([] { specularWay("environment:stepped"); }, ThrowsMessage<InputError>(HasSubstr("no image")));
   EXPECT_THAT([] { specularWay("traced:stepped"); }, ThrowsMessage<InputError>(HasSubstr("no image")));
+  EXPECT_THAT([] { specularWay("di:rims:stepped"); }, ThrowsMessage<InputError>(HasSubstr("how rays walk")));
+  EXPECT_THAT([] { specularWay("traced:rims"); }, ThrowsMessage<InputError>(HasSubstr("no image")));
   EXPECT_THAT([] { checkProxyName("di:steped"); }, ThrowsMessage<InputError>(HasSubstr("\"di:steped\"")));
   EXPECT_THROW(checkProxyName(":stepped"), InputError);
   EXPECT_THROW(checkProxyName(""), InputError);
@@ -43,7 +45,7 @@ TEST(SpecularWays, eachWordIsInHelpAndChangesAWay) {
     EXPECT_THAT(wayWordsHelp(), HasSubstr(word.word));
     const SpecularWayName way = specularWay("di:" + std::string(word.word));
     EXPECT_EQ(way.target, "di");
-    EXPECT_TRUE(way.isStepped() || way.exit || way.byFrusta);
+    EXPECT_TRUE(way.isStepped() || way.exit || way.byFrusta || way.rims);
   }
 }
 
@@ -75,6 +77,21 @@ TEST(SpecularWays, stepsMeetWhatThePyramidMeets) {
     EXPECT_FALSE(beside.onCast) << way;
     EXPECT_NEAR(*beside.distance, 12, 1e-4f) << way << ": the billboard behind";
   }
+}
+
+TEST(SpecularWays, rimsAreMoreSamples) {
+  const SteppedWay made;
+  for (const std::string name : {"di", "ddoc", "cell"}) {
+    const BuiltProxy squares = made.build(name);
+    const BuiltProxy rims = made.build(name + ":rims");
+    EXPECT_GT(rims.samples, squares.samples) << name;
+    RayCost cost;
+    // A tenth of a unit is the half side of the box, whose corner is at (0.35, 0.3).
+    EXPECT_TRUE(rims.proxy->hit({{0.3495f, 0.25f, 0}, {0, 0, 1}}, cost).onCast) << name;
+    EXPECT_FALSE(rims.proxy->hit({{0.3505f, 0.25f, 0}, {0, 0, 1}}, cost).onCast) << name;
+  }
+  EXPECT_THAT([&] { made.build("eoc-hv:rims"); }, ThrowsMessage<InputError>(HasSubstr("have no rims")));
+  EXPECT_THAT([&] { made.build("panorama:rims"); }, ThrowsMessage<InputError>(HasSubstr("have no rims")));
 }
 
 TEST(SpecularWays, whatIsNoSingleImageHasNoSteps) {
