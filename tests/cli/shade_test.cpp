@@ -51,6 +51,25 @@ TEST(Shade, refractsThroughALens) {
   EXPECT_EQ(nlohmann::json::parse(result.output)["effect"], "refraction");
 }
 
+TEST(Shade, drawsReliefTilesAtThePlacesOfRoles) {
+  const TemporaryFolder folder;
+  writeFile(folder / "roles.json", R"({"objects": [{"object": 0, "roles": ["billboard"]},
+    {"source": "builtin:torus", "radius": 0.4, "roles": ["relief"],
+     "places": [{"center": [-0.6, 0, 0.8]}, {"center": [0.6, 0, 0.8], "turn_degrees": 90}]}]})");
+  const ProgramResult result = runProgram(
+      "shade builtin:room --effect relief --by height-field,cell --json --size 90x60 --image-size 64x64 --roles " +
+      inQuotes(folder / "roles.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["effect"], "relief");
+  EXPECT_EQ(json["tiles"], 2);
+  EXPECT_EQ(json["objects"], 1);
+  ASSERT_EQ(json["by"].size(), 3u);
+  EXPECT_TRUE(json["by"][0]["wrong"].is_null());
+  EXPECT_LT(json["by"][2]["wrong"], json["by"][1]["wrong"]);
+  EXPECT_LE(json["by"][1]["texels"], 64 * 64);
+}
+
 TEST(Shade, walksByStepsAndFollowsRaysOfSecondOrder) {
   const TemporaryFolder folder;
   writeFile(folder / "roles.json", R"({"objects": [{"object": 0, "roles": ["billboard"]},
