@@ -15,7 +15,7 @@
 #include "oc_core/depth_rays/stepped_image.h"
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/render/raycast.h"
-#include "oc_core/shade/effects.h"
+#include "oc_core/shade/secondary_rays.h"
 
 namespace ocelli {
 namespace {
@@ -108,9 +108,8 @@ void measure(const BenchChoice& choice, size_t triangles) {
   const std::string source =
       triangles > 0 ? fmt::format("builtin:mirror,triangles={}", triangles) : std::string("builtin:mirror");
   const ShadedScene scene = loadShadedScene(source, rolesFor(source, ""));
-  const Effect& effect = shadeEffect("reflection");
   const Box senders = boundsOf(scene.mirrors);
-  const SecondaryRays rays = raysOf(effect, scene, PinholeCamera(pictureView(senders), 720, 480));
+  const SecondaryRays rays = reflectedRays({scene, scene.mirrors}, PinholeCamera(pictureView(senders), 720, 480));
   const PinholeCamera reference(referenceView(scene.cast, senders, 720, 480), 720, 480);
   const glm::vec3 size = senders.size();
   const ViewCell cell{.sideRadii = std::max({size.x, size.y, size.z})};

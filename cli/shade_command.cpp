@@ -1,7 +1,10 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <filesystem>
+#include <memory>
+#include <optional>
 #include <system_error>
 
 #include "cli/command.h"
@@ -64,101 +67,64 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
-float largestSide(const Box& box) {
-  return std::max({box.size().x, box.size().y, box.size().z});
-}
-
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
-      : choice_(choice),
-        context_(context),
-        effect_(shadeEffect(choice.effect)),
-        size_(imageSizeFromText(choice.size, "--size")),
-        referenceSize_(imageSizeFromText(choice.imageSize, "--image-size")) {
-    for (const std::string& name : choice.by) {
-      checkProxyName(name);
+      : choice_(choice), context_(context), effect_(shadeEffect(choice.effect)) {
+    const ImageSize size = imageSizeFromText(choice.size, "--size");
+    const ImageSize referenceSize = imageSizeFromText(choice.imageSize, "--image-size");
+    for (const std::string& way : choice.by) {
+      effect_.checkWay(way);
     }
-    scene_ = loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options,
-                             context.progress());
-    requireSenders(effect_, scene_);
-    senders_ = boundsOf(effect_.senders(scene_));
-    view_ = choice.view.empty() ? pictureView(senders_) : readViewOption(choice.view);
-    rays_ = raysOf(effect_, scene_, PinholeCamera(view_, size_.width, size_.height));
-    cell_.shape = ViewCell::Shape::kSphere;
-    cell_.sideRadii = choice.cell.empty() ? largestSide(senders_) : cellSideFromText(choice.cell, "--cell");
-    reference_.emplace(referenceView(scene_.cast, senders_, referenceSize_.width, referenceSize_.height),
-                       referenceSize_.width, referenceSize_.height);
+    const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
+        choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
+    effect_.requireObjects(*scene);
+    camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
+                    size.height);
+    StageInputs inputs{.scene = scene, .referenceSize = {referenceSize.width, referenceSize.height}};
+    if (!choice.cell.empty()) {
+      inputs.cellSide = cellSideFromText(choice.cell, "--cell");
+    }
+    inputs.environmentHeight = choice.environmentHeight;
+    inputs.progress = context.progress();
+    stage_ = effect_.stage(inputs);
+    stage_->checkView(*camera_);
   }
 
   void run() {
     if (!choice_.comparesAnything()) {
-      const BuiltProxy built = build(choice_.by.front());
-      write(shade(rays_, *built.proxy));
+      write(stage_->build(choice_.by.front())->draw(*camera_));
       return;
     }
-    const BuiltProxy truth = build(kTraced);
-    const ShadedPicture traced = shade(rays_, *truth.proxy, choice_.runs);
-    add(truth, traced, traced);
-    for (const std::string& name : choice_.by) {
-      if (name == kTraced) {
-        if (!choice_.output.empty()) {
-          write(traced);
-        }
-        continue;
-      }
-      const BuiltProxy built = build(name);
-      const ShadedPicture picture = shade(rays_, *built.proxy, choice_.runs);
-      add(built, traced, picture);
-      if (!choice_.output.empty()) {
-        write(picture);
+    ShadeReport report{.scene = choice_.scene.source,
+                       .effect = effect_,
+                       .version = OCELLI_VERSION,
+                       .view = camera_->view(),
+                       .size = {camera_->width(), camera_->height()},
+                       .runs = choice_.runs};
+    std::vector<std::string> ways{kTraced};
+    for (const std::string& way : choice_.by) {
+      if (way != kTraced) {
+        ways.push_back(way);
       }
     }
-    writeReport();
+    for (const std::string& way : ways) {
+      report.ways.push_back(stage_->measure(way, *camera_, choice_.runs));
+      if (!choice_.output.empty() && way == choice_.by.front()) {
+        write(report.ways.back().picture);
+      }
+    }
+    report.facts = stage_->facts(*camera_);
+    write(report);
   }
 
  private:
-  static constexpr uint32_t kBrightestSteps = 48;  ///< the text's mean at fine steps
-
-  BuiltProxy build(const std::string& name) const {
-    const Progress progress = context_.progress();
-    return buildProxy(name, {scene_, senders_.center(), *reference_, cell_, choice_.environmentHeight, progress});
-  }
-
-  void write(const ShadedPicture& picture) const {
-    writePng(choice_.output, srgbFromLinear(picture.color));
+  void write(const Image<glm::vec3>& picture) const {
+    writePng(choice_.output, srgbFromLinear(picture));
     context_.note("wrote " + choice_.output);
   }
 
-  void add(const BuiltProxy& built, const ShadedPicture& traced, const ShadedPicture& picture) {
-    rows_.push_back(figuresOf(built, rays_, traced, picture, *reference_));
-    images_.push_back(shadeImageNames(rows_.back(), rows_.size() - 1));
-    if (choice_.page.empty()) {
-      return;
-    }
-    const fs::path folder = choice_.page;
-    writePng(folder / images_.back().picture, srgbFromLinear(picture.color));
-    if (!images_.back().errors.empty()) {
-      writePng(folder / images_.back().errors,
-               hitErrorImage(rays_, traced, compareHits(rays_, traced, picture, *reference_)));
-    }
-    if (!images_.back().steps.empty()) {
-      writePng(folder / images_.back().steps, stepImage(rays_, picture, kBrightestSteps));
-    }
-  }
-
-  void writeReport() const {
-    const ShadeReport report{.scene = choice_.scene.source,
-                             .effect = effect_.name,
-                             .version = OCELLI_VERSION,
-                             .view = view_,
-                             .size = {size_.width, size_.height},
-                             .referenceView = reference_->view(),
-                             .referenceSize = {referenceSize_.width, referenceSize_.height},
-                             .cellSide = cell_.sideRadii,
-                             .environmentHeight = choice_.environmentHeight,
-                             .runs = choice_.runs,
-                             .rows = rows_};
+  void write(const ShadeReport& report) const {
     context_.print(choice_.jsonToStandardOutput() ? shadeJson(report) : shadeTable(report));
     if (!choice_.json.empty() && !choice_.jsonToStandardOutput()) {
       writeFile(choice_.json, shadeJson(report));
@@ -166,32 +132,52 @@ class ShadeRun {
     if (!choice_.csv.empty()) {
       writeFile(choice_.csv, shadeCsv(report));
     }
-    if (!choice_.page.empty()) {
-      const fs::path page = fs::path(choice_.page) / "index.html";
-      writeFile(page, shadePage(report, images_, kBrightestSteps));
-      context_.note("wrote " + page.string());
+    if (choice_.page.empty()) {
+      return;
     }
+    const fs::path folder = choice_.page;
+    for (size_t i = 0; i < report.ways.size(); ++i) {
+      const ShadeImages names = shadeImageNames(report.ways[i], i);
+      writePng(folder / names.picture, srgbFromLinear(report.ways[i].picture));
+      for (size_t map = 0; map < names.maps.size(); ++map) {
+        writePng(folder / names.maps[map], report.ways[i].maps[map].image);
+      }
+    }
+    writeFile(folder / "index.html", shadePage(report));
+    context_.note("wrote " + (folder / "index.html").string());
   }
 
   const ShadeChoice& choice_;
   const CommandContext& context_;
   const Effect& effect_;
-  ImageSize size_;
-  ImageSize referenceSize_;
-  View view_;
-  ShadedScene scene_;
-  SecondaryRays rays_;
-  Box senders_;
-  ViewCell cell_;
-  std::optional<PinholeCamera> reference_;
-  std::vector<ShadeFigures> rows_;
-  std::vector<ShadeImages> images_;
+  std::optional<PinholeCamera> camera_;
+  std::unique_ptr<EffectStage> stage_;
 };
 
 std::string effectHelp() {
   std::string text;
   for (const Effect& effect : shadeEffects()) {
     text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", effect.name, effect.description);
+  }
+  return text;
+}
+
+/// What `--by` takes, said once for effects that take the same.
+std::string waysHelp() {
+  std::string text = "What stands for the scene where rays go on. Several with --compare or --page.";
+  std::vector<std::string> said;
+  for (const Effect& effect : shadeEffects()) {
+    if (std::find(said.begin(), said.end(), effect.ways) != said.end()) {
+      continue;
+    }
+    said.push_back(effect.ways);
+    std::string names;
+    for (const Effect& other : shadeEffects()) {
+      if (other.ways == said.back()) {
+        names += (names.empty() ? "" : ", ") + std::string(other.name);
+      }
+    }
+    text += fmt::format(" For {}: {}.", names, effect.ways);
   }
   return text;
 }
@@ -210,14 +196,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
           "scenes their own")
       ->type_name("FILE.json");
   command.add_option("--effect", choice->effect, effectHelp())->type_name("NAME");
-  command
-      .add_option(
-          "--by", choice->by,
-          "What stands for the scene where rays go on: traced (the geometry), environment (an environment map), "
-          "or the reference images of a camera: a name or a JSON file. Several with --compare or --page")
-      ->required()
-      ->delimiter(',')
-      ->type_name("NAME,...");
+  command.add_option("--by", choice->by, waysHelp())->required()->delimiter(',')->type_name("NAME,...");
   command
       .add_option("--view", choice->view,
                   "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")

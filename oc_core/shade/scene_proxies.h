@@ -10,6 +10,7 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/depth_rays/ray_cost.h"
 #include "oc_core/ocri/view_cell.h"
+#include "oc_core/shade/effect.h"
 #include "oc_core/shade/secondary_rays.h"
 
 namespace ocelli {
@@ -50,7 +51,6 @@ struct BuiltProxy {
   size_t triangles = 0;              ///< that rays can hit
 };
 
-inline constexpr const char* kTraced = "traced";
 inline constexpr const char* kEnvironment = "environment";
 
 /// `name` is "traced" (the geometry, by ray casting), "environment" (an environment map of all), or a camera, whose

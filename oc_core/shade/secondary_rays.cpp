@@ -1,12 +1,9 @@
 #include "oc_core/shade/secondary_rays.h"
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 #include "oc_core/base/parallel.h"
-#include "oc_core/image/color.h"
-#include "oc_core/render/raycast.h"
 #include "oc_core/shade/vertex_normals.h"
 
 namespace ocelli {
@@ -16,63 +13,9 @@ constexpr int kMaxInnerReflections = 4;
 /// What a ray inside of glass begins before the surface that it comes from, of the size of the object.
 constexpr float kStepInside = 1e-5f;
 
-/// What a pixel shows first.
-struct FirstSurface {
-  const SpecularObject* object = nullptr;  ///< nothing: something else
-  Fragment fragment;
-  glm::vec3 color{0};
-};
-
-/// All that a picture shows, ready for rays.
-class Stage {
- public:
-  Stage(const ShadedScene& scene, const std::vector<SpecularObject>& objects) : objects_(objects) {
-    for (const Mesh* part : {&scene.cast, &scene.billboards, &scene.surroundings}) {
-      append(rest_, *part);
-    }
-    // Those of the other effect are seen as they are.
-    for (const std::vector<SpecularObject>* all : {&scene.mirrors, &scene.lenses}) {
-      for (const SpecularObject& object : *all) {
-        if (all != &objects) {
-          append(rest_, object.mesh);
-        }
-      }
-    }
-    restRays_ = std::make_unique<RayScene>(rest_);
-    for (const SpecularObject& object : objects) {
-      objectRays_.push_back(std::make_unique<RayScene>(object.mesh));
-    }
-  }
-
-  FirstSurface lookAlong(const RayPath& ray) const {
-    FirstSurface first{nullptr, restRays_->intersect(ray), shadeBackground()};
-    if (first.fragment.covered()) {
-      first.color = colorOf(first.fragment, rest_);
-    }
-    for (size_t i = 0; i < objects_.size(); ++i) {
-      const Fragment fragment = objectRays_[i]->intersect(ray);
-      if (fragment.covered() && (!first.fragment.covered() || fragment.t < first.fragment.t)) {
-        first = {&objects_[i], fragment, glm::vec3(0)};
-      }
-    }
-    return first;
-  }
-  const RayScene& raysOf(const SpecularObject& object) const {
-    return *objectRays_[static_cast<size_t>(&object - objects_.data())];
-  }
-
- private:
-  const std::vector<SpecularObject>& objects_;
-  Mesh rest_;
-  std::unique_ptr<RayScene> restRays_;
-  std::vector<std::unique_ptr<RayScene>> objectRays_;
-};
-
-/// `goOn(stage, object, fragment, incoming)` is the ray from there.
+/// `goOn(surfaces, object, fragment, incoming)` is the ray from there.
 template <class GoOn>
-SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<SpecularObject>& objects,
-                            const PinholeCamera& camera, const GoOn& goOn) {
-  const Stage stage(scene, objects);
+SecondaryRays secondaryRays(const FirstSurfaces& surfaces, const PinholeCamera& camera, const GoOn& goOn) {
   SecondaryRays result{Image<glm::vec3>(camera.width(), camera.height()), {}};
   std::vector<std::optional<SecondaryRay>> rayOf(result.base.size());
   parallelFor(static_cast<size_t>(camera.height()), 4, [&](size_t begin, size_t end) {
@@ -80,10 +23,10 @@ SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<Specular
       const int y = static_cast<int>(row);
       for (int x = 0; x < camera.width(); ++x) {
         const RayPath path = camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-        const FirstSurface first = stage.lookAlong(path);
+        const FirstSurface first = surfaces.along(path);
         result.base(x, y) = first.color;
         if (first.object != nullptr) {
-          SecondaryRay ray = goOn(stage, *first.object, first.fragment, glm::normalize(path.back() - path.front()));
+          SecondaryRay ray = goOn(surfaces, *first.object, first.fragment, glm::normalize(path.back() - path.front()));
           ray.pixel = static_cast<uint32_t>(result.base.index(x, y));
           rayOf[ray.pixel] = ray;
         }
@@ -98,7 +41,7 @@ SecondaryRays secondaryRays(const ShadedScene& scene, const std::vector<Specular
   return result;
 }
 
-SecondaryRay throughGlass(const Stage& stage, const SpecularObject& glass, const Fragment& entry,
+SecondaryRay throughGlass(const FirstSurfaces& surfaces, const SpecularObject& glass, const Fragment& entry,
                           const glm::vec3& incoming) {
   const auto index = static_cast<float>(glass.refractiveIndex);
   const glm::vec3 size = boundsOf(glass.mesh).size();
@@ -107,7 +50,7 @@ SecondaryRay throughGlass(const Stage& stage, const SpecularObject& glass, const
   glm::vec3 direction = glm::refract(incoming, normalAt(entry, glass.mesh, glass.normals, incoming), 1 / index);
   for (int i = 0; i <= kMaxInnerReflections; ++i) {
     const glm::vec3 from = place + direction * step;
-    const Fragment exit = stage.raysOf(glass).intersect({from, from + direction * (4 * glm::length(size))});
+    const Fragment exit = surfaces.raysOf(glass).intersect({from, from + direction * (4 * glm::length(size))});
     if (!exit.covered()) {
       break;  // it is open there, or no thicker than the step
     }
@@ -124,21 +67,17 @@ SecondaryRay throughGlass(const Stage& stage, const SpecularObject& glass, const
 
 }  // namespace
 
-glm::vec3 shadeBackground() {
-  return linearFromSrgb(glm::vec3(0.80f, 0.88f, 0.95f));
-}
-
-SecondaryRays reflectedRays(const ShadedScene& scene, const PinholeCamera& camera) {
+SecondaryRays reflectedRays(const FirstSurfaces& surfaces, const PinholeCamera& camera) {
   return secondaryRays(
-      scene, scene.mirrors, camera,
-      [](const Stage&, const SpecularObject& mirror, const Fragment& fragment, const glm::vec3& incoming) {
+      surfaces, camera,
+      [](const FirstSurfaces&, const SpecularObject& mirror, const Fragment& fragment, const glm::vec3& incoming) {
         const glm::vec3 normal = normalAt(fragment, mirror.mesh, mirror.normals, incoming);
         return SecondaryRay{positionOf(fragment, mirror.mesh), glm::normalize(glm::reflect(incoming, normal)), 0};
       });
 }
 
-SecondaryRays refractedRays(const ShadedScene& scene, const PinholeCamera& camera) {
-  return secondaryRays(scene, scene.lenses, camera, throughGlass);
+SecondaryRays refractedRays(const FirstSurfaces& surfaces, const PinholeCamera& camera) {
+  return secondaryRays(surfaces, camera, throughGlass);
 }
 
 }  // namespace ocelli

@@ -8,7 +8,7 @@
 
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/image/image.h"
-#include "oc_core/shade/shaded_scene.h"
+#include "oc_core/shade/first_surfaces.h"
 
 namespace ocelli {
 
@@ -24,18 +24,16 @@ struct SecondaryRays {
   std::vector<SecondaryRay> rays;  ///< by pixel
 };
 
-/// What is behind everything.
-glm::vec3 shadeBackground();
+/// At each pixel that shows one of the objects, which mirror: the view ray reflected about the interpolated normal
+/// (first order).
+SecondaryRays reflectedRays(const FirstSurfaces& surfaces, const PinholeCamera& camera);
 
-/// At each pixel that shows a mirror: the view ray reflected about the interpolated normal (first order).
-SecondaryRays reflectedRays(const ShadedScene& scene, const PinholeCamera& camera);
-
-/// At each pixel that shows glass: the ray that leaves it again, after it was refracted where it enters, reflected
-/// inside where it cannot leave (four times at most), and refracted where it leaves. A ray that is still inside then
-/// goes on as it is. Light that a surface of glass reflects is left out.
+/// At each pixel that shows one of the objects, of glass: the ray that leaves it again, after it was refracted where it
+/// enters, reflected inside where it cannot leave (four times at most), and refracted where it leaves. A ray that is
+/// still inside then goes on as it is. Light that a surface of glass reflects is left out.
 ///
 /// DEVIATION: the text finds where the ray leaves in an image of the back faces; here it is traced through the object,
 /// which is exact and the same for all that stands for the scene.
-SecondaryRays refractedRays(const ShadedScene& scene, const PinholeCamera& camera);
+SecondaryRays refractedRays(const FirstSurfaces& surfaces, const PinholeCamera& camera);
 
 }  // namespace ocelli

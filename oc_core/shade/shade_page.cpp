@@ -5,7 +5,6 @@
 #include <cctype>
 #include <string_view>
 
-#include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/evaluation_style.h"
 #include "oc_core/page/html.h"
 
@@ -21,24 +20,23 @@ std::string swatch(const Rgb8& color, const std::string& text) {
 }
 
 std::string imageTag(const std::string& file, const glm::ivec2& size, const std::string& alternative) {
-  return file.empty()
-             ? ""
-             : fmt::format(R"(<a href="{0}"><img src="{0}" width="{1}" height="{2}" loading="lazy" alt="{3}"></a>)",
-                           htmlFromText(file), size.x, size.y, htmlFromText(alternative));
+  return fmt::format(R"(<a href="{0}"><img src="{0}" width="{1}" height="{2}" loading="lazy" alt="{3}"></a>)",
+                     htmlFromText(file), size.x, size.y, htmlFromText(alternative));
 }
 
 std::string tableOf(const ShadeReport& report) {
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Figures\"><table><caption>Against the traced "
       "picture, on this machine.</caption>\n<thead><tr><th scope=\"col\">By</th>";
-  for (const ShadeColumn& column : shadeColumns()) {
-    html += fmt::format("<th scope=\"col\">{}</th>", htmlFromText(column.heading));
+  const std::vector<size_t> shown = shownColumns(report.effect);
+  for (const size_t column : shown) {
+    html += fmt::format("<th scope=\"col\">{}</th>", htmlFromText(report.effect.columns[column].heading));
   }
   html += "</tr></thead>\n<tbody>\n";
-  for (const ShadeFigures& row : report.rows) {
-    html += "<tr><th scope=\"row\">" + htmlFromText(row.name) + "</th>";
-    for (const ShadeColumn& column : shadeColumns()) {
-      html += fmt::format("<td>{}</td>", textOf(column, row));
+  for (const ShadedWay& way : report.ways) {
+    html += "<tr><th scope=\"row\">" + htmlFromText(way.name) + "</th>";
+    for (const size_t column : shown) {
+      html += fmt::format("<td>{}</td>", textOf(report.effect.columns[column], way.figures[column]));
     }
     html += "</tr>\n";
   }
@@ -47,53 +45,58 @@ std::string tableOf(const ShadeReport& report) {
 
 }  // namespace
 
-ShadeImages shadeImageNames(const ShadeFigures& row, size_t number) {
+ShadeImages shadeImageNames(const ShadedWay& way, size_t number) {
   std::string stem = fmt::format("{}-", number);
-  for (const char c : row.name) {
+  for (const char c : way.name) {
     stem += std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' ? c : '-';
   }
-  const bool compares = row.hasDepth && row.name != kTraced;
-  return {stem + ".png", compares ? stem + "-errors.png" : "", row.cost.nodes > 0 ? stem + "-steps.png" : ""};
+  ShadeImages images{stem + ".png", {}};
+  for (const ShadedMap& map : way.maps) {
+    images.maps.push_back(fmt::format("{}-{}.png", stem, map.name));
+  }
+  return images;
 }
 
-std::string shadePage(const ShadeReport& report, const std::vector<ShadeImages>& images, uint32_t brightestSteps) {
-  const size_t rays = report.rows.empty() ? 0 : report.rows.front().rays;
-  const size_t castRays = report.rows.empty() ? 0 : report.rows.front().castRays;
-  std::string html = pageBegin(report.effect + " in " + report.scene, {kEvaluationStyle, kShadeStyle});
+std::string shadePage(const ShadeReport& report) {
+  std::string html =
+      pageBegin(std::string(report.effect.name) + " in " + report.scene, {kEvaluationStyle, kShadeStyle});
   html += fmt::format(
-      "<header>\n<h1>{} by depth images</h1>\n<p><code>{}</code></p>\n<p class=\"soft\">{} rays, one a pixel that "
-      "sends "
-      "one on in a picture of {} x {} pixels; {} of them first meet objects that depth images stand for. Reference "
-      "images of {} x {} pixels, for a cell of {:.3g} units around what sends the rays; an environment map of {} x {}. "
-      "Made by ocelli {}.</p>\n</header>\n<main>\n",
-      report.effect == "refraction" ? "Refraction" : "Reflection", htmlFromText(report.scene), groupedDigits(rays),
-      report.size.x, report.size.y, groupedDigits(castRays), report.referenceSize.x, report.referenceSize.y,
-      static_cast<double>(report.cellSide), 2 * report.environmentHeight, report.environmentHeight,
-      htmlFromText(report.version));
+      "<header>\n<h1>{} by depth images</h1>\n<p><code>{}</code></p>\n<p class=\"soft\">Pictures of {} x {} pixels.",
+      report.effect.title, htmlFromText(report.scene), report.size.x, report.size.y);
+  for (const ShadeFact& fact : report.facts) {
+    if (!fact.sentence.empty()) {
+      html += " ";
+      html += htmlFromText(fact.sentence);
+    }
+  }
+  html += fmt::format(" Made by ocelli {}.</p>\n</header>\n<main>\n", htmlFromText(report.version));
   html += "<section aria-labelledby=\"figures\">\n<h2 id=\"figures\">Figures</h2>\n" + tableOf(report) + "</section>\n";
-  html +=
-      "<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Pictures</h2>\n<ul class=\"legend\">\n" +
-      swatch(kMissingColor, "missing: the ray meets no sample") +
-      swatch(kFalseSkinColor, "off: the first hit is more than 1.5 footprints away from the traced one") +
-      swatch(kWrongFrontColor, "false: a sample stands before the traced first hit") +
-      fmt::format("</ul>\n<p>Steps: from dark blue for none over red to white for {} or more.</p>\n", brightestSteps) +
-      "<div class=\"shown\">\n";
-  for (size_t i = 0; i < report.rows.size(); ++i) {
-    const ShadeFigures& row = report.rows[i];
-    html += fmt::format("<article><h3>{}</h3>\n<figure>{}<div class=\"pair\">{}{}</div></figure></article>\n",
-                        htmlFromText(row.name), imageTag(images[i].picture, report.size, row.name + ": the picture"),
-                        imageTag(images[i].errors, report.size, row.name + ": where first hits are wrong"),
-                        imageTag(images[i].steps, report.size, row.name + ": steps of each ray"));
+  html += "<section aria-labelledby=\"pictures\">\n<h2 id=\"pictures\">Pictures</h2>\n<ul class=\"legend\">\n";
+  for (const ShadeLegend& entry : report.effect.legend) {
+    html += swatch(entry.color, htmlFromText(entry.meaning));
+  }
+  html += fmt::format("</ul>\n<p>{}</p>\n<div class=\"shown\">\n", htmlFromText(report.effect.mapNote));
+  for (size_t i = 0; i < report.ways.size(); ++i) {
+    const ShadedWay& way = report.ways[i];
+    const ShadeImages images = shadeImageNames(way, i);
+    html += fmt::format("<article><h3>{}</h3>\n<figure>{}<div class=\"pair\">", htmlFromText(way.name),
+                        imageTag(images.picture, report.size, way.name + ": the picture"));
+    for (size_t map = 0; map < way.maps.size(); ++map) {
+      html += imageTag(images.maps[map], report.size, way.name + ": " + way.maps[map].alternative);
+    }
+    html += "</div></figure></article>\n";
   }
   html +=
       "</div>\n</section>\n<section aria-labelledby=\"meaning\">\n<h2 id=\"meaning\">What the figures "
       "mean</h2>\n<dl>\n";
-  for (const ShadeColumn& column : shadeColumns()) {
-    html += fmt::format("<dt>{}</dt><dd>{}.</dd>\n", htmlFromText(column.heading), htmlFromText(column.meaning));
+  for (const size_t column : shownColumns(report.effect)) {
+    html += fmt::format("<dt>{}</dt><dd>{}.</dd>\n", htmlFromText(report.effect.columns[column].heading),
+                        htmlFromText(report.effect.columns[column].meaning));
   }
-  html +=
-      "<dt>Footprint</dt><dd>What a pixel of the reference view covers at the depth of a hit: depth / focal length in "
-      "pixels.</dd>\n</dl>\n</section>\n";
+  for (const ShadeTerm& term : report.effect.terms) {
+    html += fmt::format("<dt>{}</dt><dd>{}</dd>\n", htmlFromText(term.term), htmlFromText(term.meaning));
+  }
+  html += "</dl>\n</section>\n";
   return html + "</main>\n" + pageEnd();
 }
 

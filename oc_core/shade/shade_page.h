@@ -1,24 +1,22 @@
-// The page of a comparison: pictures side by side, where first hits are wrong, steps, and the table.
+// The page of a comparison: pictures side by side, their maps, and the table.
 #pragma once
 
 #include <string>
 #include <vector>
 
-#include "oc_core/shade/shade_tables.h"
+#include "oc_core/shade/shade_report.h"
 
 namespace ocelli {
 
-/// Files in the folder of the page.
+/// The names of the images of a way in the folder of the page: from its name, with what file names may not hold
+/// replaced, and its number in the report.
 struct ShadeImages {
   std::string picture;
-  std::string errors;  ///< empty for what tells no distances, and for the traced picture
-  std::string steps;   ///< empty for what takes none
+  std::vector<std::string> maps;  ///< one a map
 };
+ShadeImages shadeImageNames(const ShadedWay& way, size_t number);
 
-/// The names of the images of a row: from its name, with what file names may not hold replaced, and its number.
-ShadeImages shadeImageNames(const ShadeFigures& row, size_t number);
-
-/// HTML without anything from the network; one of `images` a row of the report.
-std::string shadePage(const ShadeReport& report, const std::vector<ShadeImages>& images, uint32_t brightestSteps);
+/// HTML without anything from the network.
+std::string shadePage(const ShadeReport& report);
 
 }  // namespace ocelli

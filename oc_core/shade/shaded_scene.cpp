@@ -103,6 +103,7 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
     objects.emplace_back(role, partOf(scene, object));
   }
   ShadedScene shaded;
+  shaded.source = source;
   for (auto& [role, mesh] : objects) {
     if (role.has(kMirrors)) {
       addSpecular(shaded.mirrors, std::move(mesh), 1);
@@ -112,15 +113,14 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
       append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
     }
   }
-  if (shaded.cast.empty()) {
-    throw InputError("no object of this scene has the role \"cast\": there is nothing for a depth image to stand for",
-                     source, "give one that role with --roles FILE.json");
-  }
-  if (shaded.mirrors.empty() && shaded.lenses.empty()) {
-    throw InputError("no object of this scene mirrors or refracts", source,
-                     "give one the role \"mirror\" or \"refract\" with --roles FILE.json");
-  }
   return shaded;
+}
+
+void requireCast(const ShadedScene& scene) {
+  if (scene.cast.empty()) {
+    throw InputError("no object of this scene has the role \"cast\": there is nothing for a depth image to stand for",
+                     scene.source, "give one that role with --roles FILE.json");
+  }
 }
 
 View pictureView(const Box& senders) {

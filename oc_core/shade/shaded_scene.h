@@ -18,6 +18,7 @@ struct SpecularObject {
 };
 
 struct ShadedScene {
+  std::string source = {};  ///< as errors say it
   std::vector<SpecularObject> mirrors;
   std::vector<SpecularObject> lenses;
   Mesh cast;          ///< what depth images stand for
@@ -32,12 +33,14 @@ std::string rolesFileBeside(const std::string& source);
 /// scene. Throws InputError where nothing says them.
 std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile);
 
-/// Throws InputError where a role is of an object that the scene lacks, and where nothing has a role that rays need:
-/// nothing is `cast`, or nothing mirrors or refracts.
+/// Throws InputError where a role is of an object that the scene lacks.
 ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledObject>& roles,
                             const SceneOptions& options = {}, const Progress& progress = {});
 
-/// The default view of the picture: from where the default view of other commands looks, towards what sends the rays,
+/// Throws InputError where nothing has the role `cast`.
+void requireCast(const ShadedScene& scene);
+
+/// The default view of a picture: from where the default view of other commands looks, towards what sends the rays,
 /// and as wide as the sphere around that.
 View pictureView(const Box& senders);
 

@@ -62,7 +62,7 @@ TEST(Shade, saysWhatIsWrong) {
   expectError("shade builtin:mirror --by dii --compare", "--by: there is no \"dii\"");
   expectError("shade builtin:mirror --by geometry --compare", "no image for rays to hit");
   expectError("shade builtin:mirror --effect glow --by di --compare", "reflection, refraction");
-  expectError("shade builtin:mirror --effect refraction --by di --compare", "has the role that this effect needs");
+  expectError("shade builtin:mirror --effect refraction --by di --compare", "has the role \"refract\"");
   expectError("shade builtin:teapot --by di --compare", "--roles FILE.json");
   expectError("shade builtin:mirror --by di --compare --size 0x0", "--size");
 }

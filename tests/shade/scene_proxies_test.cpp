@@ -15,7 +15,7 @@ struct Proxies {
   ShadedScene scene = test::mirrorBeforeBox();
   Box senders = boundsOf(scene.mirrors);
   PinholeCamera reference{referenceView(scene.cast, senders, 120, 80), 120, 80};
-  SecondaryRays rays = reflectedRays(scene, test::smallCamera());
+  SecondaryRays rays = reflectedRays({scene, scene.mirrors}, test::smallCamera());
 
   BuiltProxy build(const std::string& name) const {
     const Progress none;

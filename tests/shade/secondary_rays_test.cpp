@@ -1,10 +1,7 @@
 #include "oc_core/shade/secondary_rays.h"
 
-#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "oc_core/base/error.h"
-#include "oc_core/shade/effects.h"
 #include "tests/shade/small_shaded_scene.h"
 
 namespace ocelli {
@@ -14,7 +11,7 @@ using test::smallCamera;
 
 TEST(SecondaryRays, areReflectedByAMirror) {
   const ShadedScene scene = test::mirrorBeforeBox();
-  const SecondaryRays rays = reflectedRays(scene, smallCamera());
+  const SecondaryRays rays = reflectedRays({scene, scene.mirrors}, smallCamera());
   // The image is 60 pixels high for 2.01 units: a mirror of one unit covers 30 by 30 pixels, less what the box hides.
   EXPECT_GT(rays.rays.size(), 750u);
   EXPECT_LT(rays.rays.size(), 900u);
@@ -29,7 +26,7 @@ TEST(SecondaryRays, areReflectedByAMirror) {
 TEST(SecondaryRays, passGlassOfNoOpticalDensityStraight) {
   ShadedScene scene;
   scene.lenses.push_back(test::specularObject(makeSphere(64), 1.0));
-  const SecondaryRays rays = refractedRays(scene, smallCamera());
+  const SecondaryRays rays = refractedRays({scene, scene.lenses}, smallCamera());
   EXPECT_GT(rays.rays.size(), 2500u);
   for (const SecondaryRay& ray : rays.rays) {
     const glm::vec3 incoming = glm::normalize(ray.origin - glm::vec3(0, 0, 10));
@@ -46,7 +43,7 @@ TEST(SecondaryRays, areFocusedByABallOfGlass) {
   view.eye = {0, 0, 2000};
   view.zFar = 1e4f;
   view.fovVerticalDegrees = 0.01;
-  const SecondaryRays rays = refractedRays(scene, PinholeCamera(view, 40, 40));
+  const SecondaryRays rays = refractedRays({scene, scene.lenses}, PinholeCamera(view, 40, 40));
   ASSERT_GT(rays.rays.size(), 1000u);
   size_t tested = 0;
   for (const SecondaryRay& ray : rays.rays) {
@@ -66,23 +63,10 @@ TEST(SecondaryRays, areFocusedByABallOfGlass) {
 TEST(SecondaryRays, comeToAnEndInsideOfAnOpenObject) {
   ShadedScene scene;
   scene.lenses.push_back(test::specularObject(test::wall(0, 0.5f)));
-  for (const SecondaryRay& ray : refractedRays(scene, smallCamera()).rays) {
+  for (const SecondaryRay& ray : refractedRays({scene, scene.lenses}, smallCamera()).rays) {
     EXPECT_NEAR(glm::length(ray.direction), 1, 1e-5f);
     EXPECT_LT(ray.direction.z, -0.9f);
   }
-}
-
-TEST(Effects, sayWhatTheyLack) {
-  using testing::HasSubstr;
-  using testing::ThrowsMessage;
-  EXPECT_THAT([] { shadeEffect("refelction"); }, ThrowsMessage<InputError>(HasSubstr("reflection, refraction")));
-  const ShadedScene scene = test::mirrorBeforeBox();
-  EXPECT_THAT([&] { raysOf(shadeEffect("refraction"), scene, smallCamera()); },
-              ThrowsMessage<InputError>(HasSubstr("no object of this scene has the role")));
-  View away;
-  away.target = {0, 0, 20};
-  EXPECT_THAT([&] { raysOf(shadeEffect("reflection"), scene, PinholeCamera(away, 90, 60)); },
-              ThrowsMessage<InputError>(HasSubstr("shows nothing of what mirrors")));
 }
 
 }  // namespace

@@ -1,0 +1,92 @@
+#include "oc_core/shade/effects.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <set>
+#include <string>
+
+#include "oc_core/base/error.h"
+#include "tests/shade/small_shaded_scene.h"
+
+namespace ocelli {
+namespace {
+
+using test::smallCamera;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+StageInputs smallInputs() {
+  return {.scene = std::make_shared<const ShadedScene>(test::mirrorBeforeBox()),
+          .referenceSize = {60, 40},
+          .environmentHeight = 64};
+}
+
+TEST(Effects, areToldApart) {
+  std::set<std::string> names;
+  for (const Effect& effect : shadeEffects()) {
+    EXPECT_TRUE(names.insert(effect.name).second) << effect.name;
+    std::set<std::string> fields;
+    for (const FigureColumn& column : effect.columns) {
+      EXPECT_TRUE(fields.insert(column.field).second) << effect.name << ": " << column.field;
+    }
+    EXPECT_NO_THROW(effect.checkWay(kTraced)) << effect.name;
+    EXPECT_THROW(effect.checkWay("no such way"), InputError) << effect.name;
+  }
+  EXPECT_THAT([] { shadeEffect("refelction"); }, ThrowsMessage<InputError>(HasSubstr("reflection, refraction")));
+}
+
+TEST(Effects, sayWhatTheyLack) {
+  const StageInputs inputs = smallInputs();
+  EXPECT_NO_THROW(shadeEffect("reflection").requireObjects(*inputs.scene));
+  EXPECT_THAT([&] { shadeEffect("refraction").requireObjects(*inputs.scene); },
+              ThrowsMessage<InputError>(HasSubstr("has the role \"refract\"")));
+  const auto stage = shadeEffect("reflection").stage(inputs);
+  View away;
+  away.target = {0, 0, 20};
+  EXPECT_THAT([&] { stage->checkView(PinholeCamera(away, 90, 60)); },
+              ThrowsMessage<InputError>(HasSubstr("shows nothing of what mirrors")));
+  EXPECT_NO_THROW(stage->checkView(smallCamera()));
+}
+
+// A way that has been built stands for itself, whatever becomes of its stage, and draws what is measured.
+TEST(Effects, waysDrawWhatIsMeasured) {
+  auto stage = shadeEffect("reflection").stage(smallInputs());
+  for (const char* name : {"traced", "environment", "di"}) {
+    const std::unique_ptr<EffectWay> way = stage->build(name);
+    const ShadedWay measured = stage->measure(name, smallCamera(), 1);
+    EXPECT_EQ(measured.name, name);
+    EXPECT_EQ(measured.figures.size(), shadeEffect("reflection").columns.size());
+    const Image<glm::vec3> drawn = way->draw(smallCamera());
+    ASSERT_EQ(drawn.size(), measured.picture.size());
+    EXPECT_TRUE(std::equal(drawn.data(), drawn.data() + drawn.size(), measured.picture.data())) << name;
+  }
+  const std::unique_ptr<EffectWay> way = stage->build("di");
+  const Image<glm::vec3> before = way->draw(smallCamera());
+  stage.reset();
+  const Image<glm::vec3> after = way->draw(smallCamera());
+  EXPECT_TRUE(std::equal(before.data(), before.data() + before.size(), after.data()));
+}
+
+TEST(Effects, measureOneViewAfterAnother) {
+  const auto stage = shadeEffect("reflection").stage(smallInputs());
+  const size_t rays = 0;
+  const ShadedWay first = stage->measure("di", smallCamera(), 1);
+  View nearer = smallCamera().view();
+  nearer.eye.z -= 2;
+  const ShadedWay second = stage->measure("di", PinholeCamera(nearer, 60, 40), 1);
+  const ShadedWay again = stage->measure("di", smallCamera(), 1);
+  EXPECT_NE(first.figures[rays], second.figures[rays]);
+  EXPECT_EQ(first.figures[rays], again.figures[rays]);
+  for (const ShadeFact& fact : stage->facts(smallCamera())) {
+    EXPECT_TRUE(nlohmann::json::accept(fact.json)) << fact.field;
+    if (fact.field == "rays") {
+      EXPECT_EQ(fact.json, std::to_string(static_cast<size_t>(*first.figures[rays])));
+    }
+  }
+}
+
+}  // namespace
+}  // namespace ocelli
