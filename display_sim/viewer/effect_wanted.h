@@ -16,6 +16,7 @@ struct EffectWanted {
   SceneOptions sceneOptions;
   uint64_t sceneRevision = 0;  ///< another one where the scene, its options or its file are others
   std::string rolesFile;       ///< empty: that of the scene
+  int rolesRead = 0;           ///< as in EffectShown
   std::string effect;          ///< empty: the first one that the scene has objects for; then nothing is drawn
   std::string way;
   glm::ivec2 referenceSize{0};  ///< of reference images, pixels
@@ -25,7 +26,8 @@ struct EffectWanted {
   EffectShown::Content content = EffectShown::Content::kByWay;
 
   bool hasSameScene(const EffectWanted& other) const {
-    return sceneRevision == other.sceneRevision && source == other.source && rolesFile == other.rolesFile;
+    return sceneRevision == other.sceneRevision && source == other.source && rolesFile == other.rolesFile &&
+           rolesRead == other.rolesRead;
   }
   bool hasSameStage(const EffectWanted& other) const {
     return hasSameScene(other) && effect == other.effect && referenceSize == other.referenceSize;

@@ -19,7 +19,7 @@ glm::ivec2 scaled(const glm::ivec2& size, double scale) {
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), glm::ivec2(1));
 }
 
-double pixelsOf(const glm::ivec2& size) {
+double pixelCountOf(const glm::ivec2& size) {
   return static_cast<double>(size.x) * size.y;
 }
 
@@ -39,7 +39,7 @@ const Image<Rgb8>* EffectPicture::shown(EffectShown::Content content) const {
     case EffectShown::Content::kByWay:
       image = &byWay.image;
       break;
-    case EffectShown::Content::kTraced:
+    case EffectShown::Content::kByTracing:
       image = &traced.image;
       break;
     case EffectShown::Content::kDifference:
@@ -126,6 +126,7 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
   if (!wanted.on) {
     model.clear();
     last_ = {};
+    tried_ = {};
     notBuilt_.reset();
     const std::scoped_lock lock(mutex_);
     status_ = {};
@@ -137,7 +138,15 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
   bool isBuilt = false;
   std::exception_ptr error;
   try {
-    if (!last_.wanted.hasSameScene(wanted)) {  // a picture of another scene goes at once
+    if (!tried_.hasSameWay(wanted)) {
+      secondsPerPixelByWay_ = 0;
+    }
+    if (!tried_.hasSameStage(wanted)) {
+      secondsPerPixelTraced_ = 0;
+    }
+    const bool isNewScene = !tried_.hasSameScene(wanted);
+    tried_ = wanted;
+    if (isNewScene) {  // a picture of another one goes at once
       last_ = {};
       const std::scoped_lock lock(mutex_);
       status_.picture = nullptr;
@@ -175,8 +184,8 @@ double EffectWork::firstScale(const EffectWanted& wanted, bool byWay, bool trace
   if ((byWay && secondsPerPixelByWay_ <= 0) || (traced && secondsPerPixelTraced_ <= 0)) {
     return kFirstScale;
   }
-  const double seconds = pixelsOf(wanted.size) *
-                         ((byWay ? secondsPerPixelByWay_ : 0) + (traced ? secondsPerPixelTraced_ : 0));
+  const double seconds =
+      pixelCountOf(wanted.size) * ((byWay ? secondsPerPixelByWay_ : 0) + (traced ? secondsPerPixelTraced_ : 0));
   double scale = 1;
   while (scale > kSmallestScale && seconds * scale * scale > kPreviewSeconds) {
     scale /= 2;
@@ -188,12 +197,12 @@ void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay
   const PinholeCamera camera(picture.wanted.view, size.x, size.y);
   if (byWay && picture.byWay.image.empty()) {
     picture.byWay = timed([&] { return model.drawByWay(camera); });
-    secondsPerPixelByWay_ = picture.byWay.milliseconds / 1000 / pixelsOf(size);
+    secondsPerPixelByWay_ = picture.byWay.milliseconds / 1000 / pixelCountOf(size);
   }
   if (traced && picture.traced.image.empty()) {
     model.buildTraced(progressOf(picture.wanted));
     picture.traced = timed([&] { return model.drawTraced(camera); });
-    secondsPerPixelTraced_ = picture.traced.milliseconds / 1000 / pixelsOf(size);
+    secondsPerPixelTraced_ = picture.traced.milliseconds / 1000 / pixelCountOf(size);
   }
   if (!picture.byWay.image.empty() && !picture.traced.image.empty() && !picture.difference) {
     picture.difference = differenceOf(picture.byWay.image, picture.traced.image);
@@ -201,16 +210,10 @@ void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay
 }
 
 void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
-  const bool byWay = wanted.content != EffectShown::Content::kTraced;
+  const bool byWay = wanted.content != EffectShown::Content::kByTracing;
   const bool traced = wanted.content != EffectShown::Content::kByWay;
-  if (!last_.wanted.hasSameWay(wanted)) {
-    secondsPerPixelByWay_ = 0;
-  }
-  if (!last_.wanted.hasSameStage(wanted)) {
-    secondsPerPixelTraced_ = 0;
-  }
   EffectPicture picture{wanted, true, {}, {}, {}};
-  const bool sameView = last_.isWhole && last_.wanted.view == wanted.view && last_.wanted.size == wanted.size;
+  const bool sameView = last_.wanted.view == wanted.view && last_.wanted.size == wanted.size;
   if (sameView && last_.wanted.hasSameWay(wanted)) {
     picture.byWay = last_.byWay;
     picture.difference = last_.difference;
@@ -222,12 +225,7 @@ void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
   if (!isDrawn) {
     double still = kStillSeconds;
     double scale = firstScale(wanted, byWay, traced);
-    bool hurries = false;
-    {
-      const std::scoped_lock lock(mutex_);
-      hurries = hurry_;
-    }
-    for (; scale < 1 && !hurries; scale *= 2) {
+    for (; scale < 1 && !someoneWaits(); scale *= 2) {
       EffectPicture preview{wanted, false, {}, {}, {}};
       draw(preview, scaled(wanted.size, scale), byWay, traced, model);
       publish(preview);
@@ -245,6 +243,11 @@ void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
   }
 }
 
+bool EffectWork::someoneWaits() const {
+  const std::scoped_lock lock(mutex_);
+  return hurry_;
+}
+
 bool EffectWork::standsStill(const EffectWanted& wanted, double seconds) {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, std::chrono::duration<double>(seconds),
@@ -253,7 +256,9 @@ bool EffectWork::standsStill(const EffectWanted& wanted, double seconds) {
 }
 
 void EffectWork::publish(const EffectPicture& picture) {
-  last_ = picture;
+  if (picture.isWhole) {
+    last_ = picture;
+  }
   const std::scoped_lock lock(mutex_);
   if (wanted_.on && wanted_.hasSameScene(picture.wanted)) {
     status_.picture = std::make_shared<const EffectPicture>(picture);

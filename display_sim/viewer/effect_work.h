@@ -1,6 +1,6 @@
 // The pictures of the effect pane, on a thread of their own: loading the scene with its roles, building what stands for
-// it, and drawing. What is newest counts: work that a newer wish has made useless is left where it reports its progress,
-// and between two pictures.
+// it, and drawing. What is newest counts: work that a newer wish has made useless is left where it reports its
+// progress, and between two pictures.
 //
 // While the eye moves, pictures are as small as it takes to draw one in kPreviewSeconds. Once it has stood still for
 // kStillSeconds they become larger, each time twice as wide, until they are whole; then the other picture is drawn, and
@@ -74,6 +74,7 @@ class EffectWork {
   Progress progressOf(const EffectWanted& wanted);
   /// How wide the first picture is, as a share of a whole one.
   double firstScale(const EffectWanted& wanted, bool byWay, bool traced) const;
+  bool someoneWaits() const;
   /// Whether the same is still wanted after so many seconds, or at once where someone waits.
   bool standsStill(const EffectWanted& wanted, double seconds);
   void publish(const EffectPicture& picture);
@@ -88,9 +89,10 @@ class EffectWork {
   EffectStatus status_;
 
   // Of the thread alone.
-  EffectPicture last_;                      ///< what was drawn last
-  std::optional<EffectWanted> notBuilt_;    ///< what failed
-  double secondsPerPixelByWay_ = 0;         ///< 0: not known
+  EffectPicture last_;                    ///< the last one that was whole
+  EffectWanted tried_;                    ///< what was made last, or failed
+  std::optional<EffectWanted> notBuilt_;  ///< what failed
+  double secondsPerPixelByWay_ = 0;       ///< 0: not known
   double secondsPerPixelTraced_ = 0;
   std::thread thread_;
 };

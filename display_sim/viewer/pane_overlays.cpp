@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "display_sim/viewer/display_pane.h"
+#include "display_sim/viewer/effect_overlays.h"
 #include "display_sim/viewer/gui_pieces.h"
 #include "display_sim/viewer/viewer_colors.h"
 
@@ -97,6 +98,8 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
       return fmt::format("{}, {} {}, slice {} of {}", profile.name, state.display.running ? "speed" : "stopped at",
                          speedText(state.display.speed), slice + 1, slices);
     }
+    case Pane::kEffect:
+      return effectDetail(state, facts.effect);
   }
   return {};
 }
@@ -135,6 +138,13 @@ void drawHeader(const PanelDrawing& drawing, const PaneLayout& layout) {
 std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
   const ViewerState& state = drawing.state;
   const ViewerFacts& facts = drawing.facts;
+  if (pane == Pane::kEffect) {
+    const auto& picture = facts.effect.picture;
+    if (state.effect.content != EffectShown::Content::kDifference || !picture || !picture->difference) {
+      return {};
+    }
+    return {{kRampLight, fmt::format("differs by {} of 255 or more", kHottestDifference)}, {kRampDark, "as traced"}};
+  }
   if (!facts.data->camera) {
     return {};
   }
@@ -173,6 +183,7 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
       }
       return {};
     case Pane::kDisplay:
+    case Pane::kEffect:
       return {};
   }
   return {};
@@ -195,6 +206,10 @@ void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
   const std::string& failure = facts.failures[static_cast<size_t>(layout.pane)];
   if (!failure.empty()) {
     drawNote(layout.image, failure, drawing.scale);
+    return;
+  }
+  if (layout.pane == Pane::kEffect) {
+    drawNote(layout.image, effectNote(drawing.state, facts.effect, facts.showTimes), drawing.scale);
     return;
   }
   const bool empty = layout.pane == Pane::kScene     ? !facts.data->scene
@@ -241,7 +256,11 @@ std::string missingText(const MissingSamples& missing) {
 void drawPaneOverlays(const PanelDrawing& drawing) {
   for (const PaneLayout& layout : drawing.layout.panes) {
     drawHeader(drawing, layout);
-    drawLegend(layout.pane, layout.image, legendOf(drawing, layout.pane), drawing.scale);
+    WindowRect room = layout.image;
+    if (layout.pane == Pane::kEffect) {
+      room.height -= drawEffectSwitch(drawing, room);
+    }
+    drawLegend(layout.pane, room, legendOf(drawing, layout.pane), drawing.scale);
     drawNotes(drawing, layout);
   }
 }

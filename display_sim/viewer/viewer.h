@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "display_sim/viewer/display_pane.h"
+#include "display_sim/viewer/effect_pane.h"
 #include "display_sim/viewer/reconstruction_pane.h"
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_pane.h"
@@ -29,6 +30,9 @@ struct ViewerOptions {
   std::string profile = "perspecta";
   std::filesystem::path folder = ".";  ///< where images and views are saved
   bool showTimes = true;               ///< figures that differ from run to run
+  /// Where it is on, the viewer starts in the effect pane. It is among the others where something says the roles of the
+  /// scene's objects. Its names are those of oc_core/shade/effects.h.
+  EffectShown effect = {};
 };
 
 class Viewer {
@@ -59,11 +63,21 @@ class Viewer {
   /// Whether the next frame would tell more, though nothing moves.
   bool isSettling() const;
   /// Until nothing is being made any more. Update and draw afterwards.
-  void waitUntilMade() { work_.waitUntilIdle(); }
+  void waitUntilMade();
+  /// Until the picture of the effect is whole, where its pane shows. Draw afterwards.
+  void waitForEffect();
+  /// Whether something is being made.
+  bool isMaking() const { return facts_.work.busy || facts_.effect.busy; }
 
   /// As if these had been asked for in the window.
   void open(const std::string& source);
   void choose(const std::string& camera);
+  /// Opens the effect pane; `way` may be empty, for the camera.
+  void chooseEffect(const std::string& effect, const std::string& way);
+  void chooseEffectContent(EffectShown::Content content) { state_.effect.content = content; }
+
+  /// What the effect pane shows, as large as there, without texts over it. Throws InputError where it shows nothing.
+  const Image<Rgb8>& effectPicture() const;
 
  private:
   /// What draws, made under one GlScope.
@@ -74,6 +88,7 @@ class Viewer {
           reference(context),
           reconstruction(context),
           display(context),
+          effect(context),
           image(context) {}
 
     const PaneTarget& targetOf(Pane pane) const;
@@ -83,6 +98,7 @@ class Viewer {
     ReferencePane reference;
     ReconstructionPane reconstruction;
     DisplayPane display;
+    EffectPane effect;
     PaneTarget image;
   };
   struct Drag {
@@ -101,6 +117,8 @@ class Viewer {
   void attempt(const std::function<void()>& body);
   void say(const std::string& text, bool isError);
   void take(const WorkResult& result);
+  EffectWanted effectWanted() const;
+  void takeEffect();
   void saveScreenshot();
   void saveView();
   void pickPixel();
@@ -121,6 +139,9 @@ class Viewer {
   std::string profileName_;  ///< of `profile_`
   DisplayProfile profile_;
   BackgroundWork work_;
+  EffectWork effects_;
+  EffectShown effectBefore_;        ///< while another scene is being loaded
+  std::optional<View> eyeAtStart_;  ///< which goes to the view of the effect, unless it has moved
   ViewerData data_;
   GuiLayer gui_;
   SidePanel panel_;

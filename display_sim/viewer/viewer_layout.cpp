@@ -59,9 +59,8 @@ ViewerLayout viewerLayout(const ViewerState& state, const glm::vec2& windowSize,
     const auto columns = static_cast<float>(isLow ? offered.size() - inUpperRow : inUpperRow);
     const auto column = static_cast<float>(isLow ? i - inUpperRow : i);
     const float width = std::floor((area.width - gap * (columns - 1)) / columns);
-    layout.panes.push_back(
-        paneIn(offered[i], {area.x + column * (width + gap), area.y + (isLow ? height + gap : 0), width, height},
-               header));
+    layout.panes.push_back(paneIn(
+        offered[i], {area.x + column * (width + gap), area.y + (isLow ? height + gap : 0), width, height}, header));
   }
   return layout;
 }

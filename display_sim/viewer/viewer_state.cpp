@@ -78,7 +78,7 @@ std::string_view nameOf(ReconstructionShown::Content content) {
 }
 
 std::string_view nameOf(EffectShown::Content content) {
-  return named({"by the way", "traced", "difference"}, content);
+  return named({"way", "traced", "difference"}, content);
 }
 
 bool isOffered(const ViewerState& state, Pane pane) {

@@ -90,14 +90,17 @@ inline constexpr double kMaxSpeed = 4;
 
 /// The effect pane: what `ocelli shade` draws (oc_core/shade/effects.h), from where the user's eye is.
 struct EffectShown {
-  enum class Content { kByWay, kTraced, kDifference };
+  enum class Content { kByWay, kByTracing, kDifference };
   bool on = false;
   std::string effect;     ///< its name; empty: the first one that the scene has objects for
   std::string way;        ///< what stands for the scene where its rays go; empty: the camera, where the effect takes it
   std::string rolesFile;  ///< empty: that of the scene
+  int rolesRead = 0;      ///< counts how often it was given, as it may have changed
   Content content = Content::kByWay;
   bool operator==(const EffectShown&) const = default;
 };
+inline constexpr std::array kEffectContents{EffectShown::Content::kByWay, EffectShown::Content::kByTracing,
+                                            EffectShown::Content::kDifference};
 std::string_view nameOf(EffectShown::Content content);
 
 struct ViewerState {

@@ -114,6 +114,8 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  /// The ways that lists offer, without "traced", which all have; null: the cameras that checkWay() takes.
+  std::vector<std::string> (*waysToOffer)() = nullptr;
 };
 
 }  // namespace ocelli

@@ -164,6 +164,16 @@ void checkProxyName(const std::string& name) {
   }
 }
 
+std::vector<std::string> proxyNames() {
+  std::vector<std::string> names{kEnvironment};
+  for (const CameraName& camera : cameraNames()) {
+    if (cameraChoice(camera.name).hasImages()) {
+      names.emplace_back(camera.name);
+    }
+  }
+  return names;
+}
+
 BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs) {
   if (name == kTraced) {
     return buildTraced(inputs);

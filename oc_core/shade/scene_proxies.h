@@ -61,4 +61,7 @@ BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs);
 /// Throws as buildProxy() does for a name that it does not take.
 void checkProxyName(const std::string& name);
 
+/// The names that buildProxy() takes, without "traced" and files of cameras.
+std::vector<std::string> proxyNames();
+
 }  // namespace ocelli

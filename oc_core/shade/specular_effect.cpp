@@ -241,6 +241,7 @@ Effect specularEffect() {
   effect.terms = {{"Footprint",
                    "What a pixel of the reference view covers at the depth of a hit: depth / focal length in pixels."}};
   effect.checkWay = checkProxyName;
+  effect.waysToOffer = proxyNames;
   return effect;
 }
 
