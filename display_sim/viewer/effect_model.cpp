@@ -24,6 +24,24 @@ const Effect& firstEffectOf(const ShadedScene& scene) {
   std::rethrow_exception(first);
 }
 
+/// Those of the user's file, or of the scene.
+std::vector<RoledObject> rolesOf(const EffectWanted& wanted) {
+  if (!wanted.rolesFile.empty() || sceneHasRoles(wanted.source)) {
+    return rolesFor(wanted.source, wanted.rolesFile);
+  }
+  std::string known;
+  for (const BuiltinScene& scene : listBuiltinScenes()) {
+    if (!scene.roles.empty()) {
+      known += (known.empty() ? "builtin:" : ", builtin:") + std::string(scene.name);
+    }
+  }
+  throw InputError("nothing says what the objects of this scene are to an effect: which mirror, refract or cast",
+                   wanted.source,
+                   "drop a file of roles onto the window (docs/depth_images.md), or give it with --roles FILE.json; "
+                   "these scenes have roles: " +
+                       known);
+}
+
 }  // namespace
 
 struct EffectModel::Made {
@@ -59,8 +77,8 @@ void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
     made_->scene.reset();
     SceneOptions options = wanted.sceneOptions;
     options.warn = {};  // whoever loads the scene for the other panes tells it
-    made_->scene = std::make_shared<const ShadedScene>(
-        loadShadedScene(wanted.source, rolesFor(wanted.source, wanted.rolesFile), options, progress));
+    made_->scene =
+        std::make_shared<const ShadedScene>(loadShadedScene(wanted.source, rolesOf(wanted), options, progress));
     made_->sceneOf = wanted;
   }
   const Effect& effect = wanted.effect.empty() ? firstEffectOf(*made_->scene) : shadeEffect(wanted.effect);
@@ -77,6 +95,7 @@ void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
     made_->clearStage();
     report(progress, "preparing " + effect_, 0);
     StageInputs inputs{.scene = made_->scene, .referenceSize = wanted.referenceSize};
+    inputs.environmentHeight = wanted.environmentHeight;
     inputs.progress = [current = made_->progress](std::string_view stage, double fraction) {
       report(*current, stage, fraction);
     };

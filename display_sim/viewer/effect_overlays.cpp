@@ -32,19 +32,21 @@ std::string pictureText(const std::string& name, const EffectImage& image, bool 
   return showTimes && !image.image.empty() ? fmt::format("{} in {:.0f} ms", name, image.milliseconds) : name;
 }
 
-std::string shownText(const EffectPicture& picture, EffectContent content, bool showTimes) {
-  const std::string byWay = pictureText("by " + picture.wanted.way, picture.byWay, showTimes);
+std::vector<std::string> shownTexts(const EffectPicture& picture, EffectContent content, bool showTimes) {
+  const std::string name = content == EffectContent::kByTracing ? "traced" : "by " + picture.wanted.way;
   const std::string traced = pictureText("traced", picture.traced, showTimes);
-  std::string text = content == EffectContent::kByWay       ? byWay
-                     : content == EffectContent::kByTracing ? traced
-                                                            : byWay + " against " + traced;
+  std::string text = content == EffectContent::kByTracing ? traced : pictureText(name, picture.byWay, showTimes);
+  if (content == EffectContent::kDifference) {
+    text += " against " + traced;
+  }
   if (!picture.isWhole) {
-    return text + " (small while it moves)";
+    return {text + " (small while it moves)", name};
   }
-  if (picture.difference && content != EffectContent::kByTracing) {
-    text += ": " + differenceText(*picture.difference);
+  if (!picture.difference || content == EffectContent::kByTracing) {
+    return {text, name};
   }
-  return text;
+  return {text + ": " + differenceText(*picture.difference),
+          fmt::format("{}: {:.2f} % differ clearly", name, 100 * picture.difference->clearShare()), name};
 }
 
 }  // namespace
@@ -58,17 +60,22 @@ std::string effectDetail(const ViewerState& state, const EffectStatus& status) {
   return fmt::format("{}, {}, {} x {}", of.effect, way, of.size.x, of.size.y);
 }
 
-std::string effectNote(const ViewerState& state, const EffectStatus& status, bool showTimes) {
+std::vector<std::string> effectNotes(const ViewerState& state, const EffectStatus& status, bool showTimes) {
   if (!status.error.empty()) {
-    return status.error;
+    return {status.error};
   }
   const EffectContent content = state.effect.content;
   if (!status.picture || status.picture->shown(content) == nullptr) {
-    return status.busy ? "in the making: " + workText(status) : "nothing to show";
+    return status.busy ? std::vector<std::string>{"in the making: " + workText(status), "in the making"}
+                       : std::vector<std::string>{"nothing to show"};
   }
-  std::string text = shownText(*status.picture, content, showTimes);
-  const bool isMaking = status.busy && !status.stage.empty();
-  return isMaking ? text + "\n" + workText(status) : text;
+  std::vector<std::string> texts = shownTexts(*status.picture, content, showTimes);
+  if (status.busy && !status.stage.empty()) {
+    for (std::string& text : texts) {
+      text += "\n" + workText(status);
+    }
+  }
+  return texts;
 }
 
 float drawEffectSwitch(const PanelDrawing& drawing, const WindowRect& image) {

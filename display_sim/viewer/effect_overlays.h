@@ -11,9 +11,9 @@ namespace ocelli {
 
 /// Beside the title: the effect, its way, and the size of the picture.
 std::string effectDetail(const ViewerState& state, const EffectStatus& status);
-/// In the pane: what it shows, what is being made, or why there is nothing. Times are left out where they may not be
-/// shown.
-std::string effectNote(const ViewerState& state, const EffectStatus& status, bool showTimes);
+/// In the pane: what it shows, what is being made, or why there is nothing; from the longest form to the shortest, one
+/// at least. Times are left out where they may not be shown.
+std::vector<std::string> effectNotes(const ViewerState& state, const EffectStatus& status, bool showTimes);
 
 /// At the lower right of the pane's image, between the beginning and the end of a frame of the GuiLayer; nothing where
 /// the pane is too small for them. Returns the height that they take.

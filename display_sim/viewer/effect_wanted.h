@@ -20,6 +20,7 @@ struct EffectWanted {
   std::string effect;          ///< empty: the first one that the scene has objects for; then nothing is drawn
   std::string way;
   glm::ivec2 referenceSize{0};  ///< of reference images, pixels
+  int environmentHeight = 0;    ///< rows of environment maps
 
   View view;           ///< of the picture
   glm::ivec2 size{0};  ///< of the picture, pixels
@@ -30,7 +31,8 @@ struct EffectWanted {
            rolesRead == other.rolesRead;
   }
   bool hasSameStage(const EffectWanted& other) const {
-    return hasSameScene(other) && effect == other.effect && referenceSize == other.referenceSize;
+    return hasSameScene(other) && effect == other.effect && referenceSize == other.referenceSize &&
+           environmentHeight == other.environmentHeight;
   }
   bool hasSameWay(const EffectWanted& other) const { return hasSameStage(other) && way == other.way; }
   bool hasSamePicture(const EffectWanted& other) const {

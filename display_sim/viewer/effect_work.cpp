@@ -12,9 +12,6 @@ namespace {
 /// Thrown through work that a newer wish has made useless.
 struct EffectSuperseded {};
 
-constexpr double kSmallestScale = 0.125;
-constexpr double kFirstScale = 0.25;  // where nothing is known
-
 glm::ivec2 scaled(const glm::ivec2& size, double scale) {
   return glm::max(glm::ivec2(glm::round(glm::dvec2(size) * scale)), glm::ivec2(1));
 }
@@ -32,6 +29,19 @@ EffectImage timed(const Draw& draw) {
 }
 
 }  // namespace
+
+double previewScale(double secondsOfWhole) {
+  constexpr double kSmallest = 0.125;
+  constexpr double kUnknown = 0.25;
+  if (!(secondsOfWhole > 0)) {
+    return kUnknown;
+  }
+  double scale = 1;
+  while (scale > kSmallest && secondsOfWhole * scale * scale > EffectWork::kPreviewSeconds) {
+    scale /= 2;
+  }
+  return scale;
+}
 
 const Image<Rgb8>* EffectPicture::shown(EffectShown::Content content) const {
   const Image<Rgb8>* image = nullptr;
@@ -140,6 +150,8 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
   try {
     if (!tried_.hasSameWay(wanted)) {
       secondsPerPixelByWay_ = 0;
+      const std::scoped_lock lock(mutex_);
+      status_.error.clear();
     }
     if (!tried_.hasSameStage(wanted)) {
       secondsPerPixelTraced_ = 0;
@@ -182,15 +194,10 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
 
 double EffectWork::firstScale(const EffectWanted& wanted, bool byWay, bool traced) const {
   if ((byWay && secondsPerPixelByWay_ <= 0) || (traced && secondsPerPixelTraced_ <= 0)) {
-    return kFirstScale;
+    return previewScale(0);
   }
-  const double seconds =
-      pixelCountOf(wanted.size) * ((byWay ? secondsPerPixelByWay_ : 0) + (traced ? secondsPerPixelTraced_ : 0));
-  double scale = 1;
-  while (scale > kSmallestScale && seconds * scale * scale > kPreviewSeconds) {
-    scale /= 2;
-  }
-  return scale;
+  return previewScale(pixelCountOf(wanted.size) *
+                      ((byWay ? secondsPerPixelByWay_ : 0) + (traced ? secondsPerPixelTraced_ : 0)));
 }
 
 void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay, bool traced, EffectModel& model) {
@@ -201,6 +208,7 @@ void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay
   }
   if (traced && picture.traced.image.empty()) {
     model.buildTraced(progressOf(picture.wanted));
+    clearStage();
     picture.traced = timed([&] { return model.drawTraced(camera); });
     secondsPerPixelTraced_ = picture.traced.milliseconds / 1000 / pixelCountOf(size);
   }
@@ -237,10 +245,15 @@ void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
   }
   draw(picture, wanted.size, byWay, traced, model);
   publish(picture);
-  if (standsStill(wanted, kStillSeconds)) {
+  if (!picture.difference && standsStill(wanted, kStillSeconds)) {
     draw(picture, wanted.size, true, true, model);
     publish(picture);
   }
+}
+
+void EffectWork::clearStage() {
+  const std::scoped_lock lock(mutex_);
+  status_.stage.clear();
 }
 
 bool EffectWork::someoneWaits() const {

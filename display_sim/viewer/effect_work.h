@@ -48,6 +48,10 @@ struct EffectStatus {
   std::shared_ptr<const EffectPicture> picture;  ///< the newest; null: none
 };
 
+/// How wide the first picture of a view is, as a share of a whole one, which takes about so many seconds; 0: not known.
+/// A half, a quarter or an eighth, where the whole one takes too long.
+double previewScale(double secondsOfWhole);
+
 class EffectWork {
  public:
   static constexpr double kPreviewSeconds = 0.06;
@@ -74,6 +78,7 @@ class EffectWork {
   Progress progressOf(const EffectWanted& wanted);
   /// How wide the first picture is, as a share of a whole one.
   double firstScale(const EffectWanted& wanted, bool byWay, bool traced) const;
+  void clearStage();
   bool someoneWaits() const;
   /// Whether the same is still wanted after so many seconds, or at once where someone waits.
   bool standsStill(const EffectWanted& wanted, double seconds);

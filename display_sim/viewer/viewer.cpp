@@ -347,6 +347,7 @@ EffectWanted Viewer::effectWanted() const {
   wanted.effect = state_.effect.effect;
   wanted.way = chosenWay(state_);
   wanted.referenceSize = {state_.work.width, state_.work.height};
+  wanted.environmentHeight = options_.environmentHeight;
   wanted.view = state_.reconstruction.view;
   wanted.size = pane != nullptr ? effectPlace(state_, pixelsOf(pane->image)).size : glm::ivec2(1);
   wanted.content = state_.effect.content;

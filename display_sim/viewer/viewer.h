@@ -33,6 +33,7 @@ struct ViewerOptions {
   /// Where it is on, the viewer starts in the effect pane. It is among the others where something says the roles of the
   /// scene's objects. Its names are those of oc_core/shade/effects.h.
   EffectShown effect = {};
+  int environmentHeight = 1024;  ///< rows of the environment maps of effects: as `ocelli shade` has them
 };
 
 class Viewer {

@@ -19,7 +19,7 @@ constexpr const char* kPanesGroup = "Panes";
 constexpr const char* kCameraGroup = "Camera";
 constexpr const char* kShow = "What panes show";
 constexpr const char* kDisplayGroup = "Display";
-constexpr const char* kEffectGroup = "Effect (reflection, ...)";
+constexpr const char* kEffectGroup = "Effect: reflections and others";
 constexpr const char* kWindow = "Window and files";
 
 ReferenceShown::Quantity next(ReferenceShown::Quantity quantity) {
@@ -143,13 +143,13 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kP, kNextProfile, kDisplayGroup, "P", "next display"},
       {Key::kZ, kToggleSliced, kDisplayGroup, "Z", "shows the mesh or the scene itself"},
 
-      {Key::kK, kSwitchToTraced, kEffectGroup, "K", "traced, or by the chosen way"},
-      {Key::kK, kSwitchToDifference, kEffectGroup, "Shift + K", "where they differ", true},
-      {Key::kU, kNextWay, kEffectGroup, "U  Shift + U", "next, previous way"},
+      {Key::kK, kSwitchToTraced, kEffectGroup, "K  Shift + K", "traced or by the way, their difference"},
+      {Key::kK, kSwitchToDifference, kEffectGroup, "", "", true},
+      {Key::kU, kNextWay, kEffectGroup, "U  Y", "next way, effect; Shift: previous"},
       {Key::kU, kPreviousWay, kEffectGroup, "", "", true},
-      {Key::kY, kNextEffect, kEffectGroup, "Y  Shift + Y", "next, previous effect"},
+      {Key::kY, kNextEffect, kEffectGroup, "", ""},
       {Key::kY, kPreviousEffect, kEffectGroup, "", "", true},
-      {Key::kO, kToggleEffect, kEffectGroup, "O", "the pane on, off"},
+      {Key::kO, kToggleEffect, kEffectGroup, "O", "the effect pane on, off"},
 
       {Key::kH, kHelp, kWindow, "H  F1", "this help"},
       {Key::kF1, kHelp, kWindow, "", ""},
@@ -177,7 +177,7 @@ const std::vector<PointerBinding>& pointerBindings() {
       {"Right or Shift drag", "move sideways"},
       {"Wheel", "nearer, farther away"},
       {"Over the image", "read a sample, see its ray"},
-      {"Drop a file", "open it: scene, view or camera"},
+      {"Drop a file", "open it: scene, view, camera or roles"},
   };
   return bindings;
 }
