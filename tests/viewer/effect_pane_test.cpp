@@ -107,6 +107,7 @@ TEST_P(EffectPaneTest, keysSwitchBetweenTheWayTheTracedPictureAndTheirDifference
 TEST_P(EffectPaneTest, buttonsSwitchToo) {
   MirrorViewer test(GetParam());
   test.key(Key::k5);
+  test.player.play(SecondsStep{6});  // until the message of the file that was dropped has gone
   test.settle();
   const WindowRect image = test.layoutOf(Pane::kEffect).image;
   const auto buttonAt = [&](double fromRight) { return glm::dvec2(image.right() - fromRight, image.bottom() - 18); };
