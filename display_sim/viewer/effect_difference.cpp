@@ -17,6 +17,12 @@ Rgb8 heatOf(int difference) {
           between(kRampDark.blue, kRampLight.blue)};
 }
 
+Rgb8 dimmedGrey(const Rgb8& color) {
+  constexpr int kDimmed = 8;  // of 256 levels 32, and kRampDark has a luma of 32
+  const auto grey = static_cast<uint8_t>((299 * color.x + 587 * color.y + 114 * color.z) / (1000 * kDimmed));
+  return {grey, grey, grey};
+}
+
 EffectDifference differenceOf(const Image<Rgb8>& picture, const Image<Rgb8>& traced) {
   OC_CHECK(picture.width() == traced.width() && picture.height() == traced.height() && !traced.empty(),
            "pictures that are compared have the same size");
@@ -28,7 +34,7 @@ EffectDifference differenceOf(const Image<Rgb8>& picture, const Image<Rgb8>& tra
     for (int channel = 0; channel < 3; ++channel) {
       largest = std::max(largest, std::abs(int{picture[i][channel]} - int{traced[i][channel]}));
     }
-    result.heat[i] = heatOf(largest);
+    result.heat[i] = largest > 0 ? heatOf(largest) : dimmedGrey(traced[i]);
     result.different += largest > 0;
     result.clearlyDifferent += largest > kClearDifference;
   }

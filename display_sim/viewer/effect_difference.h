@@ -10,7 +10,7 @@ namespace ocelli {
 
 /// The difference of a pixel is that of its red, green or blue, whichever is largest: of sRGB values from 0 to 255.
 struct EffectDifference {
-  /// As heat (heatOf()); as large as the pictures.
+  /// As heat (heatOf()) where they differ, and the traced picture in dark grey where they don't; as large as both.
   Image<Rgb8> heat;
   size_t pixels = 0;
   size_t different = 0;         ///< in any of their bits
@@ -27,8 +27,10 @@ inline constexpr int kClearDifference = 16;
 /// Differences from here on are the brightest heat: a quarter of the range.
 inline constexpr int kHottestDifference = 64;
 
-/// From kRampDark where nothing differs to kRampLight (viewer_colors.h), linearly.
+/// From kRampDark for none to kRampLight (viewer_colors.h), linearly.
 Rgb8 heatOf(int difference);
+/// Darker than any heat.
+Rgb8 dimmedGrey(const Rgb8& color);
 
 /// The pictures have the same size, of one pixel at least.
 EffectDifference differenceOf(const Image<Rgb8>& picture, const Image<Rgb8>& traced);

@@ -107,7 +107,7 @@ void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
     buildTraced(progress);
   } else if (!made_->way || !made_->wayOf.hasSameWay(wanted)) {
     made_->way.reset();
-    report(progress, "building \"" + wanted.way + "\"", 0);
+    report(progress, "building", 0);
     made_->way = made_->stage->build(wanted.way);
     made_->wayOf = wanted;
   }
@@ -116,7 +116,7 @@ void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
 void EffectModel::buildTraced(const Progress& progress) {
   if (!made_->traced) {
     *made_->progress = progress;
-    report(progress, "building \"" + std::string(kTraced) + "\"", 0);
+    report(progress, "building", 0);
     made_->traced = made_->stage->build(kTraced);
   }
 }

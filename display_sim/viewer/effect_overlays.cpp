@@ -23,8 +23,10 @@ std::string differenceText(const EffectDifference& difference) {
                                                             : std::string("infinite"));
 }
 
-std::string workText(const EffectStatus& status) {
-  return status.stage.empty() ? "drawing ..." : fmt::format("{} {:.0f} %", status.stage, 100 * status.fraction);
+std::string workText(const ViewerState& state, const EffectStatus& status) {
+  return status.stage.empty()
+             ? "drawing ..."
+             : fmt::format("for \"{}\": {} {:.0f} %", chosenWay(state), status.stage, 100 * status.fraction);
 }
 
 /// "by cell", "traced", "traced in 12 ms".
@@ -66,13 +68,13 @@ std::vector<std::string> effectNotes(const ViewerState& state, const EffectStatu
   }
   const EffectContent content = state.effect.content;
   if (!status.picture || status.picture->shown(content) == nullptr) {
-    return status.busy ? std::vector<std::string>{"in the making: " + workText(status), "in the making"}
+    return status.busy ? std::vector<std::string>{"in the making: " + workText(state, status), "in the making"}
                        : std::vector<std::string>{"nothing to show"};
   }
   std::vector<std::string> texts = shownTexts(*status.picture, content, showTimes);
   if (status.busy && !status.stage.empty()) {
     for (std::string& text : texts) {
-      text += "\n" + workText(status);
+      text += "\n" + workText(state, status);
     }
   }
   return texts;

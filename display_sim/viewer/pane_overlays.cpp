@@ -170,7 +170,9 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
     if (state.effect.content != EffectShown::Content::kDifference || !picture || !picture->difference) {
       return {};
     }
-    return {{kRampLight, fmt::format("differs by {} of 255 or more", kHottestDifference)}, {kRampDark, "as traced"}};
+    return {{kRampLight, fmt::format("differs by {} of 255 or more", kHottestDifference)},
+            {kRampDark, "differs by 1"},
+            {{32, 32, 32}, "as traced: dark grey"}};
   }
   if (!facts.data->camera) {
     return {};

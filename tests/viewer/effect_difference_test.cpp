@@ -18,7 +18,7 @@ TEST(EffectDifference, equalPicturesDifferNowhere) {
   EXPECT_EQ(difference.different, 0U);
   EXPECT_EQ(difference.clearlyDifferent, 0U);
   EXPECT_TRUE(std::isinf(difference.psnrDecibels));
-  EXPECT_EQ(difference.heat, Image<Rgb8>(3, 2, colorOf(kRampDark)));
+  EXPECT_EQ(difference.heat, Image<Rgb8>(3, 2, dimmedGrey({10, 20, 30})));
 }
 
 TEST(EffectDifference, countsTheLargestChannelOfEachPixel) {
@@ -31,7 +31,7 @@ TEST(EffectDifference, countsTheLargestChannelOfEachPixel) {
   EXPECT_EQ(difference.different, 3U);
   EXPECT_EQ(difference.clearlyDifferent, 1U);
   EXPECT_EQ(difference.clearShare(), 0.25);
-  EXPECT_EQ(difference.heat[0], heatOf(0));
+  EXPECT_EQ(difference.heat[0], dimmedGrey({100, 100, 100}));
   EXPECT_EQ(difference.heat[1], heatOf(2));
   EXPECT_EQ(difference.heat[3], heatOf(kClearDifference + 1));
 }
@@ -43,6 +43,12 @@ TEST(EffectDifference, heatRunsFromDarkToLightAndStaysThere) {
   for (int difference = 1; difference <= kHottestDifference; ++difference) {
     EXPECT_GT(heatOf(difference).y, heatOf(difference - 1).y) << difference;  // seen without colours, too
   }
+}
+
+TEST(EffectDifference, whatIsAsTracedIsDarkerThanAnyHeat) {
+  const auto luma = [](const Rgb8& color) { return 299 * color.x + 587 * color.y + 114 * color.z; };
+  EXPECT_LE(luma(dimmedGrey({255, 255, 255})), luma(heatOf(0)));
+  EXPECT_LT(luma(dimmedGrey({0, 100, 0})), luma(dimmedGrey({200, 200, 0})));
 }
 
 }  // namespace

@@ -164,9 +164,10 @@ TEST_P(EffectPaneTest, figuresAreInWords) {
   EXPECT_THAT(effectDetail(test.viewer.state(), test.status()), HasSubstr("reflection, by ddoc, "));
   EffectStatus building;
   building.busy = true;
-  building.stage = "building \"cell\"";
+  building.stage = "building tiles";
   building.fraction = 0.4;
-  EXPECT_EQ(effectNotes(test.viewer.state(), building, false).front(), "in the making: building \"cell\" 40 %");
+  EXPECT_EQ(effectNotes(test.viewer.state(), building, false).front(),
+            "in the making: for \"ddoc\": building tiles 40 %");
 }
 
 TEST_P(EffectPaneTest, aScriptChoosesShowsAndSaves) {
