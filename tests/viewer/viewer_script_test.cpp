@@ -199,6 +199,17 @@ TEST(ViewerScript, theTourIsOne) {
   EXPECT_GE(saves, 10);
 }
 
+TEST(ViewerScript, theOneThroughEffectsTakesEachStepOfThem) {
+  const ViewerScript effects = readViewerScript(OCELLI_VIEWER_EFFECTS);
+  size_t taken = 0;
+  for (const ScriptStep& step : effects.steps) {
+    taken |= std::holds_alternative<EffectStep>(step) ? 1 : 0;
+    taken |= std::holds_alternative<ShowStep>(step) ? 2 : 0;
+    taken |= std::holds_alternative<SaveEffectStep>(step) ? 4 : 0;
+  }
+  EXPECT_EQ(taken, 7U);
+}
+
 TEST(ViewerScript, aMissingFileIsAnError) {
   EXPECT_THROW(readViewerScript("no-such-script.json"), InputError);
 }
