@@ -48,7 +48,6 @@ void drawEffectForm(const PanelDrawing& drawing, float valueWidth) {
   ImGui::PushItemWidth(valueWidth);
   drawEffects(state);
   drawWays(state);
-  comboOf("effect shows", state.effect.content, 3);
   ImGui::PopItemWidth();
 }
 

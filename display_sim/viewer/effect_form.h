@@ -1,4 +1,4 @@
-// The part of the side panel that chooses an effect, its way, and what the effect pane shows.
+// The part of the side panel that chooses an effect and its way.
 #pragma once
 
 #include "display_sim/viewer/viewer_facts.h"

@@ -172,6 +172,7 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
       const std::scoped_lock lock(mutex_);
       status_.error.clear();
       status_.stage.clear();
+      status_.sceneRevision = wanted.sceneRevision;
       status_.effect = model.effect();
       status_.home = model.home();
     }

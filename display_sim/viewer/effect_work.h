@@ -43,7 +43,8 @@ struct EffectStatus {
   std::string stage;  ///< of what is being made; empty while pictures are drawn
   double fraction = 0;
   std::string error;                             ///< why there is no picture; empty where there may be one
-  std::string effect;                            ///< of the scene that is loaded
+  uint64_t sceneRevision = 0;                    ///< of the scene that the following are of
+  std::string effect;                            ///< empty: not known
   std::optional<View> home;                      ///< the view of that effect
   std::shared_ptr<const EffectPicture> picture;  ///< the newest; null: none
 };

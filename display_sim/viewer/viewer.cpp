@@ -332,9 +332,14 @@ void Viewer::update(double seconds) {
 
 EffectWanted Viewer::effectWanted() const {
   EffectWanted wanted;
+  if (state_.work.sceneRevision != loadedRevision_) {  // what there is stays until another scene has come
+    wanted = lastWanted_;
+    wanted.shows = false;
+    return wanted;
+  }
   const ViewerLayout where = layout();
   const PaneLayout* pane = where.find(Pane::kEffect);
-  wanted.on = state_.effect.on && loadedRevision_ > 0;
+  wanted.on = state_.effect.on;
   if (!wanted.on) {
     return wanted;
   }
@@ -354,11 +359,19 @@ EffectWanted Viewer::effectWanted() const {
   return wanted;
 }
 
-void Viewer::takeEffect() {
-  effects_.want(effectWanted());
+void Viewer::wantEffect() {
+  lastWanted_ = effectWanted();
+  effects_.want(lastWanted_);
   facts_.effect = effects_.status();
+}
+
+void Viewer::takeEffect() {
+  wantEffect();
   const EffectStatus& status = facts_.effect;
-  if (state_.effect.on && state_.effect.effect.empty()) {
+  if (!lastWanted_.on || status.sceneRevision != state_.work.sceneRevision) {
+    return;
+  }
+  if (state_.effect.effect.empty()) {
     state_.effect.effect = status.effect;
   }
   if (status.home && status.effect == state_.effect.effect) {
@@ -368,8 +381,7 @@ void Viewer::takeEffect() {
     eyeAtStart_.reset();
     state_.effectHome = status.home;
   }
-  effects_.want(effectWanted());  // what has come to be known changes it
-  facts_.effect = effects_.status();
+  wantEffect();  // what has come to be known changes it
 }
 
 void Viewer::waitUntilMade() {
@@ -390,7 +402,7 @@ bool Viewer::isMoving() const {
                       where.find(Pane::kReconstruction) != nullptr;
   const bool turns = state_.display.running && data_.volume && where.find(Pane::kDisplay) != nullptr &&
                      !looksSteady(state_.display, data_.volume->volume.profile());
-  return isMaking() || turns || blinks || isSettling() || wantsScreenshot_ ||
+  return facts_.work.busy || turns || blinks || isSettling() || wantsScreenshot_ ||
          (!facts_.message.empty() && !facts_.messageIsError);
 }
 

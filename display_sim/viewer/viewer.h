@@ -57,7 +57,8 @@ class Viewer {
   const ViewerFacts& facts() const { return facts_; }
   /// Asked to by a key or a CloseEvent.
   bool wantsClose() const { return wantsClose_; }
-  /// Whether another frame would look different: something moves, waits or is being made.
+  /// Whether another frame would look different: something moves, waits or is being made. A picture of the effect may
+  /// come at any time while facts().effect is busy.
   bool isMoving() const;
   /// Whether events still wait for a frame.
   bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
@@ -119,6 +120,7 @@ class Viewer {
   void say(const std::string& text, bool isError);
   void take(const WorkResult& result);
   EffectWanted effectWanted() const;
+  void wantEffect();
   void takeEffect();
   void saveScreenshot();
   void saveView();
@@ -141,6 +143,7 @@ class Viewer {
   DisplayProfile profile_;
   BackgroundWork work_;
   EffectWork effects_;
+  EffectWanted lastWanted_;
   EffectShown effectBefore_;        ///< while another scene is being loaded
   std::optional<View> eyeAtStart_;  ///< which goes to the view of the effect, unless it has moved
   ViewerData data_;

@@ -153,6 +153,17 @@ TEST_P(EffectPaneTest, anotherSceneHasItsOwnAndABrokenOneLeavesIt) {
   EXPECT_FALSE(test.status().picture);
 }
 
+TEST_P(EffectPaneTest, theEffectOfANewSceneIsItsOwn) {
+  TestViewer test(GetParam(), "builtin:lens");
+  EXPECT_EQ(test.viewer.state().effect.effect, "refraction");
+  const View eye = test.viewer.state().reconstruction.view;
+  test.player.play(OpenStep{"builtin:mirror"});
+  test.settle();
+  EXPECT_EQ(test.viewer.state().effect.effect, "reflection");
+  EXPECT_TRUE(test.viewer.facts().effect.picture) << test.viewer.facts().effect.error;
+  EXPECT_EQ(test.viewer.state().reconstruction.view, eye);  // views stay
+}
+
 TEST_P(EffectPaneTest, figuresAreInWords) {
   MirrorViewer test(GetParam());
   const std::vector<std::string> notes = effectNotes(test.viewer.state(), test.status(), false);
