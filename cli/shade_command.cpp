@@ -3,8 +3,10 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "cli/command.h"
@@ -33,6 +35,7 @@ struct ShadeChoice {
   std::string imageSize = "720x480";
   std::string cell;
   int environmentHeight = 1024;
+  std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
   int runs = 1;
   bool compares = false;
   std::string json;
@@ -68,6 +71,25 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
+/// Throws InputError for options that the effect does not have, and for values that they do not take.
+std::map<std::string, std::string> givenOptions(const ShadeChoice& choice, const Effect& effect) {
+  std::map<std::string, std::string> given;
+  for (const auto& [name, value] : choice.options) {
+    if (value.empty()) {
+      continue;
+    }
+    const auto row = std::find_if(effect.options.begin(), effect.options.end(),
+                                  [&](const EffectOption& option) { return name == option.name; });
+    if (row == effect.options.end()) {
+      throw InputError(fmt::format("the effect \"{}\" has no such option", effect.name), "--" + name,
+                       "leave it away, or choose another --effect");
+    }
+    row->check(value);
+    given[name] = value;
+  }
+  return given;
+}
+
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
@@ -77,6 +99,7 @@ class ShadeRun {
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
+    const std::map<std::string, std::string> options = givenOptions(choice, effect_);
     const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
         choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
     effect_.requireObjects(*scene);
@@ -88,6 +111,8 @@ class ShadeRun {
     }
     inputs.environmentHeight = choice.environmentHeight;
     inputs.progress = context.progress();
+    inputs.picture = camera_;
+    inputs.options = options;
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
   }
@@ -175,6 +200,28 @@ std::string waysHelp() {
   return text;
 }
 
+/// Each option of the effects once, however many have it.
+void addEffectOptions(CLI::App& command, ShadeChoice& choice) {
+  for (const Effect& effect : shadeEffects()) {
+    for (const EffectOption& option : effect.options) {
+      if (choice.options.contains(option.name)) {
+        continue;
+      }
+      std::string of;
+      for (const Effect& other : shadeEffects()) {
+        const bool has = std::any_of(other.options.begin(), other.options.end(), [&](const EffectOption& each) {
+          return std::string_view(each.name) == option.name;
+        });
+        of += has ? (of.empty() ? "" : ", ") + std::string(other.name) : "";
+      }
+      command
+          .add_option("--" + std::string(option.name), choice.options[option.name],
+                      fmt::format("{} ({} by default). For {}", option.meaning, option.initial, of))
+          ->type_name(option.values);
+    }
+  }
+}
+
 }  // namespace
 
 void addShadeCommand(CLI::App& program, const CommandContext& context) {
@@ -196,13 +243,14 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       .add_option(
           "--cell", choice->cell,
           "Size of the cell of viewpoints that the reference images are made for, as for evaluate; by default as "
-          "large as what sends the rays")
+          "wide as the rays are at the reference view, or as large as what sends them")
       ->type_name("SIDE");
   command
       .add_option("--environment-height", choice->environmentHeight,
                   "Rows of environment maps, which have twice as many columns")
       ->check(CLI::Range(2, 16384))
       ->type_name("N");
+  addEffectOptions(command, *choice);
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")
       ->check(CLI::Range(1, 1000))

@@ -21,6 +21,14 @@ SteppedImage::SteppedImage(const ReferenceImage& image, const CameraMap& map, co
       }
     }
   }
+  if (!bounds_.empty()) {
+    // A ray crosses a plane of samples within bounds that have a depth, even where the plane itself has none.
+    constexpr float kMarginFootprints = 2;
+    const float farthest = glm::distance(pinhole_.eye(), bounds_.center()) + glm::length(bounds_.size()) / 2;
+    const float margin = kMarginFootprints * farthest / pinhole_.focalPixels();
+    bounds_.lower -= margin;
+    bounds_.upper += margin;
+  }
 }
 
 SteppedImage::Probe SteppedImage::probe(const StraightRay& ray, double share) const {

@@ -6,6 +6,7 @@
 // measurements of a way. What a picture's errors are is up to the effect: its columns, its maps, its legend.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -88,6 +89,16 @@ class EffectStage {
   virtual std::vector<ShadeFact> facts(const PinholeCamera& camera) = 0;
 };
 
+/// An option that an effect has of its own: `--NAME VALUE`. Effects may share one.
+struct EffectOption {
+  const char* name;
+  const char* values;   ///< what it takes, in help
+  const char* initial;  ///< its value by default
+  const char* meaning;
+  /// Throws InputError for a value that it does not take.
+  void (*check)(const std::string& value);
+};
+
 struct StageInputs {
   std::shared_ptr<const ShadedScene> scene;
   glm::ivec2 referenceSize{720, 480};  ///< of reference images, pixels
@@ -95,6 +106,10 @@ struct StageInputs {
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
   Progress progress = {};
+  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn then.
+  std::optional<PinholeCamera> picture = {};
+  /// Of Effect::options, by name; those that are missing have their initial value.
+  std::map<std::string, std::string> options = {};
 };
 
 struct Effect {
@@ -114,6 +129,7 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  std::vector<EffectOption> options = {};
   /// The ways that lists offer, without "traced", which all have; null: the cameras that checkWay() takes.
   std::vector<std::string> (*waysToOffer)() = nullptr;
 };

@@ -1,13 +1,18 @@
 #include "oc_core/shade/scene_proxies.h"
 
 #include <chrono>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
 #include "oc_core/base/error.h"
 #include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
+#include "oc_core/ocri/union_mesh.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/shade/environment_map.h"
+#include "oc_core/shade/first_surfaces.h"
+#include "oc_core/shade/stepped_proxy.h"
 
 namespace ocelli {
 namespace {
@@ -43,23 +48,49 @@ RayPath pathOf(const SecondaryRay& ray, float reach) {
   return {ray.origin, ray.origin + ray.direction * reach};
 }
 
+/// What vertices have, at a point of a triangle.
+glm::vec3 interpolatedAt(const glm::vec3& point, const Mesh& mesh, uint32_t triangle,
+                         const std::vector<glm::vec3>& ofVertex) {
+  const glm::uvec3& t = mesh.triangles[triangle];
+  const glm::vec3& a = mesh.positions[t.x];
+  const glm::vec3& b = mesh.positions[t.y];
+  const glm::vec3& c = mesh.positions[t.z];
+  const glm::vec3 normal = glm::cross(b - a, c - a);
+  const float area = glm::dot(normal, normal);
+  if (!(area > 0)) {
+    return ofVertex[t.x];
+  }
+  const float atB = glm::dot(normal, glm::cross(point - a, c - a)) / area;
+  const float atC = glm::dot(normal, glm::cross(b - a, point - a)) / area;
+  return ofVertex[t.x] * (1 - atB - atC) + ofVertex[t.y] * atB + ofVertex[t.z] * atC;
+}
+
 /// The geometry itself: the truth.
 class TracedProxy final : public SceneProxy {
  public:
-  explicit TracedProxy(const ShadedScene& scene)
-      : mesh_(together({&scene.cast, &scene.billboards, &scene.surroundings})),
+  explicit TracedProxy(const ProxyInputs& in)
+      : mesh_(together({in.cast.mesh.get(), &in.scene.billboards, &in.scene.surroundings})),
+        mirrorNormals_(in.cast.mirrorNormals),
         rays_(mesh_),
-        castTriangles_(scene.cast.triangles.size()),
-        reach_(reachOf(scene)) {}
+        castTriangles_(in.cast.mesh->triangles.size()),
+        reach_(reachOf(in.scene)) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost&) const override {
     const std::optional<Hit> hit = rays_.hit(pathOf(ray, reach_));
-    return hit ? ProxyHit{hit->color, hit->t, hit->element < castTriangles_} : ProxyHit{shadeBackground(), {}, false};
+    if (!hit) {
+      return {shadeBackground(), {}, false};
+    }
+    ProxyHit seen{hit->color, hit->t, hit->element < castTriangles_};
+    if (seen.onCast && !mirrorNormals_.empty()) {
+      seen.mirror = metMirror(interpolatedAt(hit->position, mesh_, hit->element, mirrorNormals_));
+    }
+    return seen;
   }
   size_t triangles() const { return mesh_.triangles.size(); }
 
  private:
   Mesh mesh_;
+  std::vector<glm::vec3> mirrorNormals_;
   RayScene rays_;
   size_t castTriangles_;
   float reach_;
@@ -68,48 +99,111 @@ class TracedProxy final : public SceneProxy {
 class EnvironmentProxy final : public SceneProxy {
  public:
   explicit EnvironmentProxy(const ProxyInputs& in)
-      : map_(in.viewpoint, together({&in.scene.cast, &in.scene.billboards, &in.scene.surroundings}),
+      : map_(in.viewpoint, together({in.cast.mesh.get(), &in.scene.billboards, &in.scene.surroundings}),
              in.environmentHeight, shadeBackground()) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost&) const override { return {map_.colorOf(ray.direction), {}, false}; }
-  bool hasDepth() const override { return false; }
 
  private:
   EnvironmentMap map_;
 };
 
-/// Reference images of the cast objects, billboards as they are, and an environment map of the rest.
+/// What is seen beside and behind depth images: billboards as they are, and an environment map of the rest.
+class BesideImages {
+ public:
+  explicit BesideImages(const ProxyInputs& in)
+      : billboards_(in.scene.billboards),
+        map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()) {}
+
+  ProxyHit hit(const SecondaryRay& ray, const RayPath& path) const {
+    const std::optional<Hit> billboard = billboards_.hit(path);
+    return billboard ? ProxyHit{billboard->color, billboard->t} : ProxyHit{map_.colorOf(ray.direction)};
+  }
+
+ private:
+  RayScene billboards_;
+  EnvironmentMap map_;
+};
+
+/// Reference images of the cast objects; with mirror normals in the place of colours where some of them mirror.
+struct ProxyImages {
+  ReferenceImages images;
+  ReferenceImages normals = {};
+};
+
+bool comesBefore(float distance, const ProxyHit& other) {
+  return !other.distance || distance <= *other.distance;
+}
+
+/// The surfaces between samples, through their pyramid.
 class DepthImageProxy final : public SceneProxy {
  public:
-  DepthImageProxy(const ProxyInputs& in, const ReferenceImages& images)
-      : target_(images),
-        billboards_(in.scene.billboards),
-        map_(in.viewpoint, in.scene.surroundings, in.environmentHeight, shadeBackground()),
+  DepthImageProxy(const ProxyInputs& in, const ProxyImages& images)
+      : target_(images.images),
+        mirrorNormals_(colorsOfVertices(images.normals)),
+        beside_(in),
         reach_(reachOf(in.scene)) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
     const RayPath path = pathOf(ray, reach_);
     const std::optional<Hit> hit = target_.hit(path, cost);
-    const std::optional<Hit> billboard = billboards_.hit(path);
-    if (hit && (!billboard || hit->t <= billboard->t)) {
-      return {hit->color, hit->t, true};
+    ProxyHit beside = beside_.hit(ray, path);
+    if (!hit || !comesBefore(hit->t, beside)) {
+      return beside;
     }
-    return billboard ? ProxyHit{billboard->color, billboard->t, false}
-                     : ProxyHit{map_.colorOf(ray.direction), {}, false};
+    ProxyHit seen{hit->color, hit->t, true};
+    if (!mirrorNormals_.empty()) {
+      seen.mirror = metMirror(interpolatedAt(hit->position, target_.cells().mesh, hit->element, mirrorNormals_));
+    }
+    return seen;
   }
   const DepthImageTarget& target() const { return target_; }
 
  private:
+  /// In the order of the vertices of the target's cells.
+  static std::vector<glm::vec3> colorsOfVertices(const ReferenceImages& images) {
+    return images.empty() ? std::vector<glm::vec3>() : unionMesh(images).colors;
+  }
+
   DepthImageTarget target_;
-  RayScene billboards_;
-  EnvironmentMap map_;
+  std::vector<glm::vec3> mirrorNormals_;
+  BesideImages beside_;
+  float reach_;
+};
+
+/// The same by steps along projections; what is behind shows through silhouettes.
+class SteppedProxy final : public SceneProxy {
+ public:
+  SteppedProxy(const ProxyInputs& in, ProxyImages images, const CameraChoice& choice, double finePixels)
+      : target_(choice, in.reference, *in.cast.mesh, std::move(images.images), finePixels, in.progress),
+        normals_(std::move(images.normals)),
+        beside_(in),
+        reach_(reachOf(in.scene)) {}
+
+  ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
+    const std::optional<SteppedHit> hit = target_.hit(ray.origin, ray.direction * reach_, cost);
+    ProxyHit beside = beside_.hit(ray, pathOf(ray, reach_));
+    if (!hit || !comesBefore(hit->distance, beside)) {
+      return beside;
+    }
+    ProxyHit seen{glm::mix(beside.color, hit->color, hit->opacity), hit->distance, true};
+    if (!normals_.empty()) {
+      seen.mirror = metMirror(colorAround(normals_[0], hit->place));
+    }
+    return seen;
+  }
+
+ private:
+  SteppedTarget target_;
+  ReferenceImages normals_;
+  BesideImages beside_;
   float reach_;
 };
 
 BuiltProxy buildTraced(const ProxyInputs& in) {
   BuiltProxy built{.name = kTraced};
   const auto start = Clock::now();
-  auto proxy = std::make_unique<TracedProxy>(in.scene);
+  auto proxy = std::make_unique<TracedProxy>(in);
   built.buildMilliseconds = millisecondsSince(start);
   built.triangles = proxy->triangles();
   built.proxy = std::move(proxy);
@@ -117,7 +211,7 @@ BuiltProxy buildTraced(const ProxyInputs& in) {
 }
 
 BuiltProxy buildEnvironment(const ProxyInputs& in) {
-  BuiltProxy built{.name = kEnvironment};
+  BuiltProxy built{.name = kEnvironment, .hasDepth = false};
   const auto start = Clock::now();
   built.proxy = std::make_unique<EnvironmentProxy>(in);
   built.buildMilliseconds = millisecondsSince(start);
@@ -125,17 +219,26 @@ BuiltProxy buildEnvironment(const ProxyInputs& in) {
   return built;
 }
 
-BuiltProxy buildDepthImages(const CameraChoice& choice, const ProxyInputs& in) {
-  BuiltProxy built{.name = choice.name};
+BuiltProxy buildDepthImages(const CameraChoice& choice, const SpecularWayName& way, const ProxyInputs& in) {
+  BuiltProxy built{.name = way.full};
   const auto start = Clock::now();
-  const ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
+  ProxyImages images{buildReferenceImages(choice, in.reference, *in.cast.mesh, in.progress)};
+  if (!in.cast.mirrorNormals.empty()) {
+    Mesh coded = *in.cast.mesh;
+    coded.colors = in.cast.mirrorNormals;
+    images.normals = buildReferenceImages(choice, in.reference, coded, in.progress);
+  }
   built.buildMilliseconds = millisecondsSince(start);
-  for (const ReferenceImage& image : images) {
+  for (const ReferenceImage& image : images.images) {
     built.samples += image.sampleCount();
   }
+  // Environment maps and billboards are those of every other camera: their time is no part of this one's.
+  if (way.isStepped()) {
+    built.proxy = std::make_unique<SteppedProxy>(in, std::move(images), choice, way.finePixels);
+    return built;
+  }
   const auto ready = Clock::now();
-  // Its environment map and billboards are those of every other camera: their time is no part of this one's.
-  static_cast<void>(DepthImageTarget(images));
+  static_cast<void>(DepthImageTarget(images.images));
   built.structureMilliseconds = millisecondsSince(ready);
   auto proxy = std::make_unique<DepthImageProxy>(in, images);
   built.triangles = proxy->target().cells().mesh.triangles.size();
@@ -158,9 +261,10 @@ CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
 
 }  // namespace
 
-void checkProxyName(const std::string& name) {
-  if (name != kTraced && name != kEnvironment) {
-    choiceOf(name, {});
+void checkProxyName(const std::string& text) {
+  const SpecularWayName way = specularWay(text);
+  if (way.target != kTraced && way.target != kEnvironment) {
+    choiceOf(way.target, {});
   }
 }
 
@@ -174,11 +278,13 @@ std::vector<std::string> proxyNames() {
   return names;
 }
 
-BuiltProxy buildProxy(const std::string& name, const ProxyInputs& inputs) {
-  if (name == kTraced) {
-    return buildTraced(inputs);
+BuiltProxy buildProxy(const SpecularWayName& way, const ProxyInputs& inputs) {
+  if (way.target != kTraced && way.target != kEnvironment) {
+    return buildDepthImages(choiceOf(way.target, inputs.cell), way, inputs);
   }
-  return name == kEnvironment ? buildEnvironment(inputs) : buildDepthImages(choiceOf(name, inputs.cell), inputs);
+  BuiltProxy built = way.target == kTraced ? buildTraced(inputs) : buildEnvironment(inputs);
+  built.name = way.full;
+  return built;
 }
 
 }  // namespace ocelli

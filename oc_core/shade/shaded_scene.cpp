@@ -47,8 +47,8 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   return mesh;
 }
 
-void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex) {
-  SpecularObject object{std::move(mesh), {}, refractiveIndex};
+void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex, bool isCast) {
+  SpecularObject object{std::move(mesh), {}, refractiveIndex, isCast};
   object.normals = vertexNormals(object.mesh);
   objects.push_back(std::move(object));
 }
@@ -106,9 +106,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   shaded.source = source;
   for (auto& [role, mesh] : objects) {
     if (role.has(kMirrors)) {
-      addSpecular(shaded.mirrors, std::move(mesh), 1);
+      addSpecular(shaded.mirrors, std::move(mesh), 1, role.has(kCasts));
     } else if (role.has(kRefracts)) {
-      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex);
+      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex, false);
     } else {
       append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
     }
@@ -133,7 +133,7 @@ View pictureView(const Box& senders) {
   return view;
 }
 
-View referenceView(const Mesh& cast, const Box& senders, int width, int height) {
+View referenceView(const Mesh& cast, const Box& senders, int width, int height, WhatLiesAround around) {
   View view;
   view.eye = senders.center();
   view.target = boundsOf(cast).center();
@@ -156,7 +156,10 @@ View referenceView(const Mesh& cast, const Box& senders, int width, int height) 
       tangent = std::max(tangent, p.z > static_cast<double>(view.zNear) ? aside / p.z : 2 * kMaxTangent);
     }
   }
-  if (tangent * kMargin > kMaxTangent) {
+  if (tangent * kMargin > kMaxTangent && around == WhatLiesAround::kMayBeLost) {
+    constexpr double kWideTangent = 1.2;  // 100 degrees
+    tangent = kWideTangent / kMargin;
+  } else if (tangent * kMargin > kMaxTangent) {
     throw InputError("the objects that are cast reach around what mirrors or refracts: no image plane holds them",
                      "the roles", "give those beside and behind it another role, such as \"billboard\"");
   }

@@ -15,13 +15,14 @@ struct SpecularObject {
   Mesh mesh;
   std::vector<glm::vec3> normals;
   double refractiveIndex = 1;  ///< of one that refracts
+  bool isCast = false;         ///< of one that mirrors: whether rays of others meet it, through depth images
 };
 
 struct ShadedScene {
   std::string source = {};  ///< as errors say it
   std::vector<SpecularObject> mirrors;
   std::vector<SpecularObject> lenses;
-  Mesh cast;          ///< what depth images stand for
+  Mesh cast;          ///< what depth images stand for, but for mirrors among it
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
 };
@@ -44,10 +45,14 @@ void requireCast(const ShadedScene& scene);
 /// and as wide as the sphere around that.
 View pictureView(const Box& senders);
 
+/// What becomes of objects beside and behind what sends rays to them, which no image plane holds.
+enum class WhatLiesAround { kIsAnError, kMayBeLost };
+
 /// The view that a reference image of the cast objects is made for: from the middle of what sends rays to them, towards
 /// them, and as wide as they are from there, with a margin. Throws InputError where they lie around that place, so that
-/// no image plane holds them.
-View referenceView(const Mesh& cast, const Box& senders, int width, int height);
+/// no image plane holds them; or, where what lies around may be lost, gives a view of 100 degrees then.
+View referenceView(const Mesh& cast, const Box& senders, int width, int height,
+                   WhatLiesAround around = WhatLiesAround::kIsAnError);
 
 Box boundsOf(const std::vector<SpecularObject>& objects);
 

@@ -39,8 +39,11 @@ uint32_t readRoles(JsonFields& fields) {
   if ((roles & kMirrors) != 0 && (roles & kRefracts) != 0) {
     fields.fail("roles", "cannot be both mirror and refract");
   }
-  if ((roles & (kMirrors | kRefracts)) != 0 && (roles & (kCasts | kIsBillboard)) != 0) {
-    fields.fail("roles", "of what mirrors or refracts cannot be cast or billboard: no depth image stands for it");
+  if ((roles & kRefracts) != 0 && (roles & kCasts) != 0) {
+    fields.fail("roles", "of what refracts cannot be cast: no depth image stands for it");
+  }
+  if ((roles & (kMirrors | kRefracts)) != 0 && (roles & kIsBillboard) != 0) {
+    fields.fail("roles", "of what mirrors or refracts cannot be billboard: rays do not end there");
   }
   return roles;
 }

@@ -28,7 +28,8 @@ inline constexpr uint32_t kIsBillboard = 16;
 
 /// All there are, in the order of lists.
 inline constexpr std::array<ObjectRole, 5> kObjectRoles{{
-    {"mirror", "a perfect mirror: it shows what its reflected rays meet", kMirrors},
+    {"mirror", "a perfect mirror: it shows what its reflected rays meet; if it is cast too, other rays go on from it",
+     kMirrors},
     {"refract", "clear glass: it shows what its refracted rays meet", kRefracts},
     {"cast", "what depth images stand for, where rays meet it", kCasts},
     {"receive", "shadows and ambient light are measured on it", kReceives},

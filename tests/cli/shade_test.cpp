@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
@@ -50,6 +51,23 @@ TEST(Shade, refractsThroughALens) {
   EXPECT_EQ(nlohmann::json::parse(result.output)["effect"], "refraction");
 }
 
+TEST(Shade, walksByStepsAndFollowsRaysOfSecondOrder) {
+  const TemporaryFolder folder;
+  writeFile(folder / "roles.json", R"({"objects": [{"object": 0, "roles": ["billboard"]},
+    {"object": 1, "roles": ["mirror"]}, {"object": 2, "roles": ["mirror", "cast"]}, {"object": 3, "roles": ["cast"]},
+    {"object": 4, "roles": ["cast"]}]})");
+  const ProgramResult result = runProgram(
+      kSmallShade + std::string("--by di,di:stepped-1/2 --order 2 --json --roles ") + inQuotes(folder / "roles.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto json = nlohmann::json::parse(result.output);
+  EXPECT_EQ(json["order"], 2);
+  EXPECT_EQ(json["reference_views"].size(), 2u) << "each mirror has its own";
+  EXPECT_EQ(json["by"][0]["second_lost"], 0.0);
+  EXPECT_GT(json["by"][2]["steps_per_ray"], 0.0);
+  EXPECT_EQ(json["by"][2]["name"], "di:stepped-1/2");
+  EXPECT_TRUE(json["by"][2]["triangles"].is_null());
+}
+
 TEST(Shade, saysWhatIsWrong) {
   const auto expectError = [](const std::string& arguments, const std::string& part) {
     const ProgramResult result = runProgram(arguments);
@@ -65,6 +83,11 @@ TEST(Shade, saysWhatIsWrong) {
   expectError("shade builtin:mirror --effect refraction --by di --compare", "has the role \"refract\"");
   expectError("shade builtin:teapot --by di --compare", "--roles FILE.json");
   expectError("shade builtin:mirror --by di --compare --size 0x0", "--size");
+  expectError("shade builtin:mirror --by di --compare --order 0", "--order");
+  expectError("shade builtin:mirror --by di --compare --reference eye", "--reference");
+  expectError("shade builtin:mirror --by di:searched-exit --compare", "do not pass a mirror");
+  expectError("shade builtin:mirror --by eoc-hv:stepped --compare --size 90x60 --image-size 90x60",
+              "steps along their projections");
 }
 
 }  // namespace

@@ -86,6 +86,48 @@ TEST(Effects, waysDrawWhatIsMeasured) {
   EXPECT_TRUE(std::equal(before.data(), before.data() + before.size(), after.data()));
 }
 
+TEST(Effects, optionsTakeTheirInitialValuesAndNoOthers) {
+  for (const Effect& effect : shadeEffects()) {
+    for (const EffectOption& option : effect.options) {
+      EXPECT_NO_THROW(option.check(option.initial)) << effect.name << ": " << option.name;
+      EXPECT_THROW(option.check("no such value"), InputError) << effect.name << ": " << option.name;
+      EXPECT_THROW(option.check(""), InputError) << effect.name << ": " << option.name;
+    }
+  }
+}
+
+std::string factOf(EffectStage& stage, const std::string& field) {
+  for (const ShadeFact& fact : stage.facts(smallCamera())) {
+    if (fact.field == field) {
+      return fact.json;
+    }
+  }
+  return "";
+}
+
+// Where the picture is known, images are made for its rays, for a way that is drawn as for one that is measured.
+TEST(Effects, imagesAreMadeForTheRaysOfAPictureThatIsKnown) {
+  StageInputs inputs = smallInputs();
+  const auto middle = shadeEffect("reflection").stage(inputs);
+  inputs.picture = smallCamera();
+  const auto rays = shadeEffect("reflection").stage(inputs);
+  EXPECT_EQ(factOf(*middle, "reference"), "\"middle\"");
+  EXPECT_EQ(factOf(*rays, "reference"), "\"rays\"");
+  EXPECT_NE(factOf(*middle, "reference_views"), factOf(*rays, "reference_views"));
+  const Image<glm::vec3> drawn = rays->build("di")->draw(smallCamera());
+  const ShadedWay measured = rays->measure("di", smallCamera(), 1);
+  EXPECT_TRUE(std::equal(drawn.data(), drawn.data() + drawn.size(), measured.picture.data()));
+  inputs.options["reference"] = "middle";
+  EXPECT_EQ(factOf(*shadeEffect("reflection").stage(inputs), "reference_views"), factOf(*middle, "reference_views"));
+}
+
+TEST(Effects, wordsOfGlassAreNotOfMirrors) {
+  EXPECT_NO_THROW(shadeEffect("refraction").checkWay("traced:searched-exit"));
+  EXPECT_THAT([] { shadeEffect("reflection").checkWay("di:searched-exit"); },
+              ThrowsMessage<InputError>(HasSubstr("do not pass a mirror")));
+  EXPECT_NO_THROW(shadeEffect("reflection").checkWay("di:stepped-1/2"));
+}
+
 TEST(Effects, measureOneViewAfterAnother) {
   const auto stage = shadeEffect("reflection").stage(smallInputs());
   const size_t rays = 0;

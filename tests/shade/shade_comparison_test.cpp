@@ -43,7 +43,7 @@ TEST(ShadeComparison, sortsFirstHits) {
   r.add(nothing, cast(10));
   r.add(billboard, billboard);
   r.truth.color = r.picture.color = Image<glm::vec3>(8, 1);
-  const std::vector<HitState> states = compareHits(r.rays, r.truth, r.picture, smallCamera());
+  const std::vector<HitState> states = compareHits(r.rays, r.truth, r.picture, {{smallCamera()}});
   using enum HitState;
   EXPECT_EQ(states, (std::vector{kRight, kOff, kMissing, kMissing, kFalse, kFalse, kFalse, kElsewhere}));
 
@@ -51,7 +51,7 @@ TEST(ShadeComparison, sortsFirstHits) {
     ProxyHit hit(const SecondaryRay&, RayCost&) const override { return {}; }
   };
   const BuiltProxy built{.name = "di", .proxy = std::make_unique<NoProxy>()};
-  const ShadeFigures figures = figuresOf(built, r.rays, r.truth, r.picture, smallCamera());
+  const ShadeFigures figures = figuresOf(built, r.rays, r.truth, r.picture, {{smallCamera()}});
   EXPECT_EQ(figures.castRays, 5u);
   EXPECT_EQ(figures.lost, 4u);
   EXPECT_EQ(figures.missing, 2u);
@@ -77,9 +77,9 @@ TEST(ShadeComparison, measuresThePixelsOfRaysAlone) {
     ProxyHit hit(const SecondaryRay&, RayCost&) const override { return {}; }
   };
   const BuiltProxy built{.name = "di", .proxy = std::make_unique<NoProxy>()};
-  EXPECT_TRUE(std::isinf(figuresOf(built, r.rays, r.truth, r.picture, smallCamera()).psnrDecibels));
+  EXPECT_TRUE(std::isinf(figuresOf(built, r.rays, r.truth, r.picture, {{smallCamera()}}).psnrDecibels));
   r.picture.color[0] = glm::vec3(1);
-  EXPECT_DOUBLE_EQ(figuresOf(built, r.rays, r.truth, r.picture, smallCamera()).psnrDecibels, 0);
+  EXPECT_DOUBLE_EQ(figuresOf(built, r.rays, r.truth, r.picture, {{smallCamera()}}).psnrDecibels, 0);
 }
 
 TEST(ShadeComparison, stepsShowFromDarkToBright) {

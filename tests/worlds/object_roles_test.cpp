@@ -65,7 +65,9 @@ TEST(ObjectRoles, mistakesAreNamed) {
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["miror"]})"), HasSubstr("mirror, refract, cast"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast", "cast"]})"), HasSubstr("twice"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "refract"]})"), HasSubstr("both mirror and refract"));
-  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "cast"]})"), HasSubstr("cannot be cast"));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["refract", "cast"]})"), HasSubstr("cannot be cast"));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "billboard"]})"), HasSubstr("cannot be billboard"));
+  EXPECT_EQ(objectError(R"({"object": 1, "roles": ["mirror", "cast"]})"), "");
   EXPECT_THAT(objectError(R"({"roles": ["cast"]})"), HasSubstr("must be given, and not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "source": "x", "roles": ["cast"]})"), HasSubstr("not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast"]}, {"object": 1, "roles": ["cast"]})"),
