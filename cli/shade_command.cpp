@@ -33,7 +33,7 @@ struct ShadeChoice {
   std::vector<std::string> by;
   std::string view;
   std::string size = "720x480";
-  std::string imageSize = "720x480";
+  std::string imageSize;
   std::string cell;
   int environmentHeight = 1024;
   std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
@@ -97,18 +97,23 @@ class ShadeRun {
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
       : choice_(choice), context_(context), effect_(shadeEffect(choice.effect)) {
     const ImageSize size = imageSizeFromText(choice.size, "--size");
-    const ImageSize referenceSize = imageSizeFromText(choice.imageSize, "--image-size");
+    glm::ivec2 referenceSize = effect_.referenceSize;
+    if (!choice.imageSize.empty()) {
+      const ImageSize given = imageSizeFromText(choice.imageSize, "--image-size");
+      referenceSize = {given.width, given.height};
+    }
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
     const std::map<std::string, std::string> options = givenOptions(choice, effect_);
     const std::shared_ptr<const DepthRayCaster> caster = openCaster();
-    const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
-        choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
+    const auto scene = std::make_shared<const ShadedScene>(
+        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
+                        choice.scene.options, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
-    StageInputs inputs{.scene = scene, .referenceSize = {referenceSize.width, referenceSize.height}};
+    StageInputs inputs{.scene = scene, .referenceSize = referenceSize};
     if (!choice.cell.empty()) {
       inputs.cellSide = cellSideFromText(choice.cell, "--cell");
     }
@@ -244,7 +249,7 @@ void addEffectOptions(CLI::App& command, ShadeChoice& choice) {
 
 void addShadeCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
-      "shade", "Draw reflections and refractions whose rays hit reference images, and compare them with traced ones");
+      "shade", "Draw reflections, refractions and relief tiles by reference images, and compare them with traced ones");
   const auto choice = std::make_shared<ShadeChoice>();
   addSceneOptions(command, choice->scene, context);
   addRolesOption(command, choice->roles);
@@ -255,7 +260,11 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                   "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
       ->type_name("FILE.json");
   addSizeOption(command, choice->size);
-  command.add_option("--image-size", choice->imageSize, "Size of the reference images in pixels")
+  command
+      .add_option(
+          "--image-size", choice->imageSize,
+          "Size of the reference images in pixels; 720x480 by default, and for relief 512x512, which says how many "
+          "pixels an image has, in the proportions of its object")
       ->type_name("WIDTHxHEIGHT");
   command
       .add_option(
@@ -284,6 +293,8 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
+                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,corners-8 --radius 0.4 --page ambient\n"
+                 "  ocelli shade builtin:parking --effect relief --by height-field,spoc,cell --page parking\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {
                    checkOutputs(*choice);

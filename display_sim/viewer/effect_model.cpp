@@ -24,22 +24,29 @@ const Effect& firstEffectOf(const ShadedScene& scene) {
   std::rethrow_exception(first);
 }
 
-/// Those of the user's file, or of the scene.
-std::vector<RoledObject> rolesOf(const EffectWanted& wanted) {
-  if (!wanted.rolesFile.empty() || sceneHasRoles(wanted.source)) {
-    return rolesFor(wanted.source, wanted.rolesFile);
+/// Throws InputError where nothing says roles, and the effect needs them.
+void requireRoles(const EffectWanted& wanted) {
+  const bool needed = wanted.effect.empty() || shadeEffect(wanted.effect).needsRoles;
+  if (!needed || !wanted.rolesFile.empty() || sceneHasRoles(wanted.source)) {
+    return;
   }
   std::string known;
   for (const BuiltinScene& scene : listBuiltinScenes()) {
     if (!scene.roles.empty()) {
-      known += (known.empty() ? "builtin:" : ", builtin:") + std::string(scene.name);
+      known += (known.empty() ? "builtin:" : ", builtin:") + scene.name;
+    }
+  }
+  std::string others;
+  for (const Effect& effect : shadeEffects()) {
+    if (!effect.needsRoles) {
+      others += (others.empty() ? "; or choose another effect: " : ", ") + std::string(effect.name);
     }
   }
   throw InputError("nothing says what the objects of this scene are to an effect: which mirror, refract or cast",
                    wanted.source,
                    "drop a file of roles onto the window (docs/depth_images.md), or give it with --roles FILE.json; "
                    "these scenes have roles: " +
-                       known);
+                       known + others);
 }
 
 }  // namespace
@@ -72,13 +79,14 @@ void EffectModel::clear() {
 
 void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
   *made_->progress = progress;
+  requireRoles(wanted);
   if (!made_->scene || !made_->sceneOf.hasSameScene(wanted)) {
     made_->clearStage();
     made_->scene.reset();
     SceneOptions options = wanted.sceneOptions;
     options.warn = {};  // whoever loads the scene for the other panes tells it
-    made_->scene =
-        std::make_shared<const ShadedScene>(loadShadedScene(wanted.source, rolesOf(wanted), options, progress));
+    made_->scene = std::make_shared<const ShadedScene>(
+        loadShadedScene(wanted.source, rolesFor(wanted.source, wanted.rolesFile, false), options, progress));
     made_->sceneOf = wanted;
   }
   const Effect& effect = wanted.effect.empty() ? firstEffectOf(*made_->scene) : shadeEffect(wanted.effect);
@@ -95,6 +103,9 @@ void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
     made_->clearStage();
     report(progress, "preparing " + effect_, 0);
     StageInputs inputs{.scene = made_->scene, .referenceSize = wanted.referenceSize};
+    if (wanted.referenceSize == glm::ivec2(0)) {
+      inputs.referenceSize = effect.referenceSize;
+    }
     inputs.environmentHeight = wanted.environmentHeight;
     inputs.progress = [current = made_->progress](std::string_view stage, double fraction) {
       report(*current, stage, fraction);

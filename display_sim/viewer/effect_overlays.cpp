@@ -41,6 +41,12 @@ std::vector<std::string> shownTexts(const EffectPicture& picture, EffectContent 
   if (content == EffectContent::kDifference) {
     text += " against " + traced;
   }
+  if (picture.secondsLeftOut > 0) {
+    return {
+        fmt::format("{}: {} would take {:.0f} s", text,
+                    picture.isWhole ? "to compare it with the traced one" : "a whole picture", picture.secondsLeftOut),
+        name};
+  }
   if (!picture.isWhole) {
     return {text + " (small while it moves)", name};
   }

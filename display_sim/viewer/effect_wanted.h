@@ -19,7 +19,7 @@ struct EffectWanted {
   int rolesRead = 0;           ///< as in EffectShown
   std::string effect;          ///< empty: the first one that the scene has objects for; then nothing is drawn
   std::string way;
-  glm::ivec2 referenceSize{0};  ///< of reference images, pixels
+  glm::ivec2 referenceSize{0};  ///< of reference images, pixels; 0: the effect's
   int environmentHeight = 0;    ///< rows of environment maps
 
   View view;           ///< of the picture

@@ -32,9 +32,8 @@ EffectImage timed(const Draw& draw) {
 
 double previewScale(double secondsOfWhole) {
   constexpr double kSmallest = 0.125;
-  constexpr double kUnknown = 0.25;
   if (!(secondsOfWhole > 0)) {
-    return kUnknown;
+    return kSmallest;
   }
   double scale = 1;
   while (scale > kSmallest && secondsOfWhole * scale * scale > EffectWork::kPreviewSeconds) {
@@ -93,6 +92,9 @@ EffectStatus EffectWork::status() const {
 void EffectWork::waitUntilIdle() {
   std::unique_lock lock(mutex_);
   hurry_ = true;
+  if (status_.picture && (!status_.picture->isWhole || !status_.picture->difference) && wanted_.shows) {
+    fresh_ = busy_ = true;  // what was left out
+  }
   changed_.notify_all();
   changed_.wait(lock, [this] { return !busy_; });
   hurry_ = false;
@@ -193,12 +195,15 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
   }
 }
 
-double EffectWork::firstScale(const EffectWanted& wanted, bool byWay, bool traced) const {
+double EffectWork::secondsOf(const glm::ivec2& size, bool byWay, bool traced) const {
   if ((byWay && secondsPerPixelByWay_ <= 0) || (traced && secondsPerPixelTraced_ <= 0)) {
-    return previewScale(0);
+    return 0;
   }
-  return previewScale(pixelCountOf(wanted.size) *
-                      ((byWay ? secondsPerPixelByWay_ : 0) + (traced ? secondsPerPixelTraced_ : 0)));
+  return pixelCountOf(size) * ((byWay ? secondsPerPixelByWay_ : 0) + (traced ? secondsPerPixelTraced_ : 0));
+}
+
+double EffectWork::firstScale(const EffectWanted& wanted, bool byWay, bool traced) const {
+  return previewScale(secondsOf(wanted.size, byWay, traced));
 }
 
 void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay, bool traced, EffectModel& model) {
@@ -221,7 +226,7 @@ void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay
 void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
   const bool byWay = wanted.content != EffectShown::Content::kByTracing;
   const bool traced = wanted.content != EffectShown::Content::kByWay;
-  EffectPicture picture{wanted, true, {}, {}, {}};
+  EffectPicture picture{wanted, true, 0, {}, {}, {}};
   const bool sameView = last_.wanted.view == wanted.view && last_.wanted.size == wanted.size;
   if (sameView && last_.wanted.hasSameWay(wanted)) {
     picture.byWay = last_.byWay;
@@ -235,10 +240,14 @@ void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
     double still = kStillSeconds;
     double scale = firstScale(wanted, byWay, traced);
     for (; scale < 1 && !someoneWaits(); scale *= 2) {
-      EffectPicture preview{wanted, false, {}, {}, {}};
+      EffectPicture preview{wanted, false, 0, {}, {}, {}};
       draw(preview, scaled(wanted.size, scale), byWay, traced, model);
+      const double next = secondsOf(scaled(wanted.size, 2 * scale), byWay, traced);
+      if (isLeftOut(next)) {
+        preview.secondsLeftOut = secondsOf(wanted.size, byWay, traced);
+      }
       publish(preview);
-      if (!standsStill(wanted, still)) {
+      if (!standsStill(wanted, still) || (preview.secondsLeftOut > 0 && isLeftOut(next))) {
         return;
       }
       still = 0;
@@ -246,10 +255,21 @@ void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
   }
   draw(picture, wanted.size, byWay, traced, model);
   publish(picture);
-  if (!picture.difference && standsStill(wanted, kStillSeconds)) {
-    draw(picture, wanted.size, true, true, model);
-    publish(picture);
+  if (picture.difference || !standsStill(wanted, kStillSeconds)) {
+    return;
   }
+  const bool lacksTraced = picture.traced.image.empty();
+  if (secondsOf(wanted.size, !lacksTraced, lacksTraced) <= 0) {  // a small one tells how long it takes
+    EffectPicture probe{wanted, false, 0, {}, {}, {}};
+    draw(probe, scaled(wanted.size, previewScale(0)), !lacksTraced, lacksTraced, model);
+  }
+  const double seconds = secondsOf(wanted.size, !lacksTraced, lacksTraced);
+  if (isLeftOut(seconds)) {
+    picture.secondsLeftOut = seconds;
+  } else {
+    draw(picture, wanted.size, true, true, model);
+  }
+  publish(picture);
 }
 
 void EffectWork::clearStage() {

@@ -4,7 +4,8 @@
 //
 // While the eye moves, pictures are as small as it takes to draw one in kPreviewSeconds. Once it has stood still for
 // kStillSeconds they become larger, each time twice as wide, until they are whole; then the other picture is drawn, and
-// both are compared.
+// both are compared. What would take longer than kMaxPictureSeconds is left out, unless someone waits for it: a picture
+// that is being drawn cannot be broken off.
 #pragma once
 
 #include <condition_variable>
@@ -29,7 +30,8 @@ struct EffectImage {
 /// What has been drawn of one view.
 struct EffectPicture {
   EffectWanted wanted;
-  bool isWhole = false;  ///< as large as wanted
+  bool isWhole = false;       ///< as large as wanted
+  double secondsLeftOut = 0;  ///< about what the whole one, or the other one, would take, where it is left out
   EffectImage byWay;
   EffectImage traced;
   std::optional<EffectDifference> difference;  ///< where both are whole, or both were asked for
@@ -50,13 +52,14 @@ struct EffectStatus {
 };
 
 /// How wide the first picture of a view is, as a share of a whole one, which takes about so many seconds; 0: not known.
-/// A half, a quarter or an eighth, where the whole one takes too long.
+/// A half, a quarter or an eighth, where the whole one takes too long; an eighth where nothing is known.
 double previewScale(double secondsOfWhole);
 
 class EffectWork {
  public:
   static constexpr double kPreviewSeconds = 0.06;
   static constexpr double kStillSeconds = 0.15;
+  static constexpr double kMaxPictureSeconds = 3;
 
   EffectWork();
   /// Waits for the picture, or the part of a way's building that does not report its progress, that is under way.
@@ -79,6 +82,10 @@ class EffectWork {
   Progress progressOf(const EffectWanted& wanted);
   /// How wide the first picture is, as a share of a whole one.
   double firstScale(const EffectWanted& wanted, bool byWay, bool traced) const;
+  /// What pictures of this size take; 0 where that is not known.
+  double secondsOf(const glm::ivec2& size, bool byWay, bool traced) const;
+  /// Whether they are left out, as they take too long.
+  bool isLeftOut(double seconds) const { return seconds > kMaxPictureSeconds && !someoneWaits(); }
   void clearStage();
   bool someoneWaits() const;
   /// Whether the same is still wanted after so many seconds, or at once where someone waits.

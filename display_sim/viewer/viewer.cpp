@@ -351,7 +351,8 @@ EffectWanted Viewer::effectWanted() const {
   wanted.rolesRead = state_.effect.rolesRead;
   wanted.effect = state_.effect.effect;
   wanted.way = chosenWay(state_);
-  wanted.referenceSize = {state_.work.width, state_.work.height};
+  const glm::ivec2 size(state_.work.width, state_.work.height);
+  wanted.referenceSize = size == glm::ivec2(kDefaultWidth, kDefaultHeight) ? glm::ivec2(0) : size;
   wanted.environmentHeight = options_.environmentHeight;
   wanted.view = state_.reconstruction.view;
   wanted.size = pane != nullptr ? effectPlace(state_, pixelsOf(pane->image)).size : glm::ivec2(1);

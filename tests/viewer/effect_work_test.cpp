@@ -101,7 +101,7 @@ TEST_F(EffectWorkTest, whatIsDrawnOnceIsNotDrawnAgain) {
 }
 
 TEST(EffectWork, firstPicturesAreAsSmallAsTheyMustBe) {
-  EXPECT_EQ(previewScale(0), 0.25);  // nothing is known
+  EXPECT_EQ(previewScale(0), 0.125);  // nothing is known
   EXPECT_EQ(previewScale(EffectWork::kPreviewSeconds), 1);
   EXPECT_EQ(previewScale(1.01 * EffectWork::kPreviewSeconds), 0.5);
   EXPECT_EQ(previewScale(4 * EffectWork::kPreviewSeconds), 0.5);
