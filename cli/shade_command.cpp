@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/effect_options.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
@@ -202,14 +203,6 @@ class ShadeRun {
   std::unique_ptr<EffectStage> stage_;
 };
 
-std::string effectHelp() {
-  std::string text;
-  for (const Effect& effect : shadeEffects()) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", effect.name, effect.description);
-  }
-  return text;
-}
-
 /// What `--by` takes, said once for effects that take the same.
 std::string waysHelp() {
   std::string text = "What stands for the scene where rays go on. Several with --compare or --page.";
@@ -259,12 +252,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       "shade", "Draw reflections, refractions and relief tiles by reference images, and compare them with traced ones");
   const auto choice = std::make_shared<ShadeChoice>();
   addSceneOptions(command, choice->scene, context);
-  command
-      .add_option(
-          "--roles", choice->roles,
-          "Which objects mirror, refract or cast; by default SCENE.roles.json beside the scene, and for built-in "
-          "scenes their own")
-      ->type_name("FILE.json");
+  addRolesOption(command, choice->roles);
   command.add_option("--effect", choice->effect, effectHelp())->type_name("NAME");
   command.add_option("--by", choice->by, waysHelp())->required()->delimiter(',')->type_name("NAME,...");
   command

@@ -291,6 +291,7 @@ Effect ambientEffect() {
                    "The share of the light of an even sky that reaches a point, weighted by the cosine to its "
                    "normal. What hides light counts less the farther away it is."}};
   effect.checkWay = checkAmbientWay;
+  effect.waysToOffer = ambientWayNames;
   effect.requireObjects = [](const ShadedScene& scene) {
     if (scene.whole.mesh.triangles.empty()) {
       throw InputError("there is nothing on which light is measured", scene.source, "choose a scene with triangles");

@@ -226,6 +226,21 @@ AmbientLight ambientLightBy(const std::string& way, const AmbientInputs& inputs,
   return lightByImages(way, inputs, runs);
 }
 
+std::vector<std::string> ambientWayNames() {
+  std::vector<std::string> names;
+  for (const NamedWay& named : kNamedWays) {
+    if (named.name != std::string_view(kTraced)) {
+      names.emplace_back(named.name);
+    }
+  }
+  for (const CameraName& camera : cameraNames()) {
+    if (cameraChoice(camera.name).hasImages()) {
+      names.emplace_back(camera.name);
+    }
+  }
+  return names;
+}
+
 void checkAmbientWay(const std::string& way) {
   if (namedWay(way) != nullptr || raysIn(way)) {
     return;

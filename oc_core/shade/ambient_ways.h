@@ -52,5 +52,7 @@ AmbientLight ambientLightBy(const std::string& way, const AmbientInputs& inputs,
 
 /// Throws as ambientLightBy() does for a way that there is not.
 void checkAmbientWay(const std::string& way);
+/// The ways with a name of their own, without the traced one, and the cameras.
+std::vector<std::string> ambientWayNames();
 
 }  // namespace ocelli

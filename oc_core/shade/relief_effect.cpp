@@ -9,6 +9,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/evaluation/error_image.h"
+#include "oc_core/ocri/camera_choice.h"
 #include "oc_core/page/html.h"
 #include "oc_core/relief/relief_errors.h"
 #include "oc_core/relief/relief_kinds.h"
@@ -361,6 +362,15 @@ Effect reliefEffect() {
     if (way != kTraced) {
       checkReliefKind(way);
     }
+  };
+  effect.waysToOffer = [] {
+    std::vector<std::string> names{"height-field", "layered-4"};
+    for (const CameraName& camera : cameraNames()) {
+      if (cameraChoice(camera.name).hasImages()) {
+        names.emplace_back(camera.name);
+      }
+    }
+    return names;
   };
   effect.requireObjects = [](const ShadedScene& scene) {
     if (scene.tiled == nullptr || scene.tiled->tiles.empty()) {

@@ -411,6 +411,16 @@ void checkProxyName(const std::string& text) {
   }
 }
 
+std::vector<std::string> proxyNames() {
+  std::vector<std::string> names{kEnvironment};
+  for (const CameraName& camera : cameraNames()) {
+    if (cameraChoice(camera.name).hasImages()) {
+      names.emplace_back(camera.name);
+    }
+  }
+  return names;
+}
+
 BuiltProxy buildProxy(const SpecularWayName& way, const ProxyInputs& inputs) {
   if (way.target != kTraced && way.target != kEnvironment) {
     checkPerspective(way);

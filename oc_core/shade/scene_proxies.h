@@ -75,4 +75,7 @@ BuiltProxy buildProxy(const SpecularWayName& way, const ProxyInputs& inputs);
 /// Throws as specularWay() and buildProxy() do for a way that they do not take, as far as can be said beforehand.
 void checkProxyName(const std::string& way);
 
+/// The names that buildProxy() takes, without "traced" and files of cameras.
+std::vector<std::string> proxyNames();
+
 }  // namespace ocelli

@@ -359,6 +359,7 @@ Effect specularEffect() {
        "What a pixel of the reference view covers at the depth of a hit, if its image were as large as the picture: "
        "depth / focal length in pixels."}};
   effect.checkWay = checkProxyName;
+  effect.waysToOffer = proxyNames;
   effect.castsOnDevice = [](const std::string& text) {
     const SpecularWayName way = specularWay(text);
     return way.target != kTraced && way.target != kEnvironment && !way.isStepped() && !namesConstructor(way.target);

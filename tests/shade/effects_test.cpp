@@ -38,6 +38,22 @@ TEST(Effects, areToldApart) {
   EXPECT_THAT([] { shadeEffect("refelction"); }, ThrowsMessage<InputError>(HasSubstr("reflection, refraction")));
 }
 
+TEST(Effects, takeTheWaysThatTheyOffer) {
+  for (const Effect& effect : shadeEffects()) {
+    const std::vector<std::string> ways = offeredWays(effect);
+    EXPECT_EQ(std::set<std::string>(ways.begin(), ways.end()).size(), ways.size()) << effect.name;
+    EXPECT_EQ(ways.back(), kTraced) << effect.name;
+    for (const std::string& way : ways) {
+      EXPECT_NO_THROW(effect.checkWay(way)) << effect.name << ": " << way;
+    }
+  }
+  Effect cameras = shadeEffect("reflection");
+  cameras.waysToOffer = nullptr;
+  std::vector<std::string> expected = offeredWays(shadeEffect("reflection"));
+  std::erase(expected, "environment");
+  EXPECT_EQ(offeredWays(cameras), expected);
+}
+
 TEST(Effects, sayWhatTheyLack) {
   const StageInputs inputs = smallInputs();
   EXPECT_NO_THROW(shadeEffect("reflection").requireObjects(*inputs.scene));
