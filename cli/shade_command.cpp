@@ -10,6 +10,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -41,6 +42,7 @@ struct ShadeChoice {
   std::string csv;
   std::string page;
   std::string output;
+  std::string gl;  ///< empty: the CPU casts all rays
 
   bool jsonToStandardOutput() const { return json == "-"; }
   bool comparesAnything() const { return compares || !json.empty() || !csv.empty() || !page.empty(); }
@@ -103,6 +105,7 @@ class ShadeRun {
       effect_.checkWay(way);
     }
     const std::map<std::string, std::string> options = givenOptions(choice, effect_);
+    const std::shared_ptr<const DepthRayCaster> caster = openCaster();
     const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
         choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
     effect_.requireObjects(*scene);
@@ -116,6 +119,7 @@ class ShadeRun {
     inputs.progress = context.progress();
     inputs.picture = camera_;
     inputs.options = options;
+    inputs.caster = caster;
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
   }
@@ -148,6 +152,20 @@ class ShadeRun {
   }
 
  private:
+  /// Before the scene is loaded, so that a machine without OpenGL says so at once.
+  std::shared_ptr<const DepthRayCaster> openCaster() const {
+    if (choice_.gl.empty()) {
+      return nullptr;
+    }
+    if (effect_.castsOnDevice == nullptr || std::none_of(choice_.by.begin(), choice_.by.end(), effect_.castsOnDevice)) {
+      throw InputError("no ray is cast with OpenGL here", "--gl " + choice_.gl,
+                       "give a camera with --by, and an effect whose rays are cast at its images, or leave --gl out");
+    }
+    std::shared_ptr<const DepthRayCaster> caster = openRayCaster(choice_.gl);
+    context_.note("casting rays at depth images with " + caster->description());
+    return caster;
+  }
+
   void write(const Image<glm::vec3>& picture) const {
     writePng(choice_.output, srgbFromLinear(picture));
     context_.note("wrote " + choice_.output);
@@ -279,6 +297,8 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a way")->type_name("FILE");
   command.add_option("--page", choice->page, "Also make a page with pictures and error maps in this folder")
       ->type_name("DIR");
+  addGlSwitch(command, choice->gl,
+              "Cast rays at depth images with OpenGL, and compare what they hit with what they hit on the CPU");
   addSecondOutputOption(command, "-o,--output", choice->output, "Where the picture goes", {".png"});
   context.finish(command,
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"

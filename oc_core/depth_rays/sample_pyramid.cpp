@@ -178,6 +178,20 @@ SamplePyramid::Child SamplePyramid::nodeOf(std::span<const Child> children) {
   return whole;
 }
 
+size_t SamplePyramid::depth() const {
+  std::vector<size_t> depths(nodes_.size());
+  size_t deepest = 0;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    for (size_t k = 0; k < nodes_[i].count; ++k) {
+      const uint32_t child = nodes_[i].child[k];
+      OC_CHECK((child & kCellBit) != 0 || child < i, "nodes stand behind those below them");
+      depths[i] = std::max(depths[i], (child & kCellBit) != 0 ? 0 : depths[child]);
+    }
+    deepest = std::max(deepest, ++depths[i]);
+  }
+  return deepest;
+}
+
 std::optional<TriangleMeeting> SamplePyramid::meet(const StraightRay& ray, RayCost& cost) const {
   if (root_.box.empty()) {
     return std::nullopt;

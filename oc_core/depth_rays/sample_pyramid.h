@@ -46,7 +46,8 @@ class SamplePyramid {
   size_t maxSteps() const { return nodes_.size() + filledCells_; }
   Box bounds() const { return bounds_; }
 
- private:
+  // How it lies in memory, for what walks it elsewhere than on the CPU (oc_core/gl_rays).
+
   static constexpr int kSide = 4;
   static constexpr size_t kChildren = kSide * kSide;
   /// What a child is: a node, or the cell of a pixel.
@@ -58,6 +59,18 @@ class SamplePyramid {
     std::array<uint32_t, kChildren> child;
     uint32_t count = 0;  ///< of children; the others are boxes that nothing meets
   };
+
+  /// Each stands behind the nodes below it.
+  std::span<const Node> nodes() const { return nodes_; }
+  /// What the walk begins with: a node or a cell; nothing where there is nothing to hit.
+  std::optional<uint32_t> root() const { return root_.box.empty() ? std::nullopt : std::optional(root_.reference); }
+  /// Nodes on the longest way down to a cell.
+  size_t depth() const;
+  /// The most children that wait at once in a walk that opens the nearest first: each opened node takes the place of
+  /// one and leaves kChildren.
+  size_t maxWaiting() const { return depth() * (kChildren - 1) + 1; }
+
+ private:
   struct Child {
     Box box;  ///< empty where there is none
     uint32_t reference = 0;

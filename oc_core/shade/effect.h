@@ -14,6 +14,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/depth_rays/depth_ray_caster.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/shade/shaded_scene.h"
 
@@ -106,10 +107,13 @@ struct StageInputs {
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
   Progress progress = {};
-  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn then.
+  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn
+  /// then.
   std::optional<PinholeCamera> picture = {};
   /// Of Effect::options, by name; those that are missing have their initial value.
   std::map<std::string, std::string> options = {};
+  /// Casts rays at depth images, for ways of which Effect::castsOnDevice() says so; nothing: the CPU does.
+  std::shared_ptr<const DepthRayCaster> caster = {};
 };
 
 struct Effect {
@@ -130,6 +134,8 @@ struct Effect {
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
   std::vector<EffectOption> options = {};
+  /// Whether StageInputs::caster casts the rays of a way; nullptr for an effect without such ways.
+  bool (*castsOnDevice)(const std::string& way) = nullptr;
   /// Of reference images, pixels, where the user gives none.
   glm::ivec2 referenceSize{720, 480};
 };

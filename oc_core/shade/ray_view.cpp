@@ -22,7 +22,7 @@ constexpr double kRaysInCell = 0.98;
 constexpr float kMinCellShare = 0.01f;  ///< of the distance to what is seen
 constexpr int kEyes = 32;               ///< that are tried between the meeting point and the middle
 constexpr double kMaxTangent = 1;       ///< of half the vertical angle: 90 degrees in all
-constexpr double kMargin = 1.02;
+constexpr double kFieldMargin = 1.02;
 
 /// A piece of a line.
 struct RayPiece {
@@ -151,7 +151,7 @@ std::optional<View> viewHolding(const std::vector<glm::vec3>& points, View view,
       nearest = std::min(nearest, p.z);
     }
     const glm::vec2 farthest = glm::max(glm::abs(lower), glm::abs(upper));
-    const double tangent = kMargin * static_cast<double>(std::max(farthest.y, farthest.x * aspect));
+    const double tangent = kFieldMargin * static_cast<double>(std::max(farthest.y, farthest.x * aspect));
     if (round + 1 < kRounds) {
       view.target = wide.worldFromCamera({(lower + upper) / 2.0f, 1});
       continue;

@@ -4,7 +4,9 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
 #include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
@@ -18,6 +20,8 @@ namespace ocelli {
 namespace {
 
 using Clock = std::chrono::steady_clock;
+
+constexpr size_t kRaysATask = 512;
 
 double millisecondsSince(Clock::time_point start) {
   return std::chrono::duration<double, std::milli>(Clock::now() - start).count();
@@ -142,11 +146,34 @@ class DepthImageProxy final : public SceneProxy {
       : target_(images.images),
         mirrorNormals_(colorsOfVertices(images.normals)),
         beside_(in),
-        reach_(reachOf(in.scene)) {}
+        reach_(reachOf(in.scene)),
+        onDevice_(in.caster != nullptr ? in.caster->prepare(target_) : nullptr) {}
 
   ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
     const RayPath path = pathOf(ray, reach_);
-    const std::optional<Hit> hit = target_.hit(path, cost);
+    return seenBy(ray, path, target_.hit(path, cost));
+  }
+  bool isOnDevice() const override { return onDevice_ != nullptr; }
+  void hitsOnDevice(std::span<const SecondaryRay> rays, std::span<ProxyHit> found,
+                    std::span<RayCost> costs) const override {
+    std::vector<RayPath> paths(rays.size());
+    std::vector<std::optional<Hit>> hits(rays.size());
+    parallelFor(rays.size(), kRaysATask, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        paths[i] = pathOf(rays[i], reach_);
+      }
+    });
+    onDevice_->hits(paths, hits, costs);
+    parallelFor(rays.size(), kRaysATask, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        found[i] = seenBy(rays[i], paths[i], hits[i]);
+      }
+    });
+  }
+  const DepthImageTarget& target() const { return target_; }
+
+ private:
+  ProxyHit seenBy(const SecondaryRay& ray, const RayPath& path, const std::optional<Hit>& hit) const {
     ProxyHit beside = beside_.hit(ray, path);
     if (!hit || !comesBefore(hit->t, beside)) {
       return beside;
@@ -157,9 +184,6 @@ class DepthImageProxy final : public SceneProxy {
     }
     return seen;
   }
-  const DepthImageTarget& target() const { return target_; }
-
- private:
   /// In the order of the vertices of the target's cells.
   static std::vector<glm::vec3> colorsOfVertices(const ReferenceImages& images) {
     return images.empty() ? std::vector<glm::vec3>() : unionMesh(images).colors;
@@ -169,6 +193,7 @@ class DepthImageProxy final : public SceneProxy {
   std::vector<glm::vec3> mirrorNormals_;
   BesideImages beside_;
   float reach_;
+  std::unique_ptr<DepthRayCaster::Target> onDevice_;
 };
 
 /// The same by steps along projections; what is behind shows through silhouettes.
@@ -260,6 +285,11 @@ CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
 }
 
 }  // namespace
+
+void SceneProxy::hitsOnDevice(std::span<const SecondaryRay> /*rays*/, std::span<ProxyHit> /*found*/,
+                              std::span<RayCost> /*costs*/) const {
+  OC_CHECK(false, "it is not on a device");
+}
 
 void checkProxyName(const std::string& text) {
   const SpecularWayName way = specularWay(text);

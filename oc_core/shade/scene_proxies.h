@@ -4,11 +4,12 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "oc_core/base/progress.h"
-#include "oc_core/depth_rays/ray_cost.h"
+#include "oc_core/depth_rays/depth_ray_caster.h"
 #include "oc_core/ocri/view_cell.h"
 #include "oc_core/shade/cast_objects.h"
 #include "oc_core/shade/effect.h"
@@ -33,6 +34,12 @@ class SceneProxy {
   virtual ~SceneProxy() = default;
   /// `cost` grows by what it took in pyramids. Safe to call from many threads.
   virtual ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const = 0;
+  /// Whether the caster of ProxyInputs casts rays at it.
+  virtual bool isOnDevice() const { return false; }
+  /// The same as hit() for each of many rays, which that caster casts, with what each took. Where it is on the device;
+  /// called by one thread at a time.
+  virtual void hitsOnDevice(std::span<const SecondaryRay> rays, std::span<ProxyHit> found,
+                            std::span<RayCost> costs) const;
 };
 
 struct ProxyInputs {
@@ -43,6 +50,7 @@ struct ProxyInputs {
   ViewCell cell;                   ///< that they are made for: what sends rays lies in it
   int environmentHeight = 1024;
   const Progress& progress;
+  const DepthRayCaster* caster = nullptr;  ///< of rays at the pyramids of reference images; nullptr: the CPU
 };
 
 struct BuiltProxy {

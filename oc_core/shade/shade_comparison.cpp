@@ -5,6 +5,7 @@
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "oc_core/base/check.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/image_quality.h"
 #include "oc_core/ocri/coverage.h"
@@ -106,6 +107,22 @@ ShadeFigures figuresOf(const BuiltProxy& built, const SecondaryRays& rays, const
   figures.structureMilliseconds = built.structureMilliseconds;
   figures.shadeMilliseconds = picture.milliseconds;
   return figures;
+}
+
+size_t differingRays(const SecondaryRays& rays, const ShadedPicture& a, const ShadedPicture& b) {
+  OC_CHECK(a.hits.size() == rays.rays.size() && b.hits.size() == rays.rays.size(), "pictures of these rays");
+  constexpr float kNear = 1e-4f;  // of the distance: a hundred roundings and more
+  constexpr float kGrey = 1.0f / 255;
+  size_t differing = 0;
+  for (size_t i = 0; i < rays.rays.size(); ++i) {
+    const ProxyHit& p = a.hits[i];
+    const ProxyHit& q = b.hits[i];
+    const glm::vec3 step = glm::abs(a.color[rays.rays[i].pixel] - b.color[rays.rays[i].pixel]);
+    differing += p.onCast != q.onCast || p.distance.has_value() != q.distance.has_value() ||
+                 (p.distance && std::abs(*p.distance - *q.distance) > kNear * *p.distance) ||
+                 std::max({step.x, step.y, step.z}) > kGrey;
+  }
+  return differing;
 }
 
 Image<Rgb8> hitErrorImage(const SecondaryRays& rays, const ShadedPicture& truth, const std::vector<HitState>& states) {

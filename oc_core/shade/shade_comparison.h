@@ -55,10 +55,12 @@ struct ShadeFigures {
   double buildMilliseconds = 0;
   double structureMilliseconds = 0;
   double shadeMilliseconds = 0;
+  std::optional<size_t> deviceDiffering = {};  ///< rays that a device casts otherwise than the CPU
 
   double lostRatio() const { return ratio(lost, castRays); }
   double missingRatio() const { return ratio(missing, castRays); }
   double falseRatio() const { return ratio(falseHits, rays); }
+  double deviceDifferingRatio() const { return ratio(deviceDiffering.value_or(0), rays); }
   double secondLostRatio() const { return ratio(secondLost, secondRays); }
   double stepsPerRay() const { return ratio(cost.steps(), rays); }
   double boxesPerRay() const { return ratio(cost.boxes, rays); }
@@ -76,6 +78,10 @@ std::vector<HitState> compareHits(const SecondaryRays& rays, const ShadedPicture
 
 ShadeFigures figuresOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& truth,
                        const ShadedPicture& picture, const Yardsticks& yardsticks);
+
+/// Rays of two pictures by the same proxies that first meet something else, or at another distance, or see another
+/// colour in the end.
+size_t differingRays(const SecondaryRays& rays, const ShadedPicture& a, const ShadedPicture& b);
 
 /// The traced picture, dimmed, with the pixels of rays in the colours of what went wrong (error_image.h).
 Image<Rgb8> hitErrorImage(const SecondaryRays& rays, const ShadedPicture& truth, const std::vector<HitState>& states);

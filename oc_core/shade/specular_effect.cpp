@@ -6,6 +6,7 @@
 #include <functional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_document.h"
 #include "oc_core/camera/view.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/page/html.h"
@@ -13,6 +14,7 @@
 #include "oc_core/shade/ray_view.h"
 #include "oc_core/shade/scene_proxies.h"
 #include "oc_core/shade/shade_comparison.h"
+#include "oc_core/shade/shaded_on_device.h"
 #include "oc_core/shade/specular_figures.h"
 
 namespace ocelli {
@@ -86,13 +88,19 @@ struct SpecularScene {
   }
 };
 
+/// On the device of the proxies, where they have one.
+ShadedPicture shadeAnywhere(const SecondaryRays& rays, const SenderProxies& proxies, int order, int runs) {
+  std::optional<ShadedPicture> picture = shadeOnDevice(rays, proxies, order, runs);
+  return picture ? *std::move(picture) : shade(rays, proxies, order, runs);
+}
+
 class SpecularWay final : public EffectWay {
  public:
   SpecularWay(std::shared_ptr<const SpecularScene> scene, SpecularWayName way, SenderProxies proxies, int order)
       : scene_(std::move(scene)), way_(std::move(way)), proxies_(std::move(proxies)), order_(order) {}
 
   Image<glm::vec3> draw(const PinholeCamera& camera) const override {
-    return shade(scene_->raysOf(camera, way_), proxies_, order_).color;
+    return shadeAnywhere(scene_->raysOf(camera, way_), proxies_, order_, 1).color;
   }
 
  private:
@@ -153,7 +161,12 @@ class SpecularStage final : public EffectStage {
     const SenderProxies proxies = proxiesOf(way);
     const SecondaryRays rays = way.exit ? scene_->raysOf(camera, way) : SecondaryRays{};
     const SecondaryRays& followed = way.exit ? rays : truth_->rays;
-    return wayOf(proxies.total(), followed, shade(followed, proxies, order_, runs), way);
+    const std::optional<ShadedPicture> onDevice = shadeOnDevice(followed, proxies, order_, runs);
+    const ShadedPicture onCpu = shade(followed, proxies, order_, onDevice ? 1 : runs);
+    if (!onDevice) {
+      return wayOf(proxies.total(), followed, onCpu, way);
+    }
+    return wayOf(proxies.total(), followed, *onDevice, way, differingRays(followed, *onDevice, onCpu));
   }
 
   std::vector<ShadeFact> facts(const PinholeCamera& camera) override {
@@ -172,24 +185,30 @@ class SpecularStage final : public EffectStage {
       views += (i > 0 ? ", " : "") + jsonText(views_.references[i].view());
       cells += fmt::format("{}{}", i > 0 ? ", " : "", views_.cells[i].sideRadii);
     }
-    return {{"rays", std::to_string(truth_->rays.rays.size()),
-             fmt::format("{} rays, one a pixel that sends one on.", groupedDigits(truth_->rays.rays.size()))},
-            {"cast_rays", std::to_string(castRays),
-             fmt::format("{} of them first meet objects that depth images stand for.", groupedDigits(castRays))},
-            {"order", std::to_string(order_),
-             order_ > 1 ? fmt::format("Rays of up to {} reflections.", order_) : std::string()},
-            {"reference", fmt::format("\"{}\"", fitsRays_ && inputs_.picture ? kOfRays : kOfMiddle)},
-            {"reference_views", "[" + views + "]"},
-            {"reference_size", fmt::format("[{}, {}]", size.x, size.y),
-             fmt::format("Reference images of {} x {} pixels, {}.", size.x, size.y,
-                         fitsRays_ && inputs_.picture ? "made for the view in which the rays seem to meet"
-                                                      : "made for the middle of what sends the rays")},
-            {"cell_sides", "[" + cells + "]",
-             views_.cells.size() == 1 ? fmt::format("They are for a cell of {:.3g} units around that.",
-                                                    static_cast<double>(views_.cells[0].sideRadii))
-                                      : std::string("Each object that sends rays has its own.")},
-            {"environment_height", std::to_string(height),
-             fmt::format("Environment maps are of {} x {} pixels.", 2 * height, height)}};
+    std::vector<ShadeFact> facts{
+        {"rays", std::to_string(truth_->rays.rays.size()),
+         fmt::format("{} rays, one a pixel that sends one on.", groupedDigits(truth_->rays.rays.size()))},
+        {"cast_rays", std::to_string(castRays),
+         fmt::format("{} of them first meet objects that depth images stand for.", groupedDigits(castRays))},
+        {"order", std::to_string(order_),
+         order_ > 1 ? fmt::format("Rays of up to {} reflections.", order_) : std::string()},
+        {"reference", fmt::format("\"{}\"", fitsRays_ && inputs_.picture ? kOfRays : kOfMiddle)},
+        {"reference_views", "[" + views + "]"},
+        {"reference_size", fmt::format("[{}, {}]", size.x, size.y),
+         fmt::format("Reference images of {} x {} pixels, {}.", size.x, size.y,
+                     fitsRays_ && inputs_.picture ? "made for the view in which the rays seem to meet"
+                                                  : "made for the middle of what sends the rays")},
+        {"cell_sides", "[" + cells + "]",
+         views_.cells.size() == 1 ? fmt::format("They are for a cell of {:.3g} units around that.",
+                                                static_cast<double>(views_.cells[0].sideRadii))
+                                  : std::string("Each object that sends rays has its own.")},
+        {"environment_height", std::to_string(height),
+         fmt::format("Environment maps are of {} x {} pixels.", 2 * height, height)}};
+    if (inputs_.caster != nullptr) {
+      const std::string by = inputs_.caster->description();
+      facts.push_back({"gl", textOfJson(by), fmt::format("Rays at depth images are cast by {}.", by)});
+    }
+    return facts;
   }
 
  private:
@@ -251,8 +270,9 @@ class SpecularStage final : public EffectStage {
       std::vector<BuiltProxy> proxies;
       for (size_t i = 0; i < of.references.size(); ++i) {
         const CastObjects cast = castObjects(*scene_->scene, &senders[i]);
-        proxies.push_back(buildProxy(way, {*scene_->scene, cast, boundsOf(senders[i].mesh).center(), of.references[i],
-                                           of.cells[i], inputs_.environmentHeight, inputs_.progress}));
+        proxies.push_back(
+            buildProxy(way, {*scene_->scene, cast, boundsOf(senders[i].mesh).center(), of.references[i], of.cells[i],
+                             inputs_.environmentHeight, inputs_.progress, inputs_.caster.get()}));
       }
       return proxies;
     };
@@ -261,9 +281,10 @@ class SpecularStage final : public EffectStage {
 
   /// `rays` are those of the way, of the same pixels as the traced ones.
   ShadedWay wayOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& picture,
-                  const SpecularWayName& name) const {
+                  const SpecularWayName& name, std::optional<size_t> deviceDiffering = {}) const {
     const Yardsticks yardsticks{views_.references, mirrorViews_.references};
     ShadeFigures row = figuresOf(built, truth_->rays, truth_->picture, picture, yardsticks);
+    row.deviceDiffering = deviceDiffering;
     ShadedWay way{.name = built.name, .picture = picture.color};
     if (name.exit) {
       // Other rays meet other things: their hits are neither right nor wrong.
@@ -324,6 +345,10 @@ Effect specularEffect() {
   effect.terms = {{"Footprint",
                    "What a pixel of the reference view covers at the depth of a hit: depth / focal length in pixels."}};
   effect.checkWay = checkProxyName;
+  effect.castsOnDevice = [](const std::string& text) {
+    const SpecularWayName way = specularWay(text);
+    return way.target != kTraced && way.target != kEnvironment && !way.isStepped();
+  };
   return effect;
 }
 

@@ -62,6 +62,11 @@ const std::vector<SpecularFigure>& specularFigures() {
        [](const Row& r) { return inPyramids(r, r.structureMilliseconds); }},
       {{"shade_ms", "rays ms", "of all rays, on all threads", 1, 1},
        [](const Row& r) -> Value { return r.shadeMilliseconds; }},
+      {{"gl_differing", "GL off %",
+        "with --gl: rays that meet something else than on the CPU, or at another distance, or see another colour, of "
+        "all rays",
+        3, 100},
+       [](const Row& r) { return r.deviceDiffering ? Value(r.deviceDifferingRatio()) : std::nullopt; }},
   };
   return figures;
 }

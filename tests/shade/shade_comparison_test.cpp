@@ -29,6 +29,26 @@ ProxyHit cast(float distance) {
   return {{}, distance, true};
 }
 
+TEST(ShadeComparison, countsRaysThatSeeSomethingElse) {
+  Rays r;
+  r.truth.color = r.picture.color = Image<glm::vec3>(8, 1);
+  const auto add = [&](const ProxyHit& p, const ProxyHit& q, size_t differing) {
+    r.truth.color[r.rays.rays.size()] = p.color;
+    r.picture.color[r.rays.rays.size()] = q.color;
+    r.add(p, q);
+    EXPECT_EQ(differingRays(r.rays, r.truth, r.picture), differing);
+    EXPECT_EQ(differingRays(r.rays, r.picture, r.truth), differing);
+  };
+  add(cast(10), cast(10), 0);
+  add(cast(10), cast(10.0009f), 0);
+  add(cast(10), cast(10.002f), 1);
+  add(cast(10), {{}, 10.0f, false}, 2);
+  add(cast(10), {}, 3);
+  add({glm::vec3(0.5f)}, {glm::vec3(0.5f, 0.5f, 0.503f)}, 3);
+  add({glm::vec3(0.5f)}, {glm::vec3(0.5f, 0.5f, 0.505f)}, 4);
+  add({}, {}, 4);
+}
+
 TEST(ShadeComparison, sortsFirstHits) {
   const float near = 1.5f * 10 / smallCamera().focalPixels();
   const ProxyHit nothing;

@@ -8,6 +8,8 @@
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/shade/shade_comparison.h"
+#include "oc_core/shade/shaded_on_device.h"
+#include "tests/shade/cpu_caster.h"
 #include "tests/shade/small_shaded_scene.h"
 
 namespace ocelli {
@@ -34,14 +36,14 @@ struct TwoMirrors {
     append(scene.cast, box, glm::translate(glm::mat4(1), {0, 2, 2}));
   }
 
-  SenderProxies proxies(const std::string& way) const {
+  SenderProxies proxies(const std::string& way, const DepthRayCaster* caster = nullptr) const {
     SenderProxies made;
     for (const SpecularObject& mirror : scene.mirrors) {
       const CastObjects cast = castObjects(scene, &mirror);
       const Box box = boundsOf(mirror.mesh);
       const PinholeCamera reference(referenceView(*cast.mesh, box, 90, 60, WhatLiesAround::kMayBeLost), 90, 60);
       made.senders.push_back(
-          buildProxy(specularWay(way), {scene, cast, box.center(), reference, {.sideRadii = 0.2f}, 32, none}));
+          buildProxy(specularWay(way), {scene, cast, box.center(), reference, {.sideRadii = 0.2f}, 32, none, caster}));
     }
     return made;
   }
@@ -67,6 +69,48 @@ TEST(ShadedPicture, raysGoOnFromMirrorsUpToTheirOrder) {
       EXPECT_LT(glm::distance(second.seconds[0]->position, {0.01f, 1.7f, 2.02f}), 3e-3f) << way;
     }
   }
+}
+
+// Order by order on a device, rays see what they see one by one, and take as many steps.
+TEST(ShadedPicture, aDeviceFollowsTheSameRays) {
+  const TwoMirrors two;
+  const test::CpuCaster caster;
+  SecondaryRays rays{Image<glm::vec3>(16, 16, glm::vec3(0.25f)), {}};
+  for (uint32_t pixel = 0; pixel < rays.base.size(); pixel += 3) {
+    const float x = 0.05f * (static_cast<float>(pixel % 16) - 8);
+    const float y = 0.05f * (static_cast<float>(pixel / 16) - 8);
+    // Of the first mirror towards the second, and of that one up to the box.
+    rays.rays.push_back(pixel % 2 == 0 ? SecondaryRay{{x, y, 0}, {0, 0, 1}, pixel, 0}
+                                       : SecondaryRay{{x, 0, 2 + y}, {0, 1, 0}, pixel, 1});
+  }
+  for (const char* way : {"di", "ldi-2"}) {
+    const SenderProxies proxies = two.proxies(way, &caster);
+    for (const int order : {1, 2, 4}) {
+      const std::optional<ShadedPicture> got = shadeOnDevice(rays, proxies, order, 2);
+      const ShadedPicture expected = shade(rays, proxies, order);
+      ASSERT_TRUE(got);
+      EXPECT_TRUE(std::equal(expected.color.begin(), expected.color.end(), got->color.begin())) << way << " " << order;
+      EXPECT_EQ(got->stepsOfRay, expected.stepsOfRay);
+      EXPECT_EQ(got->cost.boxes, expected.cost.boxes);
+      EXPECT_EQ(got->cost.triangles, expected.cost.triangles);
+      EXPECT_EQ(differingRays(rays, *got, expected), 0u);
+      ASSERT_EQ(got->seconds.size(), expected.seconds.size());
+      size_t seconds = 0;
+      for (size_t i = 0; i < expected.seconds.size(); ++i) {
+        ASSERT_EQ(got->seconds[i].has_value(), expected.seconds[i].has_value());
+        if (expected.seconds[i]) {
+          ++seconds;
+          EXPECT_EQ(got->seconds[i]->mirror, expected.seconds[i]->mirror);
+          EXPECT_EQ(got->seconds[i]->position, expected.seconds[i]->position);
+        }
+      }
+      EXPECT_EQ(seconds > 5, order > 1) << seconds;
+    }
+  }
+  for (const char* way : {"traced", "environment", "di:stepped"}) {
+    EXPECT_FALSE(shadeOnDevice(rays, two.proxies(way, &caster), 1)) << way;
+  }
+  EXPECT_FALSE(shadeOnDevice(rays, two.proxies("di"), 1)) << "without a device";
 }
 
 TEST(ShadedPicture, secondOrderHitsAreCompared) {
