@@ -1,7 +1,8 @@
 // How far a picture of secondary rays is from the traced one, and what it took.
 //
 // The yardstick is the footprint of the reference view: z / focal length in pixels at the place of a hit, z along the
-// reference view's direction from its eye (as for disocclusion errors, coverage.h), whatever camera made the images. Of
+// reference view's direction from its eye (as for disocclusion errors, coverage.h), whatever camera made the images;
+// beside and behind that eye its distance. Of
 // the rays whose traced first hit is on an object that depth images stand for
 //   lost      are those whose first hit is missing, or further than 1.5 footprints from the traced one along the ray;
 //   missing   are those that meet no sample at all.

@@ -25,6 +25,9 @@ const std::vector<WayWord>& wayWords() {
        [](SpecularWayName& way) { way.finePixels = 1; }},
       {"stepped-1/2", kWalk, "the same in steps of half a pixel", [](SpecularWayName& way) { way.finePixels = 0.5; }},
       {"stepped-1/4", kWalk, "the same in steps of a quarter", [](SpecularWayName& way) { way.finePixels = 0.25; }},
+      {"by-frusta", kWalk,
+       "rays walk frustum by frustum through the image of a graph camera (the name of its constructor, or its file)",
+       [](SpecularWayName& way) { way.byFrusta = true; }},
       {"expected-exit", kExit,
        "rays leave glass where the text expects them to, with the normal of an image of its back faces",
        [](SpecularWayName& way) { way.exit = BackFaceExit::kExpected; }},
@@ -54,7 +57,7 @@ SpecularWayName specularWay(const std::string& text) {
     words[i]->apply(way);
   }
   const bool hasImages = way.target != kTraced && way.target != kEnvironment;
-  if (!hasImages && way.isStepped()) {
+  if (!hasImages && (way.isStepped() || way.byFrusta)) {
     throw InputError("\"" + way.target + "\" has no image for rays to walk in", "--by " + text,
                      "name a camera before the colon, such as di");
   }
