@@ -209,6 +209,9 @@ Image<Rgb8> reliefErrorMap(const ReliefPicture& truth, const ReliefPicture& pict
 class ReliefStage final : public EffectStage {
  public:
   explicit ReliefStage(const StageInputs& inputs) : inputs_(inputs) {
+    if (inputs.cellSide) {
+      throw InputError("the cell that relief tiles are made for is always the same", "--cell", "leave it out");
+    }
     const auto start = std::chrono::steady_clock::now();
     traced_ = std::make_shared<const TracedScene>(tiled());
     tracedBuildMilliseconds_ =
@@ -269,7 +272,7 @@ class ReliefStage final : public EffectStage {
     }
     const size_t triangles = traced_->flat.triangles.size();
     return {{"tiles", std::to_string(tiled().tiles.size()),
-             fmt::format("{} tiles of {} objects, {} triangles where they are traced.",
+             fmt::format("Tiles: {}. Different objects: {}. Where they are traced, they have {} triangles.",
                          groupedDigits(tiled().tiles.size()), tiled().objects.size(), groupedDigits(triangles))},
             {"objects", std::to_string(tiled().objects.size())},
             {"tile_triangles", std::to_string(triangles)},

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "oc_core/base/error.h"
+#include "oc_core/scene/scene.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/shade/vertex_normals.h"
 #include "oc_core/worlds/builtin_scenes.h"
@@ -43,8 +44,14 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   SceneOptions own = options;
   own.fit = true;
   const Mesh mesh = loadScene(object.source, own, progress);
+  const std::vector<glm::mat4> places = placesOf(object);
+  if (places.size() * mesh.triangles.size() > kMaxSceneTriangles) {
+    throw InputError(
+        "this object at all of its places has more than " + std::to_string(kMaxSceneTriangles) + " triangles",
+        object.source, "give it fewer \"places\", or simplify it");
+  }
   Mesh placed;
-  for (const glm::mat4& place : placesOf(object)) {
+  for (const glm::mat4& place : places) {
     append(placed, mesh, place);
   }
   return placed;

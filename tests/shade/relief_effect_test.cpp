@@ -79,6 +79,9 @@ TEST(ReliefEffect, saysWhatItLacks) {
   EXPECT_THAT([&] { effect.requireObjects(test::mirrorBeforeBox()); },
               ThrowsMessage<InputError>(HasSubstr("has the role \"relief\"")));
   EXPECT_THAT([&] { effect.checkWay("environment"); }, ThrowsMessage<InputError>(HasSubstr("for relief tiles")));
+  StageInputs withCell = parkingInputs();
+  withCell.cellSide = 1;
+  EXPECT_THAT([&] { effect.stage(withCell); }, ThrowsMessage<InputError>(HasSubstr("leave it out")));
   const auto stage = effect.stage(parkingInputs());
   View away;
   away.target = {0, 0, 20};

@@ -60,6 +60,16 @@ TEST(TiledScene, sourcesStandAtPlaces) {
   EXPECT_EQ(scene.surroundings.triangles.size(), 3 * tiled.objects[0].triangles.size());
 }
 
+TEST(TiledScene, tooManyPlacesAreRefused) {
+  RoledObject balls{.roles = kIsRelief, .source = "builtin:sphere,segments=400", .radius = 0.5};
+  balls.places.resize(4096);
+  EXPECT_THAT(
+      [&] {
+        loadShadedScene("builtin:box", {{.object = 0, .roles = kCasts}, balls});
+      },
+      ThrowsMessage<InputError>(HasSubstr("at all of its places")));
+}
+
 TEST(TiledScene, withoutTheRoleThereIsNone) {
   EXPECT_EQ(loadShadedScene("builtin:box", {{.object = 0, .roles = kCasts}}).tiled, nullptr);
   SceneOptions moving;
