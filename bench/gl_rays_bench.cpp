@@ -137,9 +137,9 @@ Json measureCamera(GlContext& context, const std::string& name, const Case& c, d
     gl.Finish();
   });
   const Progress none;
-  const CastObjects cast = castObjects(c.scene, nullptr);
-  const BuiltProxy built =
-      buildProxy(specularWay(name), {c.scene, cast, c.senders.center(), c.reference, c.cell, kEnvironmentHeight, none});
+  const CastObjects hittable = castObjects(c.scene, nullptr);
+  const BuiltProxy built = buildProxy(
+      specularWay(name), {c.scene, hittable, c.senders.center(), c.reference, c.cell, kEnvironmentHeight, none});
   const double pictureOnCpu =
       leastMilliseconds(runs, [&] { shade(reflectedRays(c.surfaces, c.camera), *built.proxy); });
 

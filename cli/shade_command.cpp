@@ -106,8 +106,9 @@ class ShadeRun {
     }
     const std::map<std::string, std::string> options = givenOptions(choice, effect_);
     const std::shared_ptr<const DepthRayCaster> caster = openCaster();
-    const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
-        choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
+    const auto scene = std::make_shared<const ShadedScene>(
+        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
+                        choice.scene.options, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
@@ -304,6 +305,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
+                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,corners-8 --radius 0.4 --page ambient\n"
                  "  ocelli shade builtin:parking --effect relief --by height-field,spoc,cell --page parking\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {

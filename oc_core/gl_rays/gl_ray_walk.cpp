@@ -19,7 +19,7 @@ constexpr size_t kChildren = SamplePyramid::kChildren;
 /// As shaders/pyramid_walk.glsl has it: no cell has this number.
 constexpr uint32_t kNoChild = 0xffffffffu;
 /// Children that the smallest program has room for: 3 levels. Deeper trees get one of their own.
-constexpr size_t kLeastWaiting = 3 * (kChildren - 1) + 1;
+constexpr size_t kMinWaiting = 3 * (kChildren - 1) + 1;
 
 /// In the layout std430, as shaders/pyramid_walk.glsl has it.
 struct NodeItem {
@@ -51,8 +51,10 @@ uint32_t turnsOf(const GlContext& context, const SampleCells& cells) {
     most = std::max(most, cells.firstTriangle[i + 1] - cells.firstTriangle[i]);
   }
   constexpr uint32_t kTurns = 65535;
-  constexpr uint32_t kOfNode = 4 + 4 * 3 + kChildren;  // to count children, to enter them, to put them
-  return kTurns / (1 + kOfNode + most);
+  // To count children, to enter four groups of them, to put them; the last look of each loop may count, too.
+  constexpr uint32_t kOfNode = 5 + 4 * 4 + (kChildren + 1);
+  const uint32_t ofCell = most + 1;
+  return kTurns / (1 + kOfNode + ofCell);
 }
 
 }  // namespace
@@ -79,7 +81,7 @@ void GlRayWalk::makeProgramFor(size_t waiting) {
   if (waiting <= maxWaiting_) {
     return;
   }
-  maxWaiting_ = std::max(waiting, kLeastWaiting);
+  maxWaiting_ = std::max(waiting, kMinWaiting);
   program_ = makeProgram(
       *context_, "ray_walk",
       {{GL_COMPUTE_SHADER,

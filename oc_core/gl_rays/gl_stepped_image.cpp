@@ -104,8 +104,8 @@ GlSteppedImage::GlSteppedImage(GlContext& context, const SteppedImage& image, co
 GlSteppedImage::GlSteppedImage(GlContext& context, const SteppedImage& image, const EpipolarCamera& camera)
     : GlSteppedImage(context, image) {
   OC_CHECK(camera.width() == imageWidth_, "the image is one of the camera");
-  constexpr uint32_t kSearch = 32;  // turns to find an edge of a row
-  maxTurns_ = turnsWithin(context, kSearch + longestList(camera));
+  constexpr uint32_t kSearch = 33;  // turns to find an edge of a row
+  maxTurns_ = turnsWithin(context, kSearch + longestList(camera) + 1);
   epipolar_.emplace(context, camera);
   program_ = steppedProgram(
       context, {shaders::kPinhole, shaders::kEpipolarLines, shaders::kEpipolarDisocclusions, shaders::kEpipolarProject},

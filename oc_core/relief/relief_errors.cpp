@@ -72,16 +72,16 @@ double ReliefFigures::psnrDecibels() const {
   return 10 * std::log10(255.0 * 255 * 3 * static_cast<double>(comparedPixels) / squaredError);
 }
 
-ReliefFigures& ReliefFigures::operator+=(const ReliefFigures& other_) {
-  tilePixels += other_.tilePixels;
-  wrong += other_.wrong;
-  missing += other_.missing;
-  falseSurface += other_.falseSurface;
-  other += other_.other;
-  sunPixels += other_.sunPixels;
-  shadowWrong += other_.shadowWrong;
-  squaredError += other_.squaredError;
-  comparedPixels += other_.comparedPixels;
+ReliefFigures& ReliefFigures::operator+=(const ReliefFigures& more) {
+  tilePixels += more.tilePixels;
+  wrong += more.wrong;
+  missing += more.missing;
+  falseSurface += more.falseSurface;
+  other += more.other;
+  sunPixels += more.sunPixels;
+  shadowWrong += more.shadowWrong;
+  squaredError += more.squaredError;
+  comparedPixels += more.comparedPixels;
   return *this;
 }
 

@@ -46,7 +46,7 @@ struct ReliefFigures {
 
   double wrongShare() const;
   double psnrDecibels() const;  ///< infinite where they are equal
-  ReliefFigures& operator+=(const ReliefFigures& other);
+  ReliefFigures& operator+=(const ReliefFigures& more);
 };
 
 ReliefFigures reliefFigures(const ReliefPicture& truth, const ReliefPicture& picture, const Image<ReliefState>& states);

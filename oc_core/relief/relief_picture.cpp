@@ -97,9 +97,8 @@ std::vector<SeenTile> seenTiles(const ReliefScene& scene, const PinholeCamera& c
 /// A strip of the picture, in which tiles are drawn one after the other.
 class Strip {
  public:
-  Strip(const ReliefScene& scene, const PinholeCamera& camera, const EyeRays& rays, Image<PixelMeeting>& pixels,
-        Image<uint16_t>& steps)
-      : scene_(scene), camera_(camera), rays_(rays), pixels_(pixels), steps_(steps) {}
+  Strip(const ReliefScene& scene, const PinholeCamera& camera, const EyeRays& rays, Image<PixelMeeting>& pixels)
+      : scene_(scene), camera_(camera), rays_(rays), pixels_(pixels) {}
 
   void draw(const SeenTile& tile, int top, int bottom) {
     const glm::mat4& m = scene_.tileFromWorld(tile.tile);
@@ -138,16 +137,11 @@ class Strip {
     if (hidden) {
       return;
     }
-    const size_t before = cost.steps();
     scene_.objectOf(tile.tile).meetBlock(block, cost);
-    const size_t taken = cost.steps() - before;
-    const auto each = static_cast<size_t>(block.rays());
-    raysMet += each;
+    raysMet += static_cast<size_t>(block.rays());
     for (int row = 0; row < block.rows; ++row) {
       for (int column = 0; column < block.columns; ++column) {
         const auto i = static_cast<size_t>(block.indexOf(column, row));
-        uint16_t& steps = steps_(x + column, y + row);
-        steps = static_cast<uint16_t>(std::min<size_t>(steps + (taken + each - 1) / each, 0xffff));
         if (block.meets[i]) {
           PixelMeeting& pixel = pixels_(x + column, y + row);
           pixel.tile = ReliefScene::Meeting{tile.tile, block.meeting[i]};
@@ -161,7 +155,6 @@ class Strip {
   const PinholeCamera& camera_;
   const EyeRays& rays_;
   Image<PixelMeeting>& pixels_;
-  Image<uint16_t>& steps_;
 };
 
 /// Surfaces and the sun: from what pixels meet to what they look like.
@@ -235,8 +228,7 @@ ReliefPicture blankPicture(const PinholeCamera& camera) {
           .point = Image<glm::vec3>(w, h, glm::vec3(0)),
           .color = Image<glm::vec3>(w, h, glm::vec3(0)),
           .inShadow = Image<uint8_t>(w, h, 0),
-          .cost = {},
-          .steps = Image<uint16_t>(w, h, 0)};
+          .cost = {}};
 }
 
 /// What pixels show without tiles.
@@ -281,7 +273,6 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, const ReliefDraw
   const auto strips = static_cast<size_t>((camera.height() + kStripRows - 1) / kStripRows);
   for (int run = 0; run < how.runs; ++run) {
     pixels = behind;
-    std::fill(picture.steps.begin(), picture.steps.end(), uint16_t{0});
     std::vector<RayCost> costs(strips);
     std::vector<size_t> counts(strips);
     const auto start = std::chrono::steady_clock::now();
@@ -289,7 +280,7 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, const ReliefDraw
     const std::vector<SeenTile> seen = seenTiles(*tiles_, camera);
     parallelFor(strips, 1, [&](size_t begin, size_t end) {
       for (size_t s = begin; s < end; ++s) {
-        Strip strip(*tiles_, camera, rays, pixels, picture.steps);
+        Strip strip(*tiles_, camera, rays, pixels);
         const int top = static_cast<int>(s) * kStripRows;
         for (const SeenTile& tile : seen) {
           strip.draw(tile, top, std::min(top + kStripRows, camera.height()));

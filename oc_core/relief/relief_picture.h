@@ -45,7 +45,6 @@ struct ReliefPicture {
   Image<uint8_t> inShadow;           ///< 1 where the sun does not reach what faces it
   RayCost cost;                      ///< of rays from the eye
   size_t rays = 0;                   ///< pixels of boxes, summed over tiles: those rays
-  Image<uint16_t> steps;             ///< of each pixel, where a ray is looked at by itself; of blocks, evenly
   double geometryMilliseconds = 0;   ///< of the eye rays to what is no tile
   double milliseconds = 0;           ///< of tiles, from the eye: boxes, intersections, depth
   double processorMilliseconds = 0;  ///< the same, of the CPU time of this process, all threads together

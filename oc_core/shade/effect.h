@@ -134,6 +134,7 @@ struct Effect {
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
   std::vector<EffectOption> options = {};
+  bool needsRoles = true;  ///< else it takes scenes of whose objects nothing says roles
   /// Whether StageInputs::caster casts the rays of a way; nullptr for an effect without such ways.
   bool (*castsOnDevice)(const std::string& way) = nullptr;
   /// Of reference images, pixels, where the user gives none.

@@ -320,7 +320,7 @@ class ReliefStage final : public EffectStage {
 View tilesView(const ShadedScene& scene) {
   constexpr float kDistance = 3.2f;  // radii of the tiles
   constexpr double kProportion = 1.5;
-  constexpr double kMargin = 1.04;
+  constexpr double kRoomAround = 1.04;
   const Box box = boundsOf(scene.tiled->flatTiles());
   const float radius = std::max(glm::length(box.size()) / 2, 1e-6f);
   View view;
@@ -334,7 +334,7 @@ View tilesView(const ShadedScene& scene) {
     const glm::dvec3 p(camera.cameraFromWorld(corner));
     tangent = std::max({tangent, std::abs(p.y) / p.z, std::abs(p.x) / p.z / kProportion});
   }
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(kMargin * tangent));
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(kRoomAround * tangent));
   return view;
 }
 

@@ -7,7 +7,10 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/camera/graph_overlap.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/depth_rays/depth_image_target.h"
+#include "oc_core/depth_rays/graph_image_target.h"
 #include "oc_core/depth_rays/rim_cells.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
@@ -15,6 +18,7 @@
 #include "oc_core/render/raycast.h"
 #include "oc_core/shade/environment_map.h"
 #include "oc_core/shade/first_surfaces.h"
+#include "oc_core/shade/perspective_images.h"
 #include "oc_core/shade/stepped_proxy.h"
 
 namespace ocelli {
@@ -221,6 +225,34 @@ class SteppedProxy final : public SceneProxy {
   float reach_;
 };
 
+/// Frustum by frustum through the image of a graph camera.
+class FrustaProxy final : public SceneProxy {
+ public:
+  FrustaProxy(const ProxyInputs& in, GraphImageTarget target, ReferenceImages normals)
+      : target_(std::move(target)), normals_(std::move(normals)), beside_(in), reach_(reachOf(in.scene)) {}
+
+  ProxyHit hit(const SecondaryRay& ray, RayCost& cost) const override {
+    const RayPath path = pathOf(ray, reach_);
+    const std::optional<Hit> hit = target_.hit(path, cost);
+    ProxyHit beside = beside_.hit(ray, path);
+    if (!hit || !comesBefore(hit->t, beside)) {
+      return beside;
+    }
+    ProxyHit seen{hit->color, hit->t, true};
+    if (!normals_.empty()) {
+      seen.mirror = metMirror(normals_[0].color[hit->element]);
+    }
+    return seen;
+  }
+  const GraphImageTarget& target() const { return target_; }
+
+ private:
+  GraphImageTarget target_;
+  ReferenceImages normals_;
+  BesideImages beside_;
+  float reach_;
+};
+
 BuiltProxy buildTraced(const ProxyInputs& in) {
   BuiltProxy built{.name = kTraced};
   const auto start = Clock::now();
@@ -298,6 +330,55 @@ BuiltProxy buildDepthImages(const CameraChoice& choice, const SpecularWayName& w
   return built;
 }
 
+/// Of a graph or curved ray camera.
+BuiltProxy buildPerspective(const SpecularWayName& way, const ProxyInputs& in) {
+  BuiltProxy built{.name = way.full};
+  const auto start = Clock::now();
+  const Mesh& mesh = *in.cast.mesh;
+  const PerspectiveImage image = perspectiveImage(way.target, in.scene.whole, mesh, in.reference);
+  ProxyImages images;
+  if (!in.cast.mirrorNormals.empty()) {
+    Mesh coded = mesh;
+    coded.colors = in.cast.mirrorNormals;
+    images.normals = {image.samples(coded, way.target)};
+  }
+  if (way.byFrusta) {
+    const GraphCamera& camera = graphCameraOf(image, way.target);
+    const Box bounds = boundsOf(mesh);
+    checkDisjoint(camera, glm::dvec3(bounds.lower), glm::dvec3(bounds.upper));
+    built.buildMilliseconds = millisecondsSince(start);
+    const auto ready = Clock::now();
+    GraphImageTarget target(camera, image.fragments, mesh, {.thickness = graphThickness(bounds)});
+    built.structureMilliseconds = millisecondsSince(ready);
+    built.samples = target.sampleCount();
+    built.proxy = std::make_unique<FrustaProxy>(in, std::move(target), std::move(images.normals));
+    return built;
+  }
+  images.images = {image.samples(mesh, way.target)};
+  built.buildMilliseconds = millisecondsSince(start);
+  built.samples = images.images[0].sampleCount();
+  const auto ready = Clock::now();
+  HitSurfaces surfaces = surfacesOf(images);
+  static_cast<void>(SamplePyramid(surfaces.cells));
+  built.structureMilliseconds = millisecondsSince(ready);
+  built.triangles = surfaces.cells.mesh.triangles.size();
+  built.proxy = std::make_unique<DepthImageProxy>(in, std::move(surfaces.cells), std::move(surfaces.mirrorNormals));
+  return built;
+}
+
+/// Throws where the name is that of a camera which is not met so.
+void checkPerspective(const SpecularWayName& way) {
+  const bool isPerspective = namesConstructor(way.target);
+  if (way.byFrusta && !isPerspective) {
+    throw InputError("\"" + way.target + "\" is no graph camera, and has no frusta", "--by " + way.full,
+                     "use the name of a constructor of `ocelli camera list`, or its file");
+  }
+  if (isPerspective && (way.isStepped() || way.rims)) {
+    throw InputError("\"" + way.target + "\" is not walked by steps along projections, and has no rims",
+                     "--by " + way.full, "write :by-frusta behind its name, or the name alone");
+  }
+}
+
 CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
   if (!name.ends_with(".json") && !findRepresentation(name)) {
     throw InputError("there is no \"" + name + "\" for rays to hit", "--by",
@@ -320,13 +401,21 @@ void SceneProxy::hitsOnDevice(std::span<const SecondaryRay> /*rays*/, std::span<
 
 void checkProxyName(const std::string& text) {
   const SpecularWayName way = specularWay(text);
-  if (way.target != kTraced && way.target != kEnvironment) {
+  if (way.target == kTraced || way.target == kEnvironment) {
+    return;
+  }
+  checkPerspective(way);
+  if (!namesConstructor(way.target)) {
     choiceOf(way.target, {});
   }
 }
 
 BuiltProxy buildProxy(const SpecularWayName& way, const ProxyInputs& inputs) {
   if (way.target != kTraced && way.target != kEnvironment) {
+    checkPerspective(way);
+    if (namesConstructor(way.target)) {
+      return buildPerspective(way, inputs);
+    }
     return buildDepthImages(choiceOf(way.target, inputs.cell), way, inputs);
   }
   BuiltProxy built = way.target == kTraced ? buildTraced(inputs) : buildEnvironment(inputs);

@@ -67,6 +67,7 @@ inline constexpr const char* kEnvironment = "environment";
 
 /// What `way.target` names is "traced" (the geometry, by ray casting), "environment" (an environment map of all), or a
 /// camera, whose reference images of the cast objects are hit; an environment map shows what lies outside of them.
+/// That may be a graph or curved ray camera too, by the name of its constructor or a JSON file (perspective_images.h).
 /// Throws InputError for another name, for a representation without images, for images that cannot be met as the way
 /// says, and where the images cannot be built.
 BuiltProxy buildProxy(const SpecularWayName& way, const ProxyInputs& inputs);

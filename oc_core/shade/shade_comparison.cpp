@@ -26,9 +26,13 @@ glm::vec3 placeOf(const SecondaryRay& ray, float distance) {
   return ray.origin + ray.direction * distance;
 }
 
-/// What counts as near: of things behind the reference view, too, which none of its images holds.
+/// What counts as near. Of things beside and behind the reference view, which no image of one plane holds, the distance
+/// stands for z.
 float reachAt(const PinholeCamera& reference, const glm::vec3& place) {
-  return std::abs(nearReach(reference, place));
+  const float along = reference.cameraFromWorld(place).z;
+  const float distance = glm::distance(place, reference.eye());
+  const bool isAhead = along > 0.1f * distance;  // no reference view reaches farther aside
+  return isAhead ? nearReach(reference, place) : kNearFootprints * distance / reference.focalPixels();
 }
 
 HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit& seen, const PinholeCamera& reference) {

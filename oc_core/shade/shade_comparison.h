@@ -2,8 +2,8 @@
 //
 // The yardstick is the footprint of a reference view, of the size of the picture: z / focal length in pixels at the
 // place of a hit, z along the reference view's direction from its eye (as for disocclusion errors, coverage.h),
-// whatever camera made the images, and of whatever size. Of the rays whose traced first hit is on an object that depth
-// images stand for
+// whatever camera made the images, and of whatever size; beside and behind that eye its distance. Of the rays whose
+// traced first hit is on an object that depth images stand for
 //   lost      are those whose first hit is missing, or further than 1.5 footprints from the traced one along the ray;
 //   missing   are those that meet no sample at all.
 // A hit is false where a sample is met before the traced first hit, by more than 1.5 footprints: of all rays. Some of

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,6 +28,10 @@ struct ShadedScene {
   Mesh cast;          ///< what depth images stand for, but for mirrors among it
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
+  /// All objects together, with the guides of the scene: for light from all sides, and for constructors of cameras.
+  /// Objects that come to the scene have identities above its own.
+  GuidedScene whole = {};
+  std::vector<uint32_t> rolesOfTriangle = {};  ///< of `whole`: bits of object_roles.h
   /// What relief tiles are made of, where an object has that role; nothing elsewhere. Its objects are also in the
   /// meshes above, by their other roles.
   std::shared_ptr<const TiledScene> tiled = {};
@@ -36,8 +41,8 @@ struct ShadedScene {
 std::string rolesFileBeside(const std::string& source);
 
 /// The roles: of the file, where one is given; else of the file beside the scene, if there is one, or of the built-in
-/// scene. Throws InputError where nothing says them.
-std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile);
+/// scene. Where nothing says them: none where they are not needed, else throws InputError.
+std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile, bool needed = true);
 
 /// Throws InputError where a role is of an object that the scene lacks.
 ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledObject>& roles,
@@ -58,6 +63,16 @@ enum class WhatLiesAround { kIsAnError, kMayBeLost };
 /// no image plane holds them; or, where what lies around may be lost, gives a view of 100 degrees then.
 View referenceView(const Mesh& cast, const Box& senders, int width, int height,
                    WhatLiesAround around = WhatLiesAround::kIsAnError);
+/// The same; nothing where referenceView() throws.
+std::optional<View> planeView(const Mesh& cast, const Box& senders, int width, int height);
+/// A view for objects that lie all around: from the middle of what sends rays straight towards +z, whence the default
+/// view looks, 90 degrees high. Images of one plane show those there; panoramas and graph cameras see more.
+View aroundView(const Mesh& cast, const Box& senders);
+
+/// The picture's view, where it shows anything of what lies in `senders`; where other objects hide all of that, raised
+/// about its target in steps of 15 degrees up to 75, to where they hide half of it at most. As it is where that is
+/// nowhere.
+View unhiddenView(const View& view, const ShadedScene& scene, const Box& senders);
 
 Box boundsOf(const std::vector<SpecularObject>& objects);
 

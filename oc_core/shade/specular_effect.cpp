@@ -8,6 +8,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
 #include "oc_core/camera/view.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/page/html.h"
 #include "oc_core/shade/glass_back_faces.h"
@@ -256,9 +257,11 @@ class SpecularStage final : public EffectStage {
     const auto [width, height] = std::pair(inputs_.referenceSize.x, inputs_.referenceSize.y);
     const std::optional<RayView> fitted = viewOfRays(rays, *cast.mesh, box.center(), width, height);
     // Mirrors among what is cast stand in the midst of it.
-    const WhatLiesAround around = sender.isCast ? WhatLiesAround::kMayBeLost : WhatLiesAround::kIsAnError;
-    views.references.emplace_back(fitted ? fitted->view : referenceView(*cast.mesh, box, width, height, around), width,
-                                  height);
+    const std::optional<View> plane = sender.isCast
+                                          ? referenceView(*cast.mesh, box, width, height, WhatLiesAround::kMayBeLost)
+                                          : planeView(*cast.mesh, box, width, height);
+    const View view = fitted ? fitted->view : plane.value_or(aroundView(*cast.mesh, box));
+    views.references.emplace_back(view, width, height);
     ViewCell cell;
     cell.shape = ViewCell::Shape::kSphere;
     cell.sideRadii = inputs_.cellSide.value_or(fitted ? fitted->cellSide : largestSide(box));
@@ -305,7 +308,7 @@ class SpecularStage final : public EffectStage {
                           hitErrorImage(truth_->rays, truth_->picture,
                                         compareHits(truth_->rays, truth_->picture, picture, yardsticks))});
     }
-    if (row.cost.nodes > 0) {
+    if (row.cost.steps() > 0) {
       way.maps.push_back({"steps", "steps of each ray", stepImage(truth_->rays, picture, kBrightestSteps)});
     }
     for (const SpecularFigure& figure : specularFigures()) {
@@ -337,8 +340,8 @@ void requireSenders(const Specular& specular, const ShadedScene& scene, const ch
 
 Effect specularEffect() {
   static const std::string ways =
-      "traced (the geometry), environment (an environment map), or the reference images of a camera: a name or a JSON "
-      "file; with words behind it for how they are met. " +
+      "traced (the geometry), environment (an environment map), or the reference images of a camera, graph cameras "
+      "too: a name or a JSON file; with words behind it for how they are met. " +
       wayWordsHelp();
   Effect effect{};
   effect.ways = ways.c_str();
@@ -358,7 +361,8 @@ Effect specularEffect() {
   effect.checkWay = checkProxyName;
   effect.castsOnDevice = [](const std::string& text) {
     const SpecularWayName way = specularWay(text);
-    return way.target != kTraced && way.target != kEnvironment && !way.isStepped();
+    return way.target != kTraced && way.target != kEnvironment && !way.isStepped() &&
+           !namesConstructor(way.target);
   };
   return effect;
 }
@@ -378,7 +382,10 @@ Effect reflectionEffect() {
     }
   };
   effect.requireObjects = [](const ShadedScene& scene) { requireSenders(kReflection, scene, "mirror"); };
-  effect.defaultView = [](const ShadedScene& scene) { return pictureView(boundsOf(scene.mirrors)); };
+  effect.defaultView = [](const ShadedScene& scene) {
+    const Box senders = boundsOf(scene.mirrors);
+    return unhiddenView(pictureView(senders), scene, senders);
+  };
   effect.stage = [](const StageInputs& inputs) -> std::unique_ptr<EffectStage> {
     return std::make_unique<SpecularStage>(inputs, kReflection);
   };
@@ -391,7 +398,10 @@ Effect refractionEffect() {
   effect.title = "Refraction";
   effect.description = "what is seen through objects with the role \"refract\"";
   effect.requireObjects = [](const ShadedScene& scene) { requireSenders(kRefraction, scene, "refract"); };
-  effect.defaultView = [](const ShadedScene& scene) { return pictureView(boundsOf(scene.lenses)); };
+  effect.defaultView = [](const ShadedScene& scene) {
+    const Box senders = boundsOf(scene.lenses);
+    return unhiddenView(pictureView(senders), scene, senders);
+  };
   effect.stage = [](const StageInputs& inputs) -> std::unique_ptr<EffectStage> {
     return std::make_unique<SpecularStage>(inputs, kRefraction);
   };

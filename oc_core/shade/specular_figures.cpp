@@ -10,7 +10,7 @@ Value withDepth(const Row& row, double value) {
   return row.hasDepth ? Value(value) : std::nullopt;
 }
 Value inPyramids(const Row& row, double value) {
-  return row.cost.nodes > 0 ? Value(value) : std::nullopt;
+  return row.cost.steps() > 0 ? Value(value) : std::nullopt;
 }
 Value counted(size_t number) {
   return number > 0 ? Value(static_cast<double>(number)) : std::nullopt;

@@ -27,6 +27,9 @@ const std::vector<WayWord>& wayWords() {
       {"stepped-1/4", kWalk, "the same in steps of a quarter", [](SpecularWayName& way) { way.finePixels = 0.25; }},
       {"rims", kWalk, "surfaces end where those of the scene do, and not half a pixel behind the last sample",
        [](SpecularWayName& way) { way.rims = true; }},
+      {"by-frusta", kWalk,
+       "rays walk frustum by frustum through the image of a graph camera (the name of its constructor, or its file)",
+       [](SpecularWayName& way) { way.byFrusta = true; }},
       {"expected-exit", kExit,
        "rays leave glass where the text expects them to, with the normal of an image of its back faces",
        [](SpecularWayName& way) { way.exit = BackFaceExit::kExpected; }},
@@ -56,7 +59,7 @@ SpecularWayName specularWay(const std::string& text) {
     words[i]->apply(way);
   }
   const bool hasImages = way.target != kTraced && way.target != kEnvironment;
-  if (!hasImages && (way.isStepped() || way.rims)) {
+  if (!hasImages && (way.isStepped() || way.rims || way.byFrusta)) {
     throw InputError("\"" + way.target + "\" has no image for rays to meet", "--by " + text,
                      "name a camera before the colon, such as di");
   }

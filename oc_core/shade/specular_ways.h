@@ -17,7 +17,8 @@ struct SpecularWayName {
   /// How an image of the back faces of glass says where rays leave it; nothing where they are traced through it.
   std::optional<BackFaceExit> exit = {};
 
-  bool rims = false;  ///< whether surfaces of images end where the scene's do, between samples
+  bool rims = false;      ///< whether surfaces of images end where the scene's do, between samples
+  bool byFrusta = false;  ///< of a graph camera: rays walk frustum by frustum through its image
 
   bool isStepped() const { return finePixels > 0; }
 };

@@ -14,6 +14,7 @@ BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene lensScene();
 BuiltinScene mazeScene();
+BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
 BuiltinScene parkingScene();
 BuiltinScene roomScene();

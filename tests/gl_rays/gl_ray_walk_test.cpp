@@ -166,7 +166,7 @@ TEST_P(GlRayWalkTest, theLongestWalkEndsOrSaysThatItWasGivenUp) {
   const GlScope scope(*context_);
   const StraightRay longest{{0.01f, 0, -1}, {0, 0, 10}, 1};
   const StraightRay shortest{{-0.01f, 0, -1}, {0, 0, 10}, 1};
-  for (const uint32_t count : {100u, 1700u, 3000u}) {
+  for (const uint32_t count : {100u, 1400u, 3000u}) {
     const SampleCells cells = narrowMisses(count);
     const SamplePyramid pyramid(cells);
     RayCost cost;

@@ -1,12 +1,11 @@
 // Scenes of `ocelli shade` as pictures on the GPU take them, and how far two pictures are apart.
 #pragma once
 
-#include <gtest/gtest.h>
-
+#include <algorithm>
 #include <vector>
 
-#include "oc_core/gl/gl_api.h"
 #include "oc_core/gl_rays/gl_ray_picture.h"
+#include "oc_core/image/png_file.h"
 #include "oc_core/shade/shaded_scene.h"
 
 namespace ocelli::test {
@@ -39,15 +38,8 @@ struct MirrorMesh {
   std::vector<glm::vec3> normals;
 };
 
-inline Image<glm::vec3> readPicture(GlContext& context, const GlObject& picture, const PinholeCamera& camera) {
-  const auto pixels = readTexture<glm::vec4>(context, picture, camera.width(), camera.height(), GL_RGBA, GL_FLOAT);
-  Image<glm::vec3> image(camera.width(), camera.height());
-  for (size_t i = 0; i < pixels.size(); ++i) {
-    EXPECT_EQ(pixels[i].w, 1);
-    image[i] = glm::vec3(pixels[i]);
-  }
-  return image;
-}
+/// A picture that GlRayPicture makes; each of its pixels is opaque.
+Image<glm::vec3> readPicture(GlContext& context, const GlObject& picture, const PinholeCamera& camera);
 
 /// Pixels whose colours differ by more than one level of 255, which is rounding.
 inline size_t differingPixels(const Image<glm::vec3>& a, const Image<glm::vec3>& b) {

@@ -45,7 +45,7 @@ TEST(SpecularWays, eachWordIsInHelpAndChangesAWay) {
     EXPECT_THAT(wayWordsHelp(), HasSubstr(word.word));
     const SpecularWayName way = specularWay("di:" + std::string(word.word));
     EXPECT_EQ(way.target, "di");
-    EXPECT_TRUE(way.isStepped() || way.rims || way.exit);
+    EXPECT_TRUE(way.isStepped() || way.rims || way.exit || way.byFrusta);
   }
 }
 
