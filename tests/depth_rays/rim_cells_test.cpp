@@ -84,9 +84,12 @@ TEST(RimCells, meetWhatSquaresMeetBetweenRims) {
     const auto b = rims.hit(ray);
     both += a && b;
     alike += a && b && std::abs(a->t - b->t) < 1e-4f;
-    const auto slow = rims.hitSlowly(ray);
-    ASSERT_EQ(b.has_value(), slow.has_value());
-    ASSERT_TRUE(!b || b->t == slow->t) << "the pyramid misses none of them";
+    constexpr int kEachSlowly = 10;
+    if (i % kEachSlowly == 0) {
+      const auto slow = rims.hitSlowly(ray);
+      ASSERT_EQ(b.has_value(), slow.has_value());
+      ASSERT_TRUE(!b || b->t == slow->t) << "the pyramid misses none of them";
+    }
   }
   EXPECT_GT(both, 300u);
   EXPECT_GT(alike, both * 9 / 10);
