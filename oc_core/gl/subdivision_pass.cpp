@@ -1,6 +1,8 @@
 #include "oc_core/gl/subdivision_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
@@ -15,6 +17,8 @@ namespace {
 constexpr int kSpoc = 1;
 constexpr int kReversePinhole = 2;
 constexpr int kDdoc = 3;
+constexpr int kGpc = 4;
+constexpr size_t kGpcTexels = 3;  ///< of a zone
 
 std::string modelDefine(int model) {
   return "#define MODEL " + std::to_string(model) + "\n";
@@ -93,6 +97,7 @@ SubdivisionPass::SubdivisionPass(GlContext& context)
       spoc_(context, kSpoc),
       reversePinhole_(context, kReversePinhole),
       ddoc_(context, kDdoc),
+      gpc_(context, kGpc),
       vertexArray_(makeVertexArray(context)) {}
 
 GlFragments SubdivisionPass::draw(const SpocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
@@ -114,6 +119,28 @@ GlFragments SubdivisionPass::draw(const ReversePinholeCamera& camera, const GlFr
   block.sameImageDepth = camera.sameImageDepth();
   block.meetingDepth = camera.meetingDepth();
   return drawModel(reversePinhole_, camera.reference(), block, seen, mesh);
+}
+
+GlFragments SubdivisionPass::draw(const GpcCamera& camera, const GlFragments& seen, const GlMesh& mesh,
+                                  const SubdivisionOptions& options) const {
+  const GladGLContext& gl = context_.gl();
+  const Block block(camera.longestDisplacement(), options);
+  // Rows of texels as shaders/displaced.glsl has them; one row without a zone displaces nothing.
+  std::vector<glm::vec4> texels;
+  for (const GpcZone& zone : camera.map().zones()) {
+    const GpcProfile& profile = zone.profile();
+    const std::array<double, 4>& c = profile.coefficients();
+    texels.insert(texels.end(),
+                  {glm::vec4(zone.center(), zone.half()),
+                   glm::vec4(1 / profile.zoom(), profile.outer(), profile.leastRate(), profile.greatestRate()),
+                   glm::vec4(c[0], c[1], c[2], c[3])});
+  }
+  texels.resize(std::max<size_t>(texels.size(), kGpcTexels), glm::vec4(0));
+  const auto rows = static_cast<int>(texels.size() / kGpcTexels);
+  const GlObject zones = makeTexture(context_, GL_RGBA32F, static_cast<int>(kGpcTexels), rows);
+  gl.TextureSubImage2D(zones.id(), 0, 0, 0, static_cast<int>(kGpcTexels), rows, GL_RGBA, GL_FLOAT, texels.data());
+  gl.BindTextureUnit(1, zones.id());
+  return drawModel(gpc_, camera.reference(), block, seen, mesh);
 }
 
 GlFragments SubdivisionPass::draw(const DdocCamera& camera, const GlFragments& seen, const GlMesh& mesh,

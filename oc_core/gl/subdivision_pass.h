@@ -8,6 +8,7 @@
 #pragma once
 
 #include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
 #include "oc_core/camera/spoc_camera.h"
 #include "oc_core/gl/gl_fragments.h"
@@ -26,6 +27,8 @@ class SubdivisionPass {
   GlFragments draw(const SpocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                    const SubdivisionOptions& options) const;
   GlFragments draw(const ReversePinholeCamera& camera, const GlFragments& seen, const GlMesh& mesh,
+                   const SubdivisionOptions& options) const;
+  GlFragments draw(const GpcCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                    const SubdivisionOptions& options) const;
   GlFragments draw(const DdocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                    const SubdivisionOptions& options) const;
@@ -47,6 +50,7 @@ class SubdivisionPass {
   Model spoc_;
   Model reversePinhole_;
   Model ddoc_;
+  Model gpc_;
   GlObject vertexArray_;
 };
 

@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/camera/gpc_map.h"
 #include "oc_core/ocri/grid_cell.h"
 #include "oc_core/ocri/sample_join.h"
 #include "oc_core/ocri/sample_pairs.h"
@@ -32,7 +33,11 @@ class ImageMesher {
         firstOfRow_(static_cast<size_t>(image.height()) + 1, 0),
         joins_(image.width(), image.height()),
         cells_(image.width(), image.height()),
-        firstTriangleOfRow_(static_cast<size_t>(image.height()) + 1, 0) {}
+        firstTriangleOfRow_(static_cast<size_t>(image.height()) + 1, 0) {
+    if (!image.layout.regions.empty()) {
+      findSpacings();
+    }
+  }
 
   /// Of the mesh without a bound.
   size_t countTriangles() {
@@ -162,7 +167,7 @@ class ImageMesher {
   /// Whether pairs of samples of rows up to this one can be judged many at a time: where a pinhole stands behind them,
   /// and nothing parts tiles.
   bool isPlain(int lastRow) const {
-    return !image_.isPlaced() && (image_.tileSide <= 0 || lastRow < image_.pinholeSize.y);
+    return !image_.isPlaced() && spacings_.empty() && (image_.tileSide <= 0 || lastRow < image_.pinholeSize.y);
   }
   void undistort(int y, UndistortedRow& row) const {
     for (int x = 0; x < image_.width(); ++x) {
@@ -241,7 +246,19 @@ class ImageMesher {
 
   bool inTile(const Pixel& p) const { return image_.tileSide > 0 && p.y >= image_.pinholeSize.y; }
   /// Pixels of the pinhole from a sample to the next.
-  float spacing(const Pixel& p) const { return inTile(p) ? image_.tileSpacing : 1; }
+  float spacing(const Pixel& p) const {
+    return inTile(p) ? image_.tileSpacing : spacings_.empty() ? 1 : spacings_(p.x, p.y);
+  }
+  void findSpacings() {
+    const GpcMap map(image_.layout, image_.width(), image_.height());
+    spacings_ = Image<float>(image_.width(), image_.height());
+    forRows([&](int y) {
+      for (int x = 0; x < image_.width(); ++x) {
+        const glm::dvec2 along = stretches(map.jacobian(glm::dvec2(x, y) + 0.5));
+        spacings_(x, y) = static_cast<float>(std::sqrt(along.x * along.y));
+      }
+    });
+  }
 
   /// The undistorted sample, z = 0 where there is none.
   ImagePoint sample(const Pixel& p) const { return valid(p) ? image_.undistorted(p.x, p.y) : ImagePoint{}; }
@@ -322,9 +339,9 @@ class ImageMesher {
   /// The change of 1/z for a pixel to the right and a pixel down in the undistorted image, from the joined neighbours.
   glm::vec2 gradient(const Pixel& p) const {
     glm::vec2 rhs(0);
-    float xx = 1e-3f;
+    float xx = 1e-3f * spacing(p) * spacing(p);
     float xy = 0;
-    float yy = 1e-3f;
+    float yy = xx;
     const ImagePoint a = image_.undistorted(p.x, p.y);
     for (const Pixel& step : {Pixel{1, 0}, Pixel{-1, 0}, Pixel{0, 1}, Pixel{0, -1}}) {
       const Pixel q{p.x + step.x, p.y + step.y};
@@ -432,8 +449,9 @@ class ImageMesher {
       }
     }
     const float length = count > 0 ? glm::length(sum) / count : 0;
-    if (length <= 1) {
-      return direction;
+    const float own = spacing(p);
+    if (length <= own) {
+      return glm::vec2(direction) * own;
     }
     return sum / count * std::min(options_.longestSquarePixels / length, 1.0f);
   }
@@ -577,6 +595,7 @@ class ImageMesher {
   std::vector<uint32_t> firstOfRow_;  ///< vertex
   Image<uint8_t> joins_;              ///< to the neighbours on the right and below
   Image<uint8_t> cells_;              ///< triangles of the cell between pixel (x, y) and (x + 1, y + 1)
+  Image<float> spacings_;             ///< of images whose samples lie unevenly; empty for others
   std::vector<size_t> firstTriangleOfRow_;
   std::vector<Square> squares_;
   size_t wholeSquares_ = 0;

@@ -8,6 +8,7 @@
 #include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/camera/epipolar_camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
 #include "oc_core/camera/spoc_camera.h"
@@ -24,6 +25,7 @@ class SceneRenderer {
   virtual FragmentImage draw(const PinholeCamera& camera) const = 0;
   virtual FragmentImage draw(const SpocCamera& camera) const = 0;
   virtual FragmentImage draw(const ReversePinholeCamera& camera) const = 0;
+  virtual FragmentImage draw(const GpcCamera& camera) const = 0;
   /// `seen` is what the reference pinhole sees; `subdivision` is for those that draw by it.
   virtual FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
                              const SubdivisionOptions& subdivision) const = 0;
@@ -51,6 +53,7 @@ class RayRenderer final : public SceneRenderer {
   FragmentImage draw(const PinholeCamera& camera) const override;
   FragmentImage draw(const SpocCamera& camera) const override;
   FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const GpcCamera& camera) const override;
   FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;

@@ -1,0 +1,226 @@
+#include "oc_core/render/rasterize_gpc.h"
+
+#include <array>
+#include <cmath>
+#include <vector>
+
+#include "oc_core/render/draw_parallel.h"
+#include "oc_core/render/pinhole_triangles.h"
+
+namespace ocelli {
+namespace {
+
+/// Pixels whose centres lie within `half` of a place on an axis; both ends included.
+struct GpcPixels {
+  int first;
+  int last;
+};
+GpcPixels gpcPixelsAlong(double center, double half, int count) {
+  const auto clamped = [&](double pixel) {
+    return static_cast<int>(std::clamp(pixel, -1.0, static_cast<double>(count)));
+  };
+  return {std::max(clamped(std::ceil(center - half - 0.5)), 0),
+          std::min(clamped(std::floor(center + half - 0.5)), count - 1)};
+}
+
+PixelBounds gpcPixelBounds(const glm::dvec2& center, const glm::dvec2& half, const glm::ivec2& size) {
+  const GpcPixels x = gpcPixelsAlong(center.x, half.x, size.x);
+  const GpcPixels y = gpcPixelsAlong(center.y, half.y, size.y);
+  return {x.first, y.first, x.last + 1, y.last + 1};
+}
+
+/// A zone, and which pixels are in its rectangles.
+struct GpcPiece {
+  const GpcZone* zone;
+  PixelBounds inner;
+  PixelBounds outer;
+  ImageBox innerBox;  ///< the inner rectangle in the pinhole's image
+  ImageBox outerBox;
+  float zoom;
+  glm::vec2 shift;  ///< image = zoom * pinhole + shift within the inner rectangle
+
+  bool isInner(int x, int y) const { return x >= inner.x0 && x < inner.x1 && y >= inner.y0 && y < inner.y1; }
+  bool isOuter(int x, int y) const { return x >= outer.x0 && x < outer.x1 && y >= outer.y0 && y < outer.y1; }
+};
+
+bool boxesOverlap(const ImageBox& a, const ImageBox& b) {
+  return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
+}
+bool boxHolds(const ImageBox& whole, const ImageBox& part) {
+  return part.lower.x >= whole.lower.x && part.lower.y >= whole.lower.y && part.upper.x <= whole.upper.x &&
+         part.upper.y <= whole.upper.y;
+}
+ImageBox grownBox(const ImageBox& box, float by) {
+  return {box.lower - by, box.upper + by};
+}
+
+/// What may be wrong with boxes for rounding, pixels.
+constexpr float kBoxSlack = 1.0f / 256;
+
+class GpcTriangles {
+ public:
+  GpcTriangles(const GpcCamera& camera, const ProjectedMesh& projected)
+      : projected_(projected), triangles_(projected), width_(camera.width()), height_(camera.height()) {
+    const glm::ivec2 size(width_, height_);
+    for (const GpcZone& zone : camera.map().zones()) {
+      const glm::dvec2 c = zone.center();
+      const double zoom = zone.profile().zoom();
+      const auto box = [&](const glm::dvec2& half) {
+        return grownBox({glm::vec2(c - half), glm::vec2(c + half)}, kBoxSlack);
+      };
+      pieces_.push_back({&zone, gpcPixelBounds(c, zone.half(), size), gpcPixelBounds(c, zone.outerHalf(), size),
+                         box(zone.innerHalfInPinhole()), box(zone.outerHalf()), static_cast<float>(zoom),
+                         glm::vec2(c * (1 - zoom))});
+      around_ = {glm::min(around_.lower, pieces_.back().outerBox.lower),
+                 glm::max(around_.upper, pieces_.back().outerBox.upper)};
+    }
+  }
+
+  void draw(VisibilityBuffer& buffer, uint32_t triangle) const {
+    const glm::uvec3& t = projected_.mesh().triangles[triangle];
+    const ProjectedVertex& a = projected_.vertex(t.x);
+    const ProjectedVertex& b = projected_.vertex(t.y);
+    const ProjectedVertex& c = projected_.vertex(t.z);
+    const bool isWhole = a.inverseZ > 0 && b.inverseZ > 0 && c.inverseZ > 0;
+    if (isWhole && !boxesOverlap(boxOf(a, b, c), around_)) {
+      triangles_.forEachPart(triangle, [&](const RasterVertex& p, const RasterVertex& q, const RasterVertex& r) {
+        buffer.draw(triangle, p, q, r);
+      });
+      return;
+    }
+    triangles_.forEachPartAnywhere(triangle, [&](const RasterVertex& p, const RasterVertex& q, const RasterVertex& r) {
+      drawPart(buffer, triangle, p, q, r);
+    });
+  }
+
+ private:
+  template <class Vertex>
+  static ImageBox boxOf(const Vertex& a, const Vertex& b, const Vertex& c) {
+    return {{std::min({a.u, b.u, c.u}), std::min({a.v, b.v, c.v})},
+            {std::max({a.u, b.u, c.u}), std::max({a.v, b.v, c.v})}};
+  }
+
+  void drawPart(VisibilityBuffer& buffer, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+                const RasterVertex& c) const {
+    const ImageBox box = boxOf(a, b, c);
+    bool isCovered = false;  // by one zone: nothing of it is around the regions
+    bool touches = false;
+    for (const GpcPiece& piece : pieces_) {
+      if (!boxesOverlap(box, piece.outerBox)) {
+        continue;
+      }
+      touches = true;
+      isCovered = isCovered || boxHolds(grownBox(piece.outerBox, -2 * kBoxSlack), box);
+      if (boxesOverlap(box, piece.innerBox)) {
+        drawInner(buffer, triangle, piece, a, b, c);
+      }
+      if (!boxHolds(grownBox(piece.innerBox, -2 * kBoxSlack), box)) {
+        drawTransition(buffer, triangle, piece, box, a, b, c);
+      }
+    }
+    if (!touches) {
+      buffer.draw(triangle, a, b, c);
+    } else if (!isCovered) {
+      drawAround(buffer, triangle, box, a, b, c);
+    }
+  }
+
+  /// As the pinhole draws it, in pixels of no zone.
+  void drawAround(VisibilityBuffer& buffer, uint32_t triangle, const ImageBox& box, const RasterVertex& a,
+                  const RasterVertex& b, const RasterVertex& c) const {
+    scanTriangle(width_, height_, a, b, c, [&](size_t pixel, float z, const PixelWeights& weights) {
+      const int x = static_cast<int>(pixel % static_cast<size_t>(width_));
+      const int y = static_cast<int>(pixel / static_cast<size_t>(width_));
+      for (const GpcPiece& piece : pieces_) {
+        if (piece.isOuter(x, y) && boxesOverlap(box, piece.outerBox)) {
+          return;
+        }
+      }
+      buffer.offer(pixel, z, triangle, weights);
+    });
+  }
+
+  void drawInner(VisibilityBuffer& buffer, uint32_t triangle, const GpcPiece& piece, const RasterVertex& a,
+                 const RasterVertex& b, const RasterVertex& c) const {
+    const auto zoomed = [&](const RasterVertex& v) {
+      return RasterVertex{v.u * piece.zoom + piece.shift.x, v.v * piece.zoom + piece.shift.y, v.inverseZ, v.b1, v.b2};
+    };
+    scanTriangle(
+        width_, piece.inner, zoomed(a), zoomed(b), zoomed(c),
+        [&](size_t pixel, float z, const PixelWeights& weights) { buffer.offer(pixel, z, triangle, weights); });
+  }
+
+  /// Edge functions where the samples of the pixels lie in the pinhole's image.
+  void drawTransition(VisibilityBuffer& buffer, uint32_t triangle, const GpcPiece& piece, const ImageBox& box,
+                      const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) const {
+    const ImageBox within{glm::max(box.lower, piece.outerBox.lower), glm::min(box.upper, piece.outerBox.upper)};
+    const ImageBox image = grownBox(piece.zone->imageBox(within), kBoxSlack);
+    const int x0 = std::max(static_cast<int>(std::ceil(image.lower.x - 0.5f)), piece.outer.x0);
+    const int y0 = std::max(static_cast<int>(std::ceil(image.lower.y - 0.5f)), piece.outer.y0);
+    const int x1 = std::min(static_cast<int>(std::floor(image.upper.x - 0.5f)), piece.outer.x1 - 1);
+    const int y1 = std::min(static_cast<int>(std::floor(image.upper.y - 0.5f)), piece.outer.y1 - 1);
+    if (x0 > x1 || y0 > y1) {
+      return;
+    }
+    const glm::dvec2 pa(a.u, a.v);
+    const glm::dvec2 ab = glm::dvec2(b.u, b.v) - pa;
+    const glm::dvec2 ac = glm::dvec2(c.u, c.v) - pa;
+    const double area = ab.x * ac.y - ab.y * ac.x;
+    if (area == 0) {
+      return;
+    }
+    // Triangles that share an edge evaluate it at the same places, but for rounding: a pixel on it belongs to both.
+    constexpr double kOnEdgePixels = 1e-6;
+    const double onEdge =
+        kOnEdgePixels * (std::abs(ab.x) + std::abs(ab.y) + std::abs(ac.x) + std::abs(ac.y)) / std::abs(area);
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
+        if (piece.isInner(x, y)) {
+          x = piece.inner.x1 - 1;
+          continue;
+        }
+        const glm::dvec2 p = piece.zone->pinholeFromImage(glm::dvec2(x, y) + 0.5) - pa;
+        const double shareB = (p.x * ac.y - p.y * ac.x) / area;
+        const double shareC = (ab.x * p.y - ab.y * p.x) / area;
+        const double shareA = 1 - shareB - shareC;
+        if (shareA < -onEdge || shareB < -onEdge || shareC < -onEdge) {
+          continue;
+        }
+        const PixelWeights weights(a, b, c, glm::vec3(glm::max(glm::dvec3(shareA, shareB, shareC), 0.0)), false);
+        buffer.offer(static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x), weights.z(),
+                     triangle, weights);
+      }
+    }
+  }
+
+  const ProjectedMesh& projected_;
+  PinholeTriangles triangles_;
+  int width_;
+  int height_;
+  std::vector<GpcPiece> pieces_;
+  ImageBox around_{glm::vec2(1e30f), glm::vec2(-1e30f)};  ///< all zones
+};
+
+}  // namespace
+
+FragmentImage rasterizeGpc(const GpcCamera& camera, const ProjectedMesh& projected) {
+  const GpcTriangles triangles(camera, projected);
+  return drawParallel(camera.width(), camera.height(), projected.mesh().triangles.size(),
+                      [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
+                        for (size_t i = begin; i < end; ++i) {
+                          triangles.draw(buffer, static_cast<uint32_t>(i));
+                        }
+                      });
+}
+
+FragmentImage rasterizeGpc(const GpcCamera& camera, const Mesh& mesh) {
+  return rasterizeGpc(camera, ProjectedMesh(camera.reference(), mesh));
+}
+
+SubdivisionOptions gpcSubdivision(const GpcCamera& camera) {
+  SubdivisionOptions options;
+  options.shortestEdgePixels /= std::max(camera.greatestRate(), 1.0f);
+  return options;
+}
+
+}  // namespace ocelli
