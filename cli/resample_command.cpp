@@ -10,6 +10,7 @@
 #include "oc_core/image/png_file.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/resample.h"
+#include "oc_core/ocri/view_holes.h"
 
 namespace ocelli {
 namespace {

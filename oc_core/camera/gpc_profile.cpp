@@ -74,6 +74,14 @@ GpcProfile::GpcProfile(const GpcSampling& sampling, double zoom, double outer)
     consider(c_[3] != 0 ? q / (3 * c_[3]) : -1);
     consider((c_[1] - 1) / q);
   }
+  if (c_[3] != 0 && isIncreasing()) {
+    std::array<double, kTableSteps + 1> table{};
+    for (size_t i = 1; i < kTableSteps; ++i) {
+      table[i] = inverseOfCubic(c_[0] + (outer - c_[0]) * static_cast<double>(i) / kTableSteps) - 1;
+    }
+    table[kTableSteps] = width;
+    table_ = table;
+  }
 }
 
 double GpcProfile::inverse(double f) const {
@@ -93,17 +101,21 @@ double GpcProfile::inverse(double f) const {
 }
 
 double GpcProfile::inverseOfCubic(double f) const {
-  double lower = 0;
-  double upper = outer_ - 1;
-  double s = upper * (f - c_[0]) / (outer_ - c_[0]);
+  const double width = outer_ - 1;
+  const double at = (f - c_[0]) / (outer_ - c_[0]) * kTableSteps;
+  const auto step = static_cast<size_t>(std::clamp(at, 0.0, kTableSteps - 1.0));
+  const bool isFilled = table_[kTableSteps] > 0;
+  double lower = isFilled ? table_[step] : 0;
+  double upper = isFilled ? table_[step + 1] : width;
+  double s = lower + (upper - lower) * (isFilled ? at - static_cast<double>(step) : at / kTableSteps);
   for (int i = 0; i < kMaxNewtonSteps; ++i) {
     const double error = polynomial(s) - f;
     (error > 0 ? upper : lower) = s;
     double next = s - error / slope(1 + s);
-    if (!(next > lower && next < upper)) {
+    if (!(next >= lower && next <= upper)) {
       next = (lower + upper) / 2;
     }
-    if (std::abs(next - s) <= 1e-15 * outer_) {
+    if (std::abs(next - s) <= 1e-14 * outer_) {
       return 1 + next;
     }
     s = next;

@@ -71,6 +71,7 @@ class GpcProfile {
  private:
   double polynomial(double s) const { return c_[0] + s * (c_[1] + s * (c_[2] + s * c_[3])); }
   double inverseOfCubic(double f) const;
+  static constexpr int kTableSteps = 64;
 
   double zoom_;
   double outer_;
@@ -78,6 +79,7 @@ class GpcProfile {
   double leastSlope_ = 0;
   double greatestSlope_ = 0;
   double longestShift_ = 0;
+  std::array<double, kTableSteps + 1> table_{};  ///< of a cubic: inverses of equal steps of f, to begin from
 };
 
 /// The greatest least rate that any transition between these edges may have: that of the linear one. f grows by

@@ -95,6 +95,9 @@ class RateDrawing {
     }
     const glm::vec3& c = seen_(std::min(static_cast<int>(pixel.x), seen_.width() - 1),
                                std::min(static_cast<int>(pixel.y), seen_.height() - 1));
+    if (c == glm::vec3(0)) {
+      return 1;  // nothing is seen
+    }
     return static_cast<double>(srgbFromLinear(std::clamp(0.2126f * c.x + 0.7152f * c.y + 0.0722f * c.z, 0.0f, 1.0f)));
   }
 

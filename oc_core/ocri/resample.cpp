@@ -16,8 +16,9 @@ namespace ocelli {
 namespace {
 
 constexpr int kMaxTaps = 16;
+/// Places are looked up on this grid: the axes of a view are single floats, which moves a ray by 1e-5 pixels.
+constexpr double kSubSample = 4096;
 constexpr double kRateRounding = 1e-3;  ///< a rate this close to 1 is 1
-constexpr glm::vec3 kHoleColor(1, 0, 1);
 
 /// Whether the samples are those of a pinhole, wherever on its image they lie.
 bool isOfAPinhole(const ReferenceImages& images) {
@@ -79,7 +80,8 @@ class PinholeSource {
   /// Between the four samples around a place.
   glm::vec3 colorAt(const glm::dvec2& place) const {
     const glm::dvec2 last(image_.width() - 1, image_.height() - 1);
-    const glm::dvec2 at = glm::clamp(place - 0.5, glm::dvec2(0), last);
+    const glm::dvec2 snapped = glm::round(place * kSubSample) / kSubSample;
+    const glm::dvec2 at = glm::clamp(snapped - 0.5, glm::dvec2(0), last);
     const glm::ivec2 lower(glm::min(glm::floor(at), glm::max(last - 1.0, 0.0)));
     const glm::ivec2 upper = glm::min(lower + 1, glm::ivec2(last));
     const glm::vec2 f(at - glm::dvec2(lower));
@@ -225,79 +227,6 @@ ResampledView resample(const ReferenceImages& images, const PinholeCamera& camer
     warp(images, isPinhole ? &*source : nullptr, camera, view);
   }
   return view;
-}
-
-void markHoles(ResampledView& view) {
-  for (size_t i = 0; i < view.hole.size(); ++i) {
-    view.color[i] = view.hole[i] != 0 ? kHoleColor : view.color[i];
-  }
-}
-
-void fillHoles(ResampledView& view) {
-  const int width = view.hole.width();
-  Image<uint8_t> isKnown(width, view.hole.height());
-  std::vector<size_t> ring;
-  const auto around = [&](size_t pixel, const auto& visit) {
-    const int x = static_cast<int>(pixel % static_cast<size_t>(width));
-    const int y = static_cast<int>(pixel / static_cast<size_t>(width));
-    for (int dy = -1; dy <= 1; ++dy) {
-      for (int dx = -1; dx <= 1; ++dx) {
-        if ((dx != 0 || dy != 0) && view.hole.contains(x + dx, y + dy)) {
-          visit(view.hole.index(x + dx, y + dy));
-        }
-      }
-    }
-  };
-  for (size_t i = 0; i < view.hole.size(); ++i) {
-    isKnown[i] = view.hole[i] == 0;
-  }
-  constexpr uint8_t kKnown = 1;
-  constexpr uint8_t kInRing = 2;
-  const auto addAround = [&](size_t pixel, std::vector<size_t>& next) {
-    around(pixel, [&](size_t beside) {
-      if (isKnown[beside] == 0) {
-        isKnown[beside] = kInRing;
-        next.push_back(beside);
-      }
-    });
-  };
-  for (size_t i = 0; i < view.hole.size(); ++i) {
-    if (isKnown[i] == kKnown) {
-      addAround(i, ring);
-    }
-  }
-  // Where nothing is seen there is nothing nearer than infinity.
-  const auto depthAt = [&](size_t pixel) {
-    return view.t[pixel] > 0 ? view.t[pixel] : std::numeric_limits<float>::infinity();
-  };
-  while (!ring.empty()) {
-    std::vector<std::pair<glm::vec3, float>> values;
-    for (const size_t pixel : ring) {
-      float farthest = 0;
-      around(pixel,
-             [&](size_t beside) { farthest = std::max(farthest, isKnown[beside] == kKnown ? depthAt(beside) : 0); });
-      constexpr float kSameSurface = 0.98f;
-      glm::vec3 sum(0);
-      float count = 0;
-      around(pixel, [&](size_t beside) {
-        if (isKnown[beside] == kKnown && depthAt(beside) >= kSameSurface * farthest) {
-          sum += view.color[beside];
-          ++count;
-        }
-      });
-      values.emplace_back(sum / std::max(count, 1.0f), std::isinf(farthest) ? 0 : farthest);
-    }
-    for (size_t i = 0; i < ring.size(); ++i) {
-      view.color[ring[i]] = values[i].first;
-      view.t[ring[i]] = values[i].second;
-      isKnown[ring[i]] = kKnown;
-    }
-    std::vector<size_t> next;
-    for (const size_t pixel : ring) {
-      addAround(pixel, next);
-    }
-    ring = std::move(next);
-  }
 }
 
 }  // namespace ocelli

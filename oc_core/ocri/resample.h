@@ -29,10 +29,4 @@ struct ResampledView {
 /// axis, up to 16.
 ResampledView resample(const ReferenceImages& images, const PinholeCamera& view);
 
-/// Gives holes a colour that no surface has: magenta.
-void markHoles(ResampledView& view);
-/// Continues what lies around holes into them, ring by ring; of neighbours the farther ones, as it is what lies behind
-/// that a hole shows. They stay holes in what `hole` says.
-void fillHoles(ResampledView& view);
-
 }  // namespace ocelli

@@ -37,7 +37,9 @@ struct GpcPiece {
   ImageBox innerBox;  ///< the inner rectangle in the pinhole's image
   ImageBox outerBox;
   float zoom;
-  glm::vec2 shift;  ///< image = zoom * pinhole + shift within the inner rectangle
+  glm::vec2 shift;     ///< image = zoom * pinhole + shift within the inner rectangle
+  float shortSquared;  ///< edges up to this, squared, are straight in the transition, but for kChordPixels
+  double onEdge;       ///< how far from an edge of others a pixel belongs to it: as far as those may be off, pinhole
 
   bool isInner(int x, int y) const { return x >= inner.x0 && x < inner.x1 && y >= inner.y0 && y < inner.y1; }
   bool isOuter(int x, int y) const { return x >= outer.x0 && x < outer.x1 && y >= outer.y0 && y < outer.y1; }
@@ -57,6 +59,48 @@ ImageBox grownBox(const ImageBox& box, float by) {
 /// What may be wrong with boxes for rounding, pixels.
 constexpr float kBoxSlack = 1.0f / 256;
 
+/// How far the straight edge of a small triangle may lie beside its image, pixels.
+constexpr double kChordPixels = 1.0 / 64;
+
+/// How fast lines of the pinhole's image bend in a transition.
+struct Bend {
+  double inImage = 1e-9;    ///< a chord of length L in the image lies at most L^2 / 8 times this beside its curve
+  double inPinhole = 1e-9;  ///< the same as seen in the pinhole's image, L still in that of the camera
+};
+
+/// From differences over one half of each sector; the other half is its mirror image.
+Bend bendOf(const GpcZone& zone) {
+  constexpr int kAlong = 48;
+  constexpr int kAcross = 6;
+  constexpr double kMargin = 1.5;  // between these places
+  const double inner = 1 / zone.profile().zoom();
+  const double step = 1e-3 * (zone.profile().outer() - inner);
+  Bend greatest;
+  for (int i = 0; i < kAlong; ++i) {
+    // Not so near to an edge that a difference reaches across it.
+    const double f = inner + (zone.profile().outer() - inner) * (0.01 + 0.98 * i / (kAlong - 1));
+    for (int k = 0; k < kAcross; ++k) {
+      const double beside = f * (0.98 * k / (kAcross - 1));
+      for (const int axis : {0, 1}) {
+        glm::dvec2 at(beside);
+        at[axis] = f;
+        const glm::dvec2 p = zone.center() + zone.half() * at;
+        for (const glm::dvec2 direction : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1), glm::dvec2(1, -1)}) {
+          const glm::dvec2 d = zone.half() * direction * (step * 0.25);
+          const glm::dvec2 before = zone.imageFromPinhole(p - d);
+          const glm::dvec2 here = zone.imageFromPinhole(p);
+          const glm::dvec2 after = zone.imageFromPinhole(p + d);
+          const double length = glm::length(after - before) / 2;
+          const double bend = kMargin * glm::length(before + after - 2.0 * here) / (length * length);
+          greatest.inImage = std::max(greatest.inImage, bend);
+          greatest.inPinhole = std::max(greatest.inPinhole, bend * glm::length(d) / length);
+        }
+      }
+    }
+  }
+  return greatest;
+}
+
 class GpcTriangles {
  public:
   GpcTriangles(const GpcCamera& camera, const ProjectedMesh& projected)
@@ -65,15 +109,27 @@ class GpcTriangles {
     for (const GpcZone& zone : camera.map().zones()) {
       const glm::dvec2 c = zone.center();
       const double zoom = zone.profile().zoom();
+      const Bend bend = bendOf(zone);
       const auto box = [&](const glm::dvec2& half) {
         return grownBox({glm::vec2(c - half), glm::vec2(c + half)}, kBoxSlack);
       };
       pieces_.push_back({&zone, gpcPixelBounds(c, zone.half(), size), gpcPixelBounds(c, zone.outerHalf(), size),
                          box(zone.innerHalfInPinhole()), box(zone.outerHalf()), static_cast<float>(zoom),
-                         glm::vec2(c * (1 - zoom))});
+                         glm::vec2(c * (1 - zoom)), static_cast<float>(8 * kChordPixels / bend.inImage),
+                         kChordPixels * bend.inPinhole / bend.inImage});
       around_ = {glm::min(around_.lower, pieces_.back().outerBox.lower),
                  glm::max(around_.upper, pieces_.back().outerBox.upper)};
     }
+    placed_.resize(projected.mesh().positions.size());
+    parallelFor(placed_.size(), 1 << 12, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const ProjectedVertex& q = projected.vertex(static_cast<uint32_t>(i));
+        if (q.inverseZ > 0 && q.u >= around_.lower.x && q.v >= around_.lower.y && q.u <= around_.upper.x &&
+            q.v <= around_.upper.y) {
+          placed_[i] = placed({q.u, q.v});
+        }
+      }
+    });
   }
 
   void draw(VisibilityBuffer& buffer, uint32_t triangle) const {
@@ -81,6 +137,17 @@ class GpcTriangles {
     const ProjectedVertex& a = projected_.vertex(t.x);
     const ProjectedVertex& b = projected_.vertex(t.y);
     const ProjectedVertex& c = projected_.vertex(t.z);
+    const Placed& pa = placed_[t.x];
+    const Placed& pb = placed_[t.y];
+    const Placed& pc = placed_[t.z];
+    if (pa.part != kAround && pa.part == pb.part && pa.part == pc.part &&
+        (pa.part % kParts == 0 || isShort(pieces_[pa.part / kParts], pa, pb, pc))) {
+      if (!CentreCell::missCentres(pa.cell, pb.cell, pc.cell)) {
+        buffer.draw(triangle, {pa.image.x, pa.image.y, a.inverseZ, 0, 0}, {pb.image.x, pb.image.y, b.inverseZ, 1, 0},
+                    {pc.image.x, pc.image.y, c.inverseZ, 0, 1});
+      }
+      return;
+    }
     const bool isWhole = a.inverseZ > 0 && b.inverseZ > 0 && c.inverseZ > 0;
     if (isWhole && !boxesOverlap(boxOf(a, b, c), around_)) {
       triangles_.forEachPart(triangle, [&](const RasterVertex& p, const RasterVertex& q, const RasterVertex& r) {
@@ -94,6 +161,36 @@ class GpcTriangles {
   }
 
  private:
+  static constexpr uint32_t kAround = ~uint32_t{0};
+  static constexpr uint32_t kParts = 5;  ///< of a zone: the inner rectangle, and the transition's four sides
+
+  /// A vertex in the image, and in which part of which zone it lies: kParts * zone + part.
+  struct Placed {
+    glm::vec2 image{0};
+    CentreCell cell;
+    uint32_t part = kAround;
+  };
+
+  Placed placed(const glm::vec2& pinhole) const {
+    for (size_t i = 0; i < pieces_.size(); ++i) {
+      const GpcZone& zone = *pieces_[i].zone;
+      const glm::dvec2 d = (glm::dvec2(pinhole) - zone.center()) / zone.half();
+      const double f = std::max(std::abs(d.x), std::abs(d.y));
+      if (f < zone.profile().outer()) {
+        const uint32_t side = std::abs(d.x) >= std::abs(d.y) ? (d.x > 0 ? 1 : 2) : (d.y > 0 ? 3 : 4);
+        const bool isInner = f * zone.profile().zoom() <= 1;
+        const glm::vec2 image(zone.center() + (glm::dvec2(pinhole) - zone.center()) * zone.magnification(f));
+        return {image, CentreCell::at(image.x, image.y), static_cast<uint32_t>(i) * kParts + (isInner ? 0 : side)};
+      }
+    }
+    return {};
+  }
+  static bool isShort(const GpcPiece& piece, const Placed& a, const Placed& b, const Placed& c) {
+    const auto squared = [](const glm::vec2& v) { return v.x * v.x + v.y * v.y; };
+    return squared(a.image - b.image) <= piece.shortSquared && squared(b.image - c.image) <= piece.shortSquared &&
+           squared(c.image - a.image) <= piece.shortSquared;
+  }
+
   template <class Vertex>
   static ImageBox boxOf(const Vertex& a, const Vertex& b, const Vertex& c) {
     return {{std::min({a.u, b.u, c.u}), std::min({a.v, b.v, c.v})},
@@ -169,10 +266,9 @@ class GpcTriangles {
     if (area == 0) {
       return;
     }
-    // Triangles that share an edge evaluate it at the same places, but for rounding: a pixel on it belongs to both.
-    constexpr double kOnEdgePixels = 1e-6;
+    // Triangles that share an edge evaluate it at the same places, but for small ones: a pixel on it belongs to both.
     const double onEdge =
-        kOnEdgePixels * (std::abs(ab.x) + std::abs(ab.y) + std::abs(ac.x) + std::abs(ac.y)) / std::abs(area);
+        piece.onEdge * (std::abs(ab.x) + std::abs(ab.y) + std::abs(ac.x) + std::abs(ac.y)) / std::abs(area);
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
         if (piece.isInner(x, y)) {
@@ -198,6 +294,7 @@ class GpcTriangles {
   int width_;
   int height_;
   std::vector<GpcPiece> pieces_;
+  std::vector<Placed> placed_;                            ///< the vertices
   ImageBox around_{glm::vec2(1e30f), glm::vec2(-1e30f)};  ///< all zones
 };
 

@@ -2,7 +2,9 @@
 // acceleration structure (RayRenderer), or on a GPU (oc_core/gl/gl_renderer.h). What constructs an image from others
 // (oc_core/ocri) takes it as a pointer; without one it rasterises.
 //
-// One call draws one image: within it, renderers know the type of the camera.
+// One call draws one image: within it, renderers know the type of the camera. So this set of types is closed: a camera
+// that OpenGL, and ranks together, are to draw takes an overload here and in each renderer. All others are drawn along
+// their rays (oc_core/ocri/cast_representation.h).
 #pragma once
 
 #include "oc_core/camera/curved_ray_camera.h"
