@@ -1,5 +1,6 @@
 #include "oc_core/render/rasterize_gpc.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <vector>
@@ -29,22 +30,6 @@ PixelBounds gpcPixelBounds(const glm::dvec2& center, const glm::dvec2& half, con
   return {x.first, y.first, x.last + 1, y.last + 1};
 }
 
-/// A zone, and which pixels are in its rectangles.
-struct GpcPiece {
-  const GpcZone* zone;
-  PixelBounds inner;
-  PixelBounds outer;
-  ImageBox innerBox;  ///< the inner rectangle in the pinhole's image
-  ImageBox outerBox;
-  float zoom;
-  glm::vec2 shift;     ///< image = zoom * pinhole + shift within the inner rectangle
-  float shortSquared;  ///< edges up to this, squared, are straight in the transition, but for kChordPixels
-  double onEdge;       ///< how far from an edge of others a pixel belongs to it: as far as those may be off, pinhole
-
-  bool isInner(int x, int y) const { return x >= inner.x0 && x < inner.x1 && y >= inner.y0 && y < inner.y1; }
-  bool isOuter(int x, int y) const { return x >= outer.x0 && x < outer.x1 && y >= outer.y0 && y < outer.y1; }
-};
-
 bool boxesOverlap(const ImageBox& a, const ImageBox& b) {
   return a.lower.x <= b.upper.x && b.lower.x <= a.upper.x && a.lower.y <= b.upper.y && b.lower.y <= a.upper.y;
 }
@@ -60,25 +45,40 @@ ImageBox grownBox(const ImageBox& box, float by) {
 constexpr float kBoxSlack = 1.0f / 256;
 
 /// How far the straight edge of a small triangle may lie beside its image, pixels.
-constexpr double kChordPixels = 1.0 / 64;
+constexpr double kChordPixels = 1.0 / 32;
 
-/// How fast lines of the pinhole's image bend in a transition.
-struct Bend {
-  double inImage = 1e-9;    ///< a chord of length L in the image lies at most L^2 / 8 times this beside its curve
-  double inPinhole = 1e-9;  ///< the same as seen in the pinhole's image, L still in that of the camera
-};
+/// How long the edges of a triangle may be whose image has straight edges, but for kChordPixels: squares of pixels, for
+/// equal steps of f from the inner edge of a transition to its outer one.
+class ShortEdges {
+ public:
+  explicit ShortEdges(const GpcZone& zone)
+      : inner_(1 / zone.profile().zoom()), perStep_((kSteps - 1) / (zone.profile().outer() - inner_)) {
+    std::array<double, kSteps> bends{};
+    for (size_t i = 0; i < kSteps; ++i) {
+      bends[i] = bendAt(zone, static_cast<double>(i));
+    }
+    constexpr double kMargin = 1.5;  // between the places that were looked at
+    for (size_t i = 0; i < kSteps; ++i) {
+      const double around = std::max({bends[i], bends[i > 0 ? i - 1 : 0], bends[std::min(i + 1, kSteps - 1)]});
+      squared_[i] = static_cast<float>(8 * kChordPixels / (kMargin * around + 1e-9));
+    }
+  }
 
-/// From differences over one half of each sector; the other half is its mirror image.
-Bend bendOf(const GpcZone& zone) {
-  constexpr int kAlong = 48;
-  constexpr int kAcross = 6;
-  constexpr double kMargin = 1.5;  // between these places
-  const double inner = 1 / zone.profile().zoom();
-  const double step = 1e-3 * (zone.profile().outer() - inner);
-  Bend greatest;
-  for (int i = 0; i < kAlong; ++i) {
+  float at(double f) const {
+    return squared_[static_cast<size_t>(std::clamp((f - inner_) * perStep_ + 0.5, 0.0, kSteps - 1.0))];
+  }
+
+ private:
+  static constexpr size_t kSteps = 48;
+
+  /// A chord of length L in the image lies at most L^2 / 8 times this beside its curve. From differences over one half
+  /// of each sector; the other half is its mirror image.
+  double bendAt(const GpcZone& zone, double place) const {
+    constexpr int kAcross = 6;
+    const double step = 0.01 / perStep_;
     // Not so near to an edge that a difference reaches across it.
-    const double f = inner + (zone.profile().outer() - inner) * (0.01 + 0.98 * i / (kAlong - 1));
+    const double f = inner_ + std::clamp(place, 0.05, kSteps - 1.05) / perStep_;
+    double greatest = 0;
     for (int k = 0; k < kAcross; ++k) {
       const double beside = f * (0.98 * k / (kAcross - 1));
       for (const int axis : {0, 1}) {
@@ -86,39 +86,59 @@ Bend bendOf(const GpcZone& zone) {
         at[axis] = f;
         const glm::dvec2 p = zone.center() + zone.half() * at;
         for (const glm::dvec2 direction : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1), glm::dvec2(1, -1)}) {
-          const glm::dvec2 d = zone.half() * direction * (step * 0.25);
+          const glm::dvec2 d = zone.half() * direction * step;
           const glm::dvec2 before = zone.imageFromPinhole(p - d);
-          const glm::dvec2 here = zone.imageFromPinhole(p);
           const glm::dvec2 after = zone.imageFromPinhole(p + d);
-          const double length = glm::length(after - before) / 2;
-          const double bend = kMargin * glm::length(before + after - 2.0 * here) / (length * length);
-          greatest.inImage = std::max(greatest.inImage, bend);
-          greatest.inPinhole = std::max(greatest.inPinhole, bend * glm::length(d) / length);
+          const glm::dvec2 half = (after - before) / 2.0;
+          greatest = std::max(greatest, glm::length(before + after - 2.0 * zone.imageFromPinhole(p)) /
+                                            (half.x * half.x + half.y * half.y));
         }
       }
     }
+    return greatest;
   }
-  return greatest;
-}
+
+  double inner_;
+  double perStep_;
+  std::array<float, kSteps> squared_{};
+};
+
+/// A zone, and which pixels are in its rectangles.
+struct GpcPiece {
+  const GpcZone* zone;
+  PixelBounds inner;
+  PixelBounds outer;
+  ImageBox innerBox;  ///< the inner rectangle in the pinhole's image
+  ImageBox outerBox;
+  float zoom;
+  glm::vec2 shift;  ///< image = zoom * pinhole + shift within the inner rectangle
+  ShortEdges shortEdges;
+
+  bool isInner(int x, int y) const { return x >= inner.x0 && x < inner.x1 && y >= inner.y0 && y < inner.y1; }
+  bool isOuter(int x, int y) const { return x >= outer.x0 && x < outer.x1 && y >= outer.y0 && y < outer.y1; }
+};
 
 class GpcTriangles {
  public:
   GpcTriangles(const GpcCamera& camera, const ProjectedMesh& projected)
-      : projected_(projected), triangles_(projected), width_(camera.width()), height_(camera.height()) {
+      : projected_(projected),
+        triangles_(projected),
+        width_(camera.width()),
+        height_(camera.height()),
+        samples_(camera.width(), camera.height()) {
     const glm::ivec2 size(width_, height_);
     for (const GpcZone& zone : camera.map().zones()) {
       const glm::dvec2 c = zone.center();
       const double zoom = zone.profile().zoom();
-      const Bend bend = bendOf(zone);
       const auto box = [&](const glm::dvec2& half) {
         return grownBox({glm::vec2(c - half), glm::vec2(c + half)}, kBoxSlack);
       };
       pieces_.push_back({&zone, gpcPixelBounds(c, zone.half(), size), gpcPixelBounds(c, zone.outerHalf(), size),
                          box(zone.innerHalfInPinhole()), box(zone.outerHalf()), static_cast<float>(zoom),
-                         glm::vec2(c * (1 - zoom)), static_cast<float>(8 * kChordPixels / bend.inImage),
-                         kChordPixels * bend.inPinhole / bend.inImage});
+                         glm::vec2(c * (1 - zoom)), ShortEdges(zone)});
       around_ = {glm::min(around_.lower, pieces_.back().outerBox.lower),
                  glm::max(around_.upper, pieces_.back().outerBox.upper)};
+      placeSamples(pieces_.back());
     }
     placed_.resize(projected.mesh().positions.size());
     parallelFor(placed_.size(), 1 << 12, [&](size_t begin, size_t end) {
@@ -141,7 +161,7 @@ class GpcTriangles {
     const Placed& pb = placed_[t.y];
     const Placed& pc = placed_[t.z];
     if (pa.part != kAround && pa.part == pb.part && pa.part == pc.part &&
-        (pa.part % kParts == 0 || isShort(pieces_[pa.part / kParts], pa, pb, pc))) {
+        (pa.part % kParts == 0 || isShort(pa, pb, pc))) {
       if (!CentreCell::missCentres(pa.cell, pb.cell, pc.cell)) {
         buffer.draw(triangle, {pa.image.x, pa.image.y, a.inverseZ, 0, 0}, {pb.image.x, pb.image.y, b.inverseZ, 1, 0},
                     {pc.image.x, pc.image.y, c.inverseZ, 0, 1});
@@ -149,7 +169,7 @@ class GpcTriangles {
       return;
     }
     const bool isWhole = a.inverseZ > 0 && b.inverseZ > 0 && c.inverseZ > 0;
-    if (isWhole && !boxesOverlap(boxOf(a, b, c), around_)) {
+    if (isWhole && !touchesZone(boxOf(a, b, c))) {
       triangles_.forEachPart(triangle, [&](const RasterVertex& p, const RasterVertex& q, const RasterVertex& r) {
         buffer.draw(triangle, p, q, r);
       });
@@ -164,11 +184,23 @@ class GpcTriangles {
   static constexpr uint32_t kAround = ~uint32_t{0};
   static constexpr uint32_t kParts = 5;  ///< of a zone: the inner rectangle, and the transition's four sides
 
+  bool touchesZone(const ImageBox& box) const {
+    return boxesOverlap(box, around_) && std::any_of(pieces_.begin(), pieces_.end(), [&](const GpcPiece& piece) {
+             return boxesOverlap(box, piece.outerBox);
+           });
+  }
+
+  /// Where the sample of a pixel lies in the pinhole's image, and how far a step of a pixel leads there.
+  struct PixelSample {
+    float u, v, stretch;
+  };
+
   /// A vertex in the image, and in which part of which zone it lies: kParts * zone + part.
   struct Placed {
     glm::vec2 image{0};
     CentreCell cell;
     uint32_t part = kAround;
+    float shortSquared = 0;  ///< edges up to this, squared, are straight there
   };
 
   Placed placed(const glm::vec2& pinhole) const {
@@ -180,15 +212,17 @@ class GpcTriangles {
         const uint32_t side = std::abs(d.x) >= std::abs(d.y) ? (d.x > 0 ? 1 : 2) : (d.y > 0 ? 3 : 4);
         const bool isInner = f * zone.profile().zoom() <= 1;
         const glm::vec2 image(zone.center() + (glm::dvec2(pinhole) - zone.center()) * zone.magnification(f));
-        return {image, CentreCell::at(image.x, image.y), static_cast<uint32_t>(i) * kParts + (isInner ? 0 : side)};
+        return {image, CentreCell::at(image.x, image.y), static_cast<uint32_t>(i) * kParts + (isInner ? 0 : side),
+                isInner ? 0 : pieces_[i].shortEdges.at(f)};
       }
     }
     return {};
   }
-  static bool isShort(const GpcPiece& piece, const Placed& a, const Placed& b, const Placed& c) {
+  static bool isShort(const Placed& a, const Placed& b, const Placed& c) {
     const auto squared = [](const glm::vec2& v) { return v.x * v.x + v.y * v.y; };
-    return squared(a.image - b.image) <= piece.shortSquared && squared(b.image - c.image) <= piece.shortSquared &&
-           squared(c.image - a.image) <= piece.shortSquared;
+    const float limit = std::min({a.shortSquared, b.shortSquared, c.shortSquared});
+    return squared(a.image - b.image) <= limit && squared(b.image - c.image) <= limit &&
+           squared(c.image - a.image) <= limit;
   }
 
   template <class Vertex>
@@ -266,27 +300,52 @@ class GpcTriangles {
     if (area == 0) {
       return;
     }
-    // Triangles that share an edge evaluate it at the same places, but for small ones: a pixel on it belongs to both.
-    const double onEdge =
-        piece.onEdge * (std::abs(ab.x) + std::abs(ab.y) + std::abs(ac.x) + std::abs(ac.y)) / std::abs(area);
+    // Triangles that share an edge evaluate it at the same places, but for small ones, which may be off by a chord: a
+    // pixel that is no farther from an edge belongs to both.
+    const double perArea = 1 / area;
+    const glm::dvec3 onEdge =
+        -kChordPixels * std::abs(perArea) * glm::dvec3(glm::length(ac - ab), glm::length(ac), glm::length(ab));
     for (int y = y0; y <= y1; ++y) {
       for (int x = x0; x <= x1; ++x) {
         if (piece.isInner(x, y)) {
           x = piece.inner.x1 - 1;
           continue;
         }
-        const glm::dvec2 p = piece.zone->pinholeFromImage(glm::dvec2(x, y) + 0.5) - pa;
-        const double shareB = (p.x * ac.y - p.y * ac.x) / area;
-        const double shareC = (ab.x * p.y - ab.y * p.x) / area;
+        const PixelSample& sample = samples_(x, y);
+        const double px = static_cast<double>(sample.u) - pa.x;
+        const double py = static_cast<double>(sample.v) - pa.y;
+        const double shareB = (px * ac.y - py * ac.x) * perArea;
+        const double shareC = (ab.x * py - ab.y * px) * perArea;
         const double shareA = 1 - shareB - shareC;
-        if (shareA < -onEdge || shareB < -onEdge || shareC < -onEdge) {
+        const auto stretch = static_cast<double>(sample.stretch);
+        if (shareA < onEdge.x * stretch || shareB < onEdge.y * stretch || shareC < onEdge.z * stretch) {
           continue;
         }
         const PixelWeights weights(a, b, c, glm::vec3(glm::max(glm::dvec3(shareA, shareB, shareC), 0.0)), false);
-        buffer.offer(static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x), weights.z(),
-                     triangle, weights);
+        buffer.offer(samples_.index(x, y), weights.z(), triangle, weights);
       }
     }
+  }
+
+  /// Where the samples of a zone's pixels lie.
+  void placeSamples(const GpcPiece& piece) {
+    parallelFor(static_cast<size_t>(std::max(piece.outer.y1 - piece.outer.y0, 0)), 8, [&](size_t begin, size_t end) {
+      for (size_t row = begin; row < end; ++row) {
+        const int y = piece.outer.y0 + static_cast<int>(row);
+        for (int x = piece.outer.x0; x < piece.outer.x1; ++x) {
+          if (piece.isInner(x, y)) {
+            x = piece.inner.x1 - 1;
+            continue;
+          }
+          const glm::dvec2 pixel = glm::dvec2(x, y) + 0.5;
+          const GpcProfile& profile = piece.zone->profile();
+          const double r = piece.zone->distance(pixel);
+          const double scale = profile.sampled(r) / r;
+          const glm::vec2 at(piece.zone->center() + (pixel - piece.zone->center()) * scale);
+          samples_(x, y) = {at.x, at.y, static_cast<float>(std::max(profile.slope(r), scale))};
+        }
+      }
+    });
   }
 
   const ProjectedMesh& projected_;
@@ -294,7 +353,8 @@ class GpcTriangles {
   int width_;
   int height_;
   std::vector<GpcPiece> pieces_;
-  std::vector<Placed> placed_;                            ///< the vertices
+  std::vector<Placed> placed_;  ///< the vertices
+  Image<PixelSample> samples_;  ///< of the pixels in transitions
   ImageBox around_{glm::vec2(1e30f), glm::vec2(-1e30f)};  ///< all zones
 };
 
