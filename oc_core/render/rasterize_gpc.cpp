@@ -125,7 +125,8 @@ class GpcTriangles {
         triangles_(projected),
         width_(camera.width()),
         height_(camera.height()),
-        samples_(camera.width(), camera.height()) {
+        samples_(camera.width(), camera.height()),
+        tiles_((camera.width() + kTile - 1) / kTile, (camera.height() + kTile - 1) / kTile) {
     const glm::ivec2 size(width_, height_);
     for (const GpcZone& zone : camera.map().zones()) {
       const glm::dvec2 c = zone.center();
@@ -140,6 +141,7 @@ class GpcTriangles {
                  glm::max(around_.upper, pieces_.back().outerBox.upper)};
       placeSamples(pieces_.back());
     }
+    boundTiles();
     placed_.resize(projected.mesh().positions.size());
     parallelFor(placed_.size(), 1 << 12, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
@@ -160,8 +162,7 @@ class GpcTriangles {
     const Placed& pa = placed_[t.x];
     const Placed& pb = placed_[t.y];
     const Placed& pc = placed_[t.z];
-    if (pa.part != kAround && pa.part == pb.part && pa.part == pc.part &&
-        (pa.part % kParts == 0 || isShort(pa, pb, pc))) {
+    if (isShort(pa, pb) && isShort(pb, pc) && isShort(pc, pa)) {
       if (!CentreCell::missCentres(pa.cell, pb.cell, pc.cell)) {
         buffer.draw(triangle, {pa.image.x, pa.image.y, a.inverseZ, 0, 0}, {pb.image.x, pb.image.y, b.inverseZ, 1, 0},
                     {pc.image.x, pc.image.y, c.inverseZ, 0, 1});
@@ -182,6 +183,7 @@ class GpcTriangles {
 
  private:
   static constexpr uint32_t kAround = ~uint32_t{0};
+  static constexpr float kAnyLength = 1e30f;
   static constexpr uint32_t kParts = 5;  ///< of a zone: the inner rectangle, and the transition's four sides
 
   bool touchesZone(const ImageBox& box) const {
@@ -192,7 +194,43 @@ class GpcTriangles {
 
   /// Where the sample of a pixel lies in the pinhole's image, and how far a step of a pixel leads there.
   struct PixelSample {
-    float u, v, stretch;
+    float u = 0;
+    float v = 0;
+    float stretch = 0;  ///< 0 for pixels out of transitions
+  };
+
+  static constexpr int kTile = 16;
+
+  /// What the samples of a tile's pixels lie in.
+  struct TileBounds {
+    ImageBox box{glm::vec2(1e30f), glm::vec2(-1e30f)};
+    float stretch = 0;
+  };
+
+  /// A triangle as the pinhole sees it: from its first corner, and how far from each edge a pixel belongs to it.
+  struct TransitionTriangle {
+    const RasterVertex& a;
+    const RasterVertex& b;
+    const RasterVertex& c;
+    glm::dvec2 pa;
+    glm::dvec2 ab;
+    glm::dvec2 ac;
+    double perArea;
+    glm::dvec3 onEdge;
+
+    /// Whether all of a tile lies outside of one edge.
+    bool misses(const TileBounds& tile) const {
+      const glm::dvec2 lower = glm::dvec2(tile.box.lower) - pa;
+      const glm::dvec2 upper = glm::dvec2(tile.box.upper) - pa;
+      const glm::dvec2 forB = glm::dvec2(ac.y, -ac.x) * perArea;
+      const glm::dvec2 forC = glm::dvec2(-ab.y, ab.x) * perArea;
+      const auto greatest = [&](const glm::dvec2& slope) {
+        return std::max(slope.x * lower.x, slope.x * upper.x) + std::max(slope.y * lower.y, slope.y * upper.y);
+      };
+      const auto stretch = static_cast<double>(tile.stretch);
+      return tile.box.lower.x > tile.box.upper.x || 1 + greatest(-forB - forC) < onEdge.x * stretch ||
+             greatest(forB) < onEdge.y * stretch || greatest(forC) < onEdge.z * stretch;
+    }
   };
 
   /// A vertex in the image, and in which part of which zone it lies: kParts * zone + part.
@@ -200,7 +238,7 @@ class GpcTriangles {
     glm::vec2 image{0};
     CentreCell cell;
     uint32_t part = kAround;
-    float shortSquared = 0;  ///< edges up to this, squared, are straight there
+    float shortSquared = -1;  ///< edges up to this, squared, are straight there
   };
 
   Placed placed(const glm::vec2& pinhole) const {
@@ -213,16 +251,14 @@ class GpcTriangles {
         const bool isInner = f * zone.profile().zoom() <= 1;
         const glm::vec2 image(zone.center() + (glm::dvec2(pinhole) - zone.center()) * zone.magnification(f));
         return {image, CentreCell::at(image.x, image.y), static_cast<uint32_t>(i) * kParts + (isInner ? 0 : side),
-                isInner ? 0 : pieces_[i].shortEdges.at(f)};
+                isInner ? kAnyLength : pieces_[i].shortEdges.at(f)};
       }
     }
     return {};
   }
-  static bool isShort(const Placed& a, const Placed& b, const Placed& c) {
-    const auto squared = [](const glm::vec2& v) { return v.x * v.x + v.y * v.y; };
-    const float limit = std::min({a.shortSquared, b.shortSquared, c.shortSquared});
-    return squared(a.image - b.image) <= limit && squared(b.image - c.image) <= limit &&
-           squared(c.image - a.image) <= limit;
+  static bool isShort(const Placed& a, const Placed& b) {
+    const glm::vec2 along = a.image - b.image;
+    return a.part == b.part && along.x * along.x + along.y * along.y <= std::min(a.shortSquared, b.shortSquared);
   }
 
   template <class Vertex>
@@ -300,13 +336,40 @@ class GpcTriangles {
     if (area == 0) {
       return;
     }
-    // Triangles that share an edge evaluate it at the same places, but for small ones, which may be off by a chord: a
-    // pixel that is no farther from an edge belongs to both.
+    // Triangles that share an edge evaluate it at the same places. Only one that is straight for a small neighbour may
+    // lie a chord beside: pixels so near to it belong to both.
     const double perArea = 1 / area;
-    const glm::dvec3 onEdge =
-        -kChordPixels * std::abs(perArea) * glm::dvec3(glm::length(ac - ab), glm::length(ac), glm::length(ab));
-    for (int y = y0; y <= y1; ++y) {
-      for (int x = x0; x <= x1; ++x) {
+    const Placed placedA = placed({a.u, a.v});
+    const Placed placedB = placed({b.u, b.v});
+    const Placed placedC = placed({c.u, c.v});
+    constexpr double kRounding = 1e-6;
+    const auto outside = [&](const Placed& from, const Placed& to, const glm::dvec2& along) {
+      return -std::abs(perArea) * glm::length(along) * (isShort(from, to) ? kChordPixels : kRounding);
+    };
+    const glm::dvec3 onEdge(outside(placedB, placedC, ac - ab), outside(placedC, placedA, ac),
+                            outside(placedA, placedB, ab));
+    const TransitionTriangle part{a, b, c, pa, ab, ac, perArea, onEdge};
+    if (x1 - x0 < kTile && y1 - y0 < kTile) {
+      drawPixels(buffer, triangle, piece, part, {x0, y0, x1 + 1, y1 + 1});
+      return;
+    }
+    // The boxes of large triangles hold much that they do not: those tiles are left out.
+    for (int row = y0 / kTile; row <= y1 / kTile; ++row) {
+      for (int column = x0 / kTile; column <= x1 / kTile; ++column) {
+        if (!part.misses(tiles_(column, row))) {
+          drawPixels(buffer, triangle, piece, part,
+                     {std::max(x0, column * kTile), std::max(y0, row * kTile),
+                      std::min(x1, column * kTile + kTile - 1) + 1, std::min(y1, row * kTile + kTile - 1) + 1});
+        }
+      }
+    }
+  }
+
+  void drawPixels(VisibilityBuffer& buffer, uint32_t triangle, const GpcPiece& piece, const TransitionTriangle& part,
+                  const PixelBounds& pixels) const {
+    const auto& [a, b, c, pa, ab, ac, perArea, onEdge] = part;
+    for (int y = pixels.y0; y < pixels.y1; ++y) {
+      for (int x = pixels.x0; x < pixels.x1; ++x) {
         if (piece.isInner(x, y)) {
           x = piece.inner.x1 - 1;
           continue;
@@ -348,13 +411,30 @@ class GpcTriangles {
     });
   }
 
+  void boundTiles() {
+    parallelFor(static_cast<size_t>(tiles_.height()), 1, [&](size_t begin, size_t end) {
+      for (int y = static_cast<int>(begin) * kTile; y < std::min(static_cast<int>(end) * kTile, height_); ++y) {
+        for (int x = 0; x < width_; ++x) {
+          const PixelSample& sample = samples_(x, y);
+          if (sample.stretch > 0) {
+            TileBounds& tile = tiles_(x / kTile, y / kTile);
+            tile.box = {glm::min(tile.box.lower, glm::vec2(sample.u, sample.v)),
+                        glm::max(tile.box.upper, glm::vec2(sample.u, sample.v))};
+            tile.stretch = std::max(tile.stretch, sample.stretch);
+          }
+        }
+      }
+    });
+  }
+
   const ProjectedMesh& projected_;
   PinholeTriangles triangles_;
   int width_;
   int height_;
   std::vector<GpcPiece> pieces_;
-  std::vector<Placed> placed_;  ///< the vertices
-  Image<PixelSample> samples_;  ///< of the pixels in transitions
+  std::vector<Placed> placed_;                            ///< the vertices
+  Image<PixelSample> samples_;                            ///< of the pixels in transitions
+  Image<TileBounds> tiles_;                               ///< of those samples
   ImageBox around_{glm::vec2(1e30f), glm::vec2(-1e30f)};  ///< all zones
 };
 

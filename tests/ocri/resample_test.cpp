@@ -164,27 +164,30 @@ TEST(Resample, aTranslationWarpsByDepth) {
     EXPECT_TRUE(view.isWarped);
     const FragmentImage seen = rasterize(output, statues());
     const RayScene rays(statues());
-    size_t holes = 0;
     size_t covered = 0;
+    size_t hidden = 0;  ///< from the image's eye, of what the output sees
+    size_t found = 0;
     size_t wrong = 0;
     for (int y = 0; y < output.height(); ++y) {
       for (int x = 0; x < output.width(); ++x) {
-        // What is hidden of the surroundings of the scene is unknown too.
         const Fragment& f = seen(x, y);
-        covered += f.covered();
-        if (view.hole(x, y) != 0 && f.covered()) {
-          ++holes;
-          const glm::vec3 p = positionOf(f, statues());
-          const Fragment first = rays.intersect({from.eye, p + (p - from.eye) * 0.001f});
-          const bool isHidden =
-              first.covered() && glm::distance(positionOf(first, statues()), p) > 0.01f * glm::distance(p, from.eye);
-          wrong += !isHidden;
+        if (!f.covered()) {
+          continue;  // what is hidden of the surroundings of the scene is unknown too
         }
+        const glm::vec3 p = positionOf(f, statues());
+        const Fragment first = rays.intersect({from.eye, p + (p - from.eye) * 0.001f});
+        const bool isHidden =
+            first.covered() && glm::distance(positionOf(first, statues()), p) > 0.01f * glm::distance(p, from.eye);
+        ++covered;
+        hidden += isHidden;
+        found += isHidden && view.hole(x, y) != 0;
+        wrong += !isHidden && view.hole(x, y) != 0;
       }
     }
-    EXPECT_GT(holes, 300u) << isGpc;
-    EXPECT_LT(holes, covered / 5) << isGpc;
-    EXPECT_LT(double(wrong), 0.25 * double(holes)) << isGpc << ": rims, a pixel wide";
+    EXPECT_GT(hidden, 200u) << isGpc;
+    EXPECT_GT(double(found), 0.5 * double(hidden)) << isGpc << ": the rest is less than a sample wide";
+    // At rims and on grazing surfaces samples are farther apart than pixels.
+    EXPECT_LT(double(wrong), 0.01 * double(covered)) << isGpc;
     EXPECT_GT(psnr(view, directly(output, statues())), 20) << isGpc;
   }
 }
