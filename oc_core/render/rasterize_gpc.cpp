@@ -384,7 +384,8 @@ class GpcTriangles {
         if (shareA < onEdge.x * stretch || shareB < onEdge.y * stretch || shareC < onEdge.z * stretch) {
           continue;
         }
-        const PixelWeights weights(a, b, c, glm::vec3(glm::max(glm::dvec3(shareA, shareB, shareC), 0.0)), false);
+        const glm::dvec3 shares = glm::max(glm::dvec3(shareA, shareB, shareC), 0.0);
+        const PixelWeights weights(a, b, c, glm::vec3(shares / (shares.x + shares.y + shares.z)), false);
         buffer.offer(samples_.index(x, y), weights.z(), triangle, weights);
       }
     }
