@@ -10,6 +10,7 @@
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/viewed_scene.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
@@ -20,8 +21,10 @@
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/image/png_file.h"
+#include "oc_core/multiperspective/figure_file.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/multiperspective/plan_image.h"
+#include "oc_core/multiperspective/rate_figure.h"
 #include "oc_core/ocri/representation_kind.h"
 
 namespace ocelli {
@@ -87,13 +90,16 @@ void list(const std::string& name, const CommandContext& context) {
   }
   const CameraChoice choice = cameraChoice(name);
   context.print(fmt::format("{}: {}\n", name, choice.kind->description));
-  if (choice.kind->options.empty()) {
+  if (choice.kind->options.empty() && choice.kind->structures.empty()) {
     context.print("It has no options.\n");
     return;
   }
   context.print(fmt::format("Options, fields of a JSON file with \"camera\": \"{}\" that --camera takes:\n", name));
   for (const CameraOption* option : choice.kind->options) {
     context.print(optionText(*option, choice));
+  }
+  for (const CameraStructure* structure : choice.kind->structures) {
+    context.print(fmt::format("  {:<30} {}\n      {}\n", structure->name, structure->text(choice), structure->meaning));
   }
 }
 
@@ -117,8 +123,33 @@ PlanSide sideFromText(const std::string& text) {
   return text == "top" ? PlanSide::kTop : text == "front" ? PlanSide::kFront : PlanSide::kRight;
 }
 
+/// Of a camera that builds reference images: where it has how many samples, over what it sees.
+void showRates(const ShowChoice& choice, const CommandContext& context) {
+  const CameraChoice camera = cameraChoice(choice.camera.camera);
+  if (!camera.kind->layout) {
+    throw InputError("camera \"" + camera.name + "\" has no regions of detail and no frusta to show",
+                     "--camera " + choice.camera.camera, "show gpc, or a graph or curved ray camera");
+  }
+  const PinholeCamera reference = referenceOf(choice.camera);
+  const GpcCamera shown(reference, camera.kind->layout(camera));
+  ViewedScene scene(choice.camera.scene, context);
+  const ReferenceImages images =
+      buildReferenceImages(camera, reference, scene.meshFor(camera, reference), context.progress());
+  requireFigureFile(choice.output);
+  writeFigure(choice.output, rateFigure(shown, images.front().color,
+                                        {.title = choice.camera.camera + " in " + choice.camera.scene.source,
+                                         .imagePixels = choice.pixels}));
+  const RateSummary rates = summarizeRates(shown);
+  context.note(fmt::format("wrote {}: {} regions, sampling rate from {:.4f} to {:.4f} along the axes, {:.4f} at least",
+                           choice.output, shown.map().zones().size(), rates.leastAlongAxes, rates.greatest,
+                           rates.leastAnywhere));
+}
+
 void show(const ShowChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
+  if (!namesConstructor(choice.camera.camera)) {
+    return showRates(choice, context);
+  }
   if (choice.cut && !(std::abs(*choice.cut) <= 1e6f)) {
     throw InputError("the cut must be a number between -1e6 and 1e6", "--cut", "give one within the scene");
   }
@@ -135,9 +166,15 @@ void show(const ShowChoice& choice, const CommandContext& context) {
 }
 
 void addShow(CLI::App& camera, const CommandContext& context) {
-  CLI::App& command = *camera.add_subcommand("show", "Draw a plan of a camera: its frusta and rays in the scene");
+  CLI::App& command = *camera.add_subcommand(
+      "show",
+      "Draw a plan of a camera: its frusta and rays in the scene; or where gpc has more samples and where less");
   const auto choice = std::make_shared<ShowChoice>();
-  addCameraInScene(command, choice->camera, context);
+  addSceneOptions(command, choice->camera.scene, context);
+  addAnyCameraOption(command, choice->camera.camera);
+  command.get_option("--camera")->required();
+  addViewOption(command, choice->camera.view);
+  addCameraSizeOption(command, choice->camera.size, kCameraImageSize);
   command.add_option("--from", choice->from, "The side that the plan shows the scene from")
       ->check(CLI::IsMember({"top", "front", "right"}))
       ->capture_default_str();
@@ -146,13 +183,14 @@ void addShow(CLI::App& camera, const CommandContext& context) {
   command.add_option("--rays", choice->rays, "How many rays, from the left of the image to its right")
       ->check(CLI::Range(1, 4096))
       ->capture_default_str();
-  command.add_option("--pixels", choice->pixels, "Longer side of the plan")
+  command.add_option("--pixels", choice->pixels, "Longer side of the plan, or of the image")
       ->check(CLI::Range(100, 8192))
       ->capture_default_str();
   addOutputOption(command, choice->output, "Where the plan goes", {".svg", ".png"});
   context.finish(command,
                  "  ocelli camera show builtin:maze --camera comprehensive -o plan.svg\n"
-                 "  ocelli camera show builtin:town --camera town.json --from front -o plan.png",
+                 "  ocelli camera show builtin:town --camera town.json --from front -o plan.png\n"
+                 "  ocelli camera show builtin:statues --camera gpc -o rates.png",
                  [choice, context] { show(*choice, context); });
 }
 

@@ -71,6 +71,7 @@ void addDitherCommand(CLI::App& program, const CommandContext& context);
 void addDoctorCommand(CLI::App& program, const CommandContext& context);
 void addDemoCommand(CLI::App& program, const CommandContext& context);
 void addRenderCommand(CLI::App& program, const CommandContext& context);
+void addResampleCommand(CLI::App& program, const CommandContext& context);
 void addEvaluateCommand(CLI::App& program, const CommandContext& context);
 
 /// Thrown by `run` to end with the exit code of another program, which has said itself what went wrong.

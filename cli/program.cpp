@@ -31,6 +31,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addRenderCommand(program, context);
   addCameraCommand(program, context);
   addOcriCommand(program, context);
+  addResampleCommand(program, context);
   addSliceCommand(program, context);
   addObserveCommand(program, context);
   addVolumeCommand(program, context);

@@ -12,6 +12,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize_curved.h"
+#include "oc_core/render/rasterize_gpc.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/render/rasterize_spans.h"
 
@@ -294,6 +295,10 @@ FragmentImage SharedRenderer::draw(const SpocCamera& camera) const {
 
 FragmentImage SharedRenderer::draw(const ReversePinholeCamera& camera) const {
   return impl_->displaced(camera, draw(camera.reference()), {});
+}
+
+FragmentImage SharedRenderer::draw(const GpcCamera& camera) const {
+  return impl_->together([&] { return rasterizeGpc(camera, *impl_->projectedBy(camera.reference())); });
 }
 
 FragmentImage SharedRenderer::draw(const DdocCamera& camera, const FragmentImage& seen,

@@ -31,6 +31,7 @@ class SharedRenderer final : public SceneRenderer {
   FragmentImage draw(const PinholeCamera& camera) const override;
   FragmentImage draw(const SpocCamera& camera) const override;
   FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const GpcCamera& camera) const override;
   FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;

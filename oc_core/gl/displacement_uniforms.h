@@ -1,9 +1,10 @@
-// How the occlusion cameras displace the image of their pinhole, as shaders/displaced.glsl takes it.
+// How cameras displace the image of their pinhole, as shaders/displaced.glsl takes it.
 #pragma once
 
 #include <string>
 
 #include "oc_core/camera/ddoc_camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
 #include "oc_core/camera/spoc_camera.h"
 #include "oc_core/gl/gl_object.h"
@@ -15,6 +16,7 @@ namespace ocelli {
 inline constexpr int kSpocModel = 1;
 inline constexpr int kReversePinholeModel = 2;
 inline constexpr int kDdocModel = 3;
+inline constexpr int kGpcModel = 4;
 
 /// "#define MODEL 1\n".
 std::string displacementDefine(int model);
@@ -41,8 +43,12 @@ struct DisplacementBlock {
 DisplacementBlock displacementBlock(const SpocCamera& camera, const SubdivisionOptions& options = {});
 DisplacementBlock displacementBlock(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {});
 DisplacementBlock displacementBlock(const DdocCamera& camera, const SubdivisionOptions& options = {});
+DisplacementBlock displacementBlock(const GpcCamera& camera, const SubdivisionOptions& options = {});
 
 /// The distortion map, for texture unit 1. Hold a GlScope.
 GlObject distortionTexture(GlContext& context, const DdocCamera& camera);
+/// The zones of a general pinhole, for the same unit: a row of texels each, as the shader has them; one that displaces
+/// nothing where there is none. Hold a GlScope.
+GlObject zoneTexture(GlContext& context, const GpcCamera& camera);
 
 }  // namespace ocelli

@@ -8,6 +8,7 @@
 #include "oc_core/gl/shaders.h"
 #include "oc_core/gl/span_pass.h"
 #include "oc_core/gl/subdivision_pass.h"
+#include "oc_core/render/rasterize_gpc.h"
 
 namespace ocelli {
 
@@ -74,6 +75,11 @@ FragmentImage GlRenderer::draw(const ReversePinholeCamera& camera) const {
   return drawOnGpu(camera).read();
 }
 
+FragmentImage GlRenderer::draw(const GpcCamera& camera) const {
+  const GlScope scope(context_);
+  return drawOnGpu(camera).read();
+}
+
 FragmentImage GlRenderer::draw(const DdocCamera& camera, const FragmentImage& seen,
                                const SubdivisionOptions& subdivision) const {
   const GlScope scope(context_);
@@ -110,6 +116,10 @@ GlFragments GlRenderer::drawOnGpu(const SpocCamera& camera, const SubdivisionOpt
 
 GlFragments GlRenderer::drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options) const {
   return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, options);
+}
+
+GlFragments GlRenderer::drawOnGpu(const GpcCamera& camera) const {
+  return impl_->subdivision.draw(camera, drawOnGpu(camera.reference()), impl_->mesh, gpcSubdivision(camera));
 }
 
 GlFragments GlRenderer::drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options) const {

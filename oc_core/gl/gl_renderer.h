@@ -36,6 +36,7 @@ class GlRenderer final : public SceneRenderer {
   FragmentImage draw(const PinholeCamera& camera) const override;
   FragmentImage draw(const SpocCamera& camera) const override;
   FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const GpcCamera& camera) const override;
   FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;
@@ -48,6 +49,7 @@ class GlRenderer final : public SceneRenderer {
   GlFragments drawOnGpu(const PinholeCamera& camera) const;
   GlFragments drawOnGpu(const SpocCamera& camera, const SubdivisionOptions& options = {}) const;
   GlFragments drawOnGpu(const ReversePinholeCamera& camera, const SubdivisionOptions& options = {}) const;
+  GlFragments drawOnGpu(const GpcCamera& camera) const;
   GlFragments drawOnGpu(const DdocCamera& camera, const SubdivisionOptions& options = {}) const;
   GlFragments drawOnGpu(const EpipolarCamera& camera) const;
   GlFragments drawOnGpu(const GraphCamera& camera) const;

@@ -1,6 +1,8 @@
 #include "oc_core/gl/subdivision_pass.h"
 
+#include <algorithm>
 #include <array>
+#include <vector>
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
@@ -60,6 +62,7 @@ SubdivisionPass::SubdivisionPass(GlContext& context)
       spoc_(context, kSpocModel),
       reversePinhole_(context, kReversePinholeModel),
       ddoc_(context, kDdocModel),
+      gpc_(context, kGpcModel),
       vertexArray_(makeVertexArray(context)) {}
 
 GlFragments SubdivisionPass::draw(const SpocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
@@ -70,6 +73,13 @@ GlFragments SubdivisionPass::draw(const SpocCamera& camera, const GlFragments& s
 GlFragments SubdivisionPass::draw(const ReversePinholeCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                                   const SubdivisionOptions& options) const {
   return drawModel(reversePinhole_, camera.reference(), displacementBlock(camera, options), seen, mesh);
+}
+
+GlFragments SubdivisionPass::draw(const GpcCamera& camera, const GlFragments& seen, const GlMesh& mesh,
+                                  const SubdivisionOptions& options) const {
+  const GlObject zones = zoneTexture(context_, camera);
+  context_.gl().BindTextureUnit(1, zones.id());
+  return drawModel(gpc_, camera.reference(), displacementBlock(camera, options), seen, mesh);
 }
 
 GlFragments SubdivisionPass::draw(const DdocCamera& camera, const GlFragments& seen, const GlMesh& mesh,

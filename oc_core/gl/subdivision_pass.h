@@ -25,6 +25,8 @@ class SubdivisionPass {
                    const SubdivisionOptions& options) const;
   GlFragments draw(const ReversePinholeCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                    const SubdivisionOptions& options) const;
+  GlFragments draw(const GpcCamera& camera, const GlFragments& seen, const GlMesh& mesh,
+                   const SubdivisionOptions& options) const;
   GlFragments draw(const DdocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                    const SubdivisionOptions& options) const;
 
@@ -44,6 +46,7 @@ class SubdivisionPass {
   Model spoc_;
   Model reversePinhole_;
   Model ddoc_;
+  Model gpc_;
   GlObject vertexArray_;
 };
 

@@ -137,6 +137,11 @@ CameraChoice readCameraChoice(JsonFields& fields, const ViewCell& cell) {
   for (const CameraOption* option : choice.kind->options) {
     readOption(fields, *option, choice);
   }
+  for (const CameraStructure* structure : choice.kind->structures) {
+    if (fields.has(structure->name)) {
+      structure->read(fields, choice);
+    }
+  }
   return choice;
 }
 

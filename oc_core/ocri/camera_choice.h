@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/camera/gpc_layout.h"
 #include "oc_core/ocri/cell_builder.h"
 #include "oc_core/ocri/construction.h"
 #include "oc_core/ocri/ddoc_builder.h"
@@ -35,6 +36,7 @@ struct CameraChoice {
   EocOptions eoc;
   DdocOptions ddoc;
   CellOptions cell;
+  GpcLayout gpc;
   /// Options that registered representations have of their own, by name; 0 where `prepare` of the row sets no other
   /// default.
   std::map<std::string, float> ownOptions;

@@ -223,6 +223,21 @@ constexpr CameraOption kMaxSatellites{.name = "most_satellites",
                                       .max = 1000,
                                       .formMax = 64};
 
+constexpr CameraStructure kGpcSampling{
+    .name = "sampling",
+    .meaning =
+        "How samples spread between a region and the image around it; docs/general_pinhole.md shows what each does",
+    .schema = [] { return gpcSamplingSchema(); },
+    .text = [](const Choice& c) { return gpcSamplingText(c.gpc); },
+    .read = [](JsonFields& fields, Choice& c) { readGpcLayout(fields, c.gpc); }};
+constexpr CameraStructure kGpcRegions{
+    .name = "regions",
+    .meaning =
+        "Rectangles of the image that show more detail, with a transition around each: within the image, and apart",
+    .schema = [] { return gpcRegionsSchema(); },
+    .text = [](const Choice& c) { return gpcRegionsText(c.gpc); },
+    .read = [](JsonFields& fields, Choice& c) { readGpcLayout(fields, c.gpc); }};
+
 }  // namespace
 
 constinit const CameraOption kCellSide{
@@ -266,6 +281,11 @@ const std::vector<const CameraOption*>& ddocOptions() {
 const std::vector<const CameraOption*>& cellOptions() {
   static const std::vector<const CameraOption*> options{&kMaxSamples, &kMaxSatellites};
   return options;
+}
+
+const std::vector<const CameraStructure*>& gpcStructures() {
+  static const std::vector<const CameraStructure*> structures{&kGpcSampling, &kGpcRegions};
+  return structures;
 }
 
 double numberOf(const CameraOption& option, const CameraChoice& choice) {

@@ -34,6 +34,15 @@ struct CameraOption {
   void (*afterChange)(CameraChoice&) = nullptr;  ///< what else follows from a new value
 };
 
+/// An option that is no number: a word, or a list of objects.
+struct CameraStructure {
+  const char* name;
+  const char* meaning;
+  std::string (*schema)();                   ///< of the field, as JSON: a type at least, and its default
+  std::string (*text)(const CameraChoice&);  ///< the value of a choice, as JSON
+  void (*read)(JsonFields&, CameraChoice&);  ///< where the field is there; throws InputError
+};
+
 extern const CameraOption kCellSide;
 extern const CameraOption kSegmentDirection;
 /// In the order in which forms and tables show them.
@@ -41,6 +50,8 @@ const std::vector<const CameraOption*>& spocOptions();
 const std::vector<const CameraOption*>& eocOptions();
 const std::vector<const CameraOption*>& ddocOptions();
 const std::vector<const CameraOption*>& cellOptions();
+/// How the samples of a general pinhole camera lie: gpc_layout.h.
+const std::vector<const CameraStructure*>& gpcStructures();
 
 /// The value of a number, a count or a switch (0 or 1).
 double numberOf(const CameraOption& option, const CameraChoice& choice);

@@ -26,6 +26,18 @@ std::vector<const CameraOption*> allOptions() {
   return all;
 }
 
+std::vector<const CameraStructure*> allStructures() {
+  std::vector<const CameraStructure*> all;
+  for (const RepresentationKind& kind : representationKinds()) {
+    for (const CameraStructure* each : kind.structures) {
+      if (std::find(all.begin(), all.end(), each) == all.end()) {
+        all.push_back(each);
+      }
+    }
+  }
+  return all;
+}
+
 /// As short as it reads back: 0.1, not 0.10000000149011612.
 double shortest(double value) {
   return std::stod(fmt::format("{}", static_cast<float>(value)));
@@ -97,21 +109,25 @@ Json namesOf(const std::vector<const RepresentationKind*>& kinds, bool withShort
 
 /// One rule for all kinds that take the same options.
 Json rules() {
-  std::vector<std::pair<std::vector<const CameraOption*>, std::vector<const RepresentationKind*>>> groups;
+  std::vector<std::vector<const RepresentationKind*>> groups;
   for (const RepresentationKind& kind : representationKinds()) {
-    const auto same =
-        std::find_if(groups.begin(), groups.end(), [&](const auto& group) { return group.first == kind.options; });
+    const auto same = std::find_if(groups.begin(), groups.end(), [&](const auto& group) {
+      return group.front()->options == kind.options && group.front()->structures == kind.structures;
+    });
     if (same == groups.end()) {
-      groups.push_back({kind.options, {&kind}});
+      groups.push_back({&kind});
     } else {
-      same->second.push_back(&kind);
+      same->push_back(&kind);
     }
   }
   Json all = Json::array();
-  for (const auto& [options, kinds] : groups) {
+  for (const std::vector<const RepresentationKind*>& kinds : groups) {
     Json allowed{"$schema", "comment", "camera", "name"};
-    for (const CameraOption* option : options) {
+    for (const CameraOption* option : kinds.front()->options) {
       allowed.push_back(option->name);
+    }
+    for (const CameraStructure* structure : kinds.front()->structures) {
+      allowed.push_back(structure->name);
     }
     all.push_back({{"if", {{"properties", {{"camera", namesOf(kinds, true)}}}}},
                    {"then", {{"propertyNames", {{"enum", allowed}}}}}});
@@ -119,10 +135,12 @@ Json rules() {
   return all;
 }
 
-std::string takersOf(const CameraOption& option) {
+/// `list` is that of a row which `option` may stand in.
+template <class Option>
+std::string takersOf(const Option& option, std::vector<const Option*> RepresentationKind::*list) {
   std::string names;
   for (const RepresentationKind& kind : representationKinds()) {
-    if (std::find(kind.options.begin(), kind.options.end(), &option) != kind.options.end()) {
+    if (std::find((kind.*list).begin(), (kind.*list).end(), &option) != (kind.*list).end()) {
       names += fmt::format("{}`{}`", names.empty() ? "" : ", ", kind.name);
     }
   }
@@ -146,6 +164,11 @@ std::string cameraSchemaText() {
   for (const CameraOption* option : allOptions()) {
     properties[option->name] = propertyOf(*option);
   }
+  for (const CameraStructure* structure : allStructures()) {
+    Json property{{"description", structure->meaning}};
+    property.update(Json::parse(structure->schema()));
+    properties[structure->name] = property;
+  }
   const Json schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                     {"title", "Ocelli camera"},
                     {"description",
@@ -164,7 +187,11 @@ std::string cameraOptionTable() {
   for (const CameraOption* option : allOptions()) {
     const Json standard = defaultOf(*option);
     table += fmt::format("| `{}` | {} | {} | {} | {} |\n", option->name, standard.is_null() ? "off" : standard.dump(),
-                         option->unit, option->meaning, takersOf(*option));
+                         option->unit, option->meaning, takersOf(*option, &RepresentationKind::options));
+  }
+  for (const CameraStructure* structure : allStructures()) {
+    table += fmt::format("| `{}` | `{}` |  | {} | {} |\n", structure->name, structure->text(CameraChoice()),
+                         structure->meaning, takersOf(*structure, &RepresentationKind::structures));
   }
   return table;
 }

@@ -11,6 +11,7 @@
 #include "oc_core/ocri/grid_cell.h"
 #include "oc_core/ocri/sample_join.h"
 #include "oc_core/ocri/sample_pairs.h"
+#include "oc_core/ocri/sample_spacing.h"
 #include "oc_core/ocri/square_corner.h"
 
 namespace ocelli {
@@ -32,6 +33,7 @@ class ImageMesher {
         firstOfRow_(static_cast<size_t>(image.height()) + 1, 0),
         joins_(image.width(), image.height()),
         cells_(image.width(), image.height()),
+        spacings_(sampleSpacings(image)),
         firstTriangleOfRow_(static_cast<size_t>(image.height()) + 1, 0) {}
 
   /// Of the mesh without a bound.
@@ -159,10 +161,10 @@ class ImageMesher {
     });
   }
 
-  /// Whether pairs of samples of rows up to this one can be judged many at a time: where a pinhole stands behind them,
-  /// and nothing parts tiles.
+  /// Whether pairs of samples of rows up to this one can be judged many at a time.
   bool isPlain(int lastRow) const {
-    return !image_.isPlaced() && (image_.tileSide <= 0 || lastRow < image_.pinholeSize.y);
+    return !image_.isPlaced() && image_.layout.regions.empty() &&
+           (image_.tileSide <= 0 || lastRow < image_.pinholeSize.y);
   }
   void undistort(int y, UndistortedRow& row) const {
     for (int x = 0; x < image_.width(); ++x) {
@@ -241,8 +243,7 @@ class ImageMesher {
 
   bool inTile(const Pixel& p) const { return image_.tileSide > 0 && p.y >= image_.pinholeSize.y; }
   /// Pixels of the pinhole from a sample to the next.
-  float spacing(const Pixel& p) const { return inTile(p) ? image_.tileSpacing : 1; }
-
+  float spacing(const Pixel& p) const { return spacings_.empty() ? 1 : spacings_(p.x, p.y); }
   /// The undistorted sample, z = 0 where there is none.
   ImagePoint sample(const Pixel& p) const { return valid(p) ? image_.undistorted(p.x, p.y) : ImagePoint{}; }
 
@@ -322,9 +323,9 @@ class ImageMesher {
   /// The change of 1/z for a pixel to the right and a pixel down in the undistorted image, from the joined neighbours.
   glm::vec2 gradient(const Pixel& p) const {
     glm::vec2 rhs(0);
-    float xx = 1e-3f;
+    float xx = 1e-3f * spacing(p) * spacing(p);
     float xy = 0;
-    float yy = 1e-3f;
+    float yy = xx;
     const ImagePoint a = image_.undistorted(p.x, p.y);
     for (const Pixel& step : {Pixel{1, 0}, Pixel{-1, 0}, Pixel{0, 1}, Pixel{0, -1}}) {
       const Pixel q{p.x + step.x, p.y + step.y};
@@ -417,8 +418,7 @@ class ImageMesher {
     });
   }
 
-  /// What a step of one pixel is in the undistorted image, from the joined neighbours: longer where samples are
-  /// squeezed.
+  /// A step of one pixel in the undistorted image, from the joined neighbours: longer where samples are squeezed.
   glm::vec2 sampleStep(const Pixel& p, const glm::ivec2& direction) const {
     glm::vec2 sum(0);
     float count = 0;
@@ -432,8 +432,8 @@ class ImageMesher {
       }
     }
     const float length = count > 0 ? glm::length(sum) / count : 0;
-    if (length <= 1) {
-      return direction;
+    if (length <= spacing(p)) {
+      return glm::vec2(direction) * spacing(p);
     }
     return sum / count * std::min(options_.longestSquarePixels / length, 1.0f);
   }
@@ -577,6 +577,7 @@ class ImageMesher {
   std::vector<uint32_t> firstOfRow_;  ///< vertex
   Image<uint8_t> joins_;              ///< to the neighbours on the right and below
   Image<uint8_t> cells_;              ///< triangles of the cell between pixel (x, y) and (x + 1, y + 1)
+  Image<float> spacings_;             ///< empty where all are a pixel
   std::vector<size_t> firstTriangleOfRow_;
   std::vector<Square> squares_;
   size_t wholeSquares_ = 0;
@@ -589,8 +590,7 @@ class ImageMesher {
 }  // namespace
 
 size_t imageMeshTriangles(const ReferenceImage& image) {
-  const ImageMeshOptions options;
-  return ImageMesher(image, options).countTriangles();
+  return ImageMesher(image, ImageMeshOptions{}).countTriangles();
 }
 
 Mesh imageMesh(const ReferenceImage& image, const ImageMeshOptions& options, std::vector<uint32_t>* pixelOfVertex) {

@@ -33,6 +33,7 @@ Mesh meshForView(const PackedScene& scene, const CameraChoice& choice, const Pin
   if (part) {
     options.reach = part->reach;
     options.marginPixels = part->marginPixels;
+    options.maxErrorPixels /= part->detail;
   } else {
     options.reach = choice.cellSideRadii;
   }

@@ -12,8 +12,9 @@ namespace ocelli {
 /// mesh for takes this one, but for the question whether an eye lies inside an object (requireViewpointsOutside), which
 /// it does not ask of this mesh (Mesh::isPart).
 ///
-/// `maxErrorPixels`: how far a surface may be off, pixels of the reference view. With an error near 0 the samples are
-/// those of the scene itself, bit by bit, and colours within a step of 1/65535.
+/// `maxErrorPixels`: how far a surface may be off, pixels of the reference view, or where a camera has more samples
+/// than that, spaces between those. With an error near 0 the samples are those of the scene itself, bit by bit, and
+/// colours within a step of 1/65535.
 Mesh meshForView(const PackedScene& scene, const CameraChoice& choice, const PinholeCamera& reference,
                  float maxErrorPixels = kPackedErrorPixels);
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/camera/gpc_layout.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/image/image.h"
 #include "oc_core/render/fragment_image.h"
@@ -49,6 +50,8 @@ struct ReferenceImage {
   /// its ray there, a unit vector. There is no displacement then. Empty otherwise.
   Image<glm::vec3> position = {};
   Image<glm::vec3> direction = {};
+  /// Of a pinhole whose samples lie more densely in places (gpc_camera.h): without regions, of one like all others.
+  GpcLayout layout{.regions = {}};
   bool wrapsAround = false;  ///< the last column is next to the first
 
   int width() const { return t.width(); }

@@ -151,6 +151,9 @@ std::string attributeText(const ReferenceImage& image) {
   if (image.wrapsAround) {
     json["wraps_around"] = true;
   }
+  if (!image.layout.regions.empty()) {
+    json["layout"] = nlohmann::ordered_json::parse(jsonText(image.layout));
+  }
   return textOfJson(json);
 }
 
@@ -193,6 +196,14 @@ bool readAttribute(const std::string& text, const std::string& where, ReferenceI
   }
   if (image.wrapsAround && !placed) {
     fields.fail("wraps_around", "is for placed samples");
+  }
+  if (fields.has("layout")) {
+    JsonFields layout = fields.inner("layout");
+    readGpcLayout(layout, image.layout);
+    layout.rejectUnknown();
+    if (placed || image.rows != ImageRows::kAligned || image.tileSide > 0 || image.pinholeSize.x > 0) {
+      fields.fail("layout", "is for the image of a pinhole alone");
+    }
   }
   fields.rejectUnknown();
   return placed;

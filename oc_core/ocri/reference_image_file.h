@@ -5,7 +5,7 @@
 // samples (placed_image.h) have P.X P.Y P.Z instead, their world points, and D.X D.Y D.Z, the way of their rays there;
 // Z is then the length of the ray. The string attribute `ocelli` of each part is a JSON object: "format" (1), "camera",
 // "view" and, where they say something, "triangle_bound", "pinhole_size", "rows" ("shifted" or "shifted_ring"),
-// "tile_side", "tile_spacing", "seen_from_aside", "placed" and "wraps_around" (docs/files.md).
+// "tile_side", "tile_spacing", "seen_from_aside", "placed", "wraps_around" and "layout" (docs/files.md).
 #pragma once
 
 #include <filesystem>

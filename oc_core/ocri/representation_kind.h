@@ -39,6 +39,7 @@ struct RepresentationInputs {
 struct ViewedPart {
   float reach = 0;         ///< its viewpoints lie within this distance of the reference eye, display radii
   float marginPixels = 0;  ///< it sees no farther than this beside the reference's image
+  float detail = 1;        ///< samples for each one of the reference image, along either axis, where they are densest
 };
 
 /// Between the pixels of an image and the world, both ways: a camera whose type is not known.
@@ -70,6 +71,8 @@ struct RepresentationKind {
   const char* description;
   /// In the order in which forms and tables show them.
   std::vector<const CameraOption*> options = {};
+  /// Options that are no numbers.
+  std::vector<const CameraStructure*> structures = {};
   /// What the name stands for, of that which is no option.
   std::function<void(CameraChoice&)> prepare = {};
   /// Another name of the same; empty for none.
@@ -94,6 +97,8 @@ struct RepresentationKind {
   std::function<ReferenceImage(Technique, const RepresentationInputs&)> draw = {};
   /// The map of each image. Builds the cameras, so it takes about as long.
   std::function<std::vector<CameraMap>(const RepresentationInputs&, const ReferenceImages&)> maps = {};
+  /// Where its image has samples more densely, of a camera that is a pinhole otherwise (gpc_camera.h).
+  std::function<GpcLayout(const CameraChoice&)> layout = {};
   /// Whether no renderer draws it but along its rays: `auto` then makes the acceleration structure too.
   bool castsRays = false;
   /// Why OpenGL cannot draw it; empty where it can.

@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/camera/cylinder_camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/panorama_camera.h"
 #include "oc_core/ocri/builtin_representations.h"
 #include "oc_core/ocri/cast_representation.h"
@@ -14,6 +15,7 @@
 #include "oc_core/ocri/wide_depth_image.h"
 #include "oc_core/render/hybrid_raycast.h"
 #include "oc_core/render/points.h"
+#include "oc_core/render/rasterize_gpc.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {
@@ -47,6 +49,10 @@ CellCamera cellCamera(const Inputs& in) {
   return buildCellCamera(in.reference, in.mesh, in.choice.cell, in.progress, in.renderer);
 }
 
+GpcCamera gpcCamera(const Inputs& in) {
+  return {in.reference, in.choice.gpc};
+}
+
 // ---- their maps
 
 /// Each image is of a pinhole, which it names.
@@ -62,6 +68,13 @@ std::vector<CameraMap> pinholeMaps(const Inputs&, const ReferenceImages& images)
 
 [[noreturn]] void refuse(const Inputs& in, const char* how) {
   throw InputError("camera \"" + in.choice.name + "\" is drawn " + how, "--method", "use raster or raycast");
+}
+
+/// With what the mesher, and who resamples it, need to know of its samples.
+ReferenceImage gpcImage(const FragmentImage& fragments, const Inputs& in) {
+  ReferenceImage image = referenceImage(fragments, in.mesh, in.reference, in.choice.name);
+  image.layout = in.choice.gpc;
+  return image;
 }
 
 template <BoundedCamera C>
@@ -84,6 +97,15 @@ ReferenceImage drawnBy(Technique technique, const C& camera, const Inputs& in) {
 
 std::optional<ViewedPart> viewedFromEye(const CameraChoice&, const PinholeCamera&) {
   return ViewedPart{};
+}
+
+/// The same with more detail.
+std::optional<ViewedPart> viewedZoomed(const CameraChoice& choice, const PinholeCamera&) {
+  ViewedPart part;
+  for (const GpcRegion& region : choice.gpc.regions) {
+    part.detail = std::max(part.detail, region.zoom);
+  }
+  return part;
 }
 
 /// What a pinhole displaces into its image.
@@ -338,6 +360,27 @@ std::vector<RepresentationKind> builtinRepresentations() {
        .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
          return {mapOf(reversePinhole(in))};
        }});
+  rows.push_back(
+      {.name = "gpc",
+       .description = "general pinhole: regions of the image that show more detail than the rest",
+       .structures = gpcStructures(),
+       .images = [](const Inputs& in) -> ReferenceImages {
+         const GpcCamera camera = gpcCamera(in);
+         return {gpcImage(in.renderer != nullptr ? in.renderer->draw(camera) : rasterizeGpc(camera, in.mesh), in)};
+       },
+       .rayCrossover = RayCrossover::kDepthImage,
+       .refitShare = RefitShare::kDepthImage,
+       .viewed = viewedZoomed,
+       .draw =
+           [](Technique technique, const Inputs& in) {
+             ReferenceImage image = drawnBy(technique, gpcCamera(in), in);
+             image.layout = in.choice.gpc;
+             return image;
+           },
+       .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+         return {mapOf(gpcCamera(in))};
+       },
+       .layout = [](const CameraChoice& choice) { return choice.gpc; }});
   rows.push_back({.name = "spoc",
                   .description = "single pole occlusion camera around the foreground",
                   .options = spocOptions(),

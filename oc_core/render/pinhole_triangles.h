@@ -20,10 +20,14 @@ class PinholeTriangles {
   /// where none covers a pixel centre, as far as a quick look tells.
   template <class Draw>
   void forEachPart(uint32_t triangle, const Draw& draw) const {
-    const glm::uvec3& t = projected_.mesh().triangles[triangle];
-    if (projected_.missesCentres(t)) {
-      return;
+    if (!projected_.missesCentres(projected_.mesh().triangles[triangle])) {
+      forEachPartAnywhere(triangle, draw);
     }
+  }
+  /// The same for those too that cover no pixel centre of the pinhole.
+  template <class Draw>
+  void forEachPartAnywhere(uint32_t triangle, const Draw& draw) const {
+    const glm::uvec3& t = projected_.mesh().triangles[triangle];
     if (isWithin(projected_.vertex(t.x)) && isWithin(projected_.vertex(t.y)) && isWithin(projected_.vertex(t.z))) {
       const ProjectedVertex& a = projected_.vertex(t.x);
       const ProjectedVertex& b = projected_.vertex(t.y);

@@ -17,6 +17,10 @@ FragmentImage RayRenderer::draw(const ReversePinholeCamera& camera) const {
   return raycast(camera, mesh_, rays_);
 }
 
+FragmentImage RayRenderer::draw(const GpcCamera& camera) const {
+  return raycast(camera, mesh_, rays_);
+}
+
 FragmentImage RayRenderer::draw(const DdocCamera& camera, const FragmentImage& seen,
                                 const SubdivisionOptions& /*subdivision*/) const {
   return raycast(camera, seen, mesh_, rays_);

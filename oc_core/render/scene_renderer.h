@@ -2,12 +2,15 @@
 // acceleration structure (RayRenderer), or on a GPU (oc_core/gl/gl_renderer.h). What constructs an image from others
 // (oc_core/ocri) takes it as a pointer; without one it rasterises.
 //
-// One call draws one image: within it, renderers know the type of the camera.
+// One call draws one image: within it, renderers know the type of the camera. So this set of types is closed: a camera
+// that OpenGL, and ranks together, are to draw takes an overload here and in each renderer. All others are drawn along
+// their rays (oc_core/ocri/cast_representation.h).
 #pragma once
 
 #include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/camera/epipolar_camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
 #include "oc_core/camera/spoc_camera.h"
@@ -24,6 +27,7 @@ class SceneRenderer {
   virtual FragmentImage draw(const PinholeCamera& camera) const = 0;
   virtual FragmentImage draw(const SpocCamera& camera) const = 0;
   virtual FragmentImage draw(const ReversePinholeCamera& camera) const = 0;
+  virtual FragmentImage draw(const GpcCamera& camera) const = 0;
   /// `seen` is what the reference pinhole sees; `subdivision` is for those that draw by it.
   virtual FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
                              const SubdivisionOptions& subdivision) const = 0;
@@ -51,6 +55,7 @@ class RayRenderer final : public SceneRenderer {
   FragmentImage draw(const PinholeCamera& camera) const override;
   FragmentImage draw(const SpocCamera& camera) const override;
   FragmentImage draw(const ReversePinholeCamera& camera) const override;
+  FragmentImage draw(const GpcCamera& camera) const override;
   FragmentImage draw(const DdocCamera& camera, const FragmentImage& seen,
                      const SubdivisionOptions& subdivision) const override;
   FragmentImage drawLines(const PinholeCamera& base, const EpipolarLines& lines) const override;

@@ -129,13 +129,16 @@ class VisibilityBuffer {
       : width_(width), height_(height), samples_(static_cast<size_t>(width) * static_cast<size_t>(height)) {}
 
   void draw(uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
-    scanTriangle(width_, height_, a, b, c, [&](size_t pixel, float z, const auto& weights) {
-      const uint64_t key = KeyedSample::keyOf(z, triangle);
-      if (key < samples_[pixel].key) {
-        const glm::vec2 w = weights();
-        samples_[pixel] = {key, w.x, w.y};
-      }
-    });
+    scanTriangle(width_, height_, a, b, c,
+                 [&](size_t pixel, float z, const PixelWeights& weights) { offer(pixel, z, triangle, weights); });
+  }
+  /// A sample of a triangle at one pixel.
+  void offer(size_t pixel, float z, uint32_t triangle, const PixelWeights& weights) {
+    const uint64_t key = KeyedSample::keyOf(z, triangle);
+    if (key < samples_[pixel].key) {
+      const glm::vec2 w = weights();
+      samples_[pixel] = {key, w.x, w.y};
+    }
   }
 
   /// Keeps the closer of the two at each pixel in [begin, end).

@@ -120,7 +120,9 @@ void SchemaAgreement::checkArray(const std::string& name, const nlohmann::json& 
       nlohmann::json changed = good;
       changed[i] = items.at(limit);
       expectTaken(name, changed);
-      changed[i] = items.at(limit).get<double>() * 1.001;
+      const double value = items.at(limit);
+      const double outwards = std::string(limit) == "minimum" ? -1 : 1;
+      changed[i] = value + outwards * std::max(std::abs(value) * 1e-3, 1e-9);
       expectRefused(name, changed);
     }
     nlohmann::json changed = good;

@@ -6,6 +6,7 @@
 #include "oc_core/camera/cylinder_camera.h"
 #include "oc_core/camera/ddoc_camera.h"
 #include "oc_core/camera/epipolar_camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/panorama_camera.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/camera/reverse_pinhole_camera.h"
@@ -125,6 +126,25 @@ struct ReversePinhole : Traits {
     return {PinholeCamera(view, kWidth, kHeight), 10, 20};
   }
 };
+
+/// One region with its transition, or two.
+template <int kSampling>
+struct GpcOf : Traits {
+  static constexpr double kErrorGrowth = 4;  ///< the zoom
+  static GpcLayout layout(float zoom) {
+    return {&gpcSamplings()[kSampling],
+            {{{0.3f, 0.4f}, {0.2f, 0.3f}, zoom, 1.0f}, {{0.8f, 0.7f}, {0.1f, 0.2f}, (zoom + 1) / 2, 1.5f}}};
+  }
+  /// Worked out in double precision, and the pinhole's in single: roundings of lengths of 10 and of 1000.
+  static bool sameRay(const RayPath& a, const RayPath& b) {
+    return glm::distance(a.front(), b.front()) < 1e-5f && glm::distance(a.back(), b.back()) < 1e-3f;
+  }
+  static GpcCamera make() { return {smallCamera(), layout(4)}; }
+  static GpcCamera undistorted() { return {smallCamera(), layout(1)}; }
+};
+using LinearGpc = GpcOf<0>;
+using QuadraticGpc = GpcOf<1>;
+using CubicGpc = GpcOf<2>;
 
 EpipolarCamera eocAt(const glm::vec3& right, const Mesh& mesh) {
   const PinholeCamera base = smallCamera();
@@ -316,15 +336,17 @@ class CameraContract : public ::testing::Test {
   }
 };
 
-using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, EocAcross,
-                                    EocForward, Graph, LimitedGraph, CurvedRays, BezierRays, Panorama, Cylinder, Cell>;
+using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, LinearGpc,
+                                    QuadraticGpc, CubicGpc, EocAcross, EocForward, Graph, LimitedGraph, CurvedRays,
+                                    BezierRays, Panorama, Cylinder, Cell>;
 TYPED_TEST_SUITE(CameraContract, AllCameras);
 
 /// What holds besides for cameras that look through the window of a pinhole, and bend or displace its rays.
 template <class Source>
 class WindowContract : public CameraContract<Source> {};
-using WindowCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, EocAcross,
-                                       EocForward, Graph, LimitedGraph, CurvedRays, BezierRays>;
+using WindowCameras =
+    ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, LinearGpc, QuadraticGpc,
+                     CubicGpc, EocAcross, EocForward, Graph, LimitedGraph, CurvedRays, BezierRays>;
 TYPED_TEST_SUITE(WindowContract, WindowCameras);
 
 TYPED_TEST(CameraContract, hasItsSize) {

@@ -12,6 +12,7 @@
 #include "oc_core/ocri/eoc_builder.h"
 #include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/render/rasterize.h"
+#include "oc_core/render/rasterize_gpc.h"
 #include "oc_core/render/rasterize_spans.h"
 #include "oc_core/worlds/scene_source.h"
 #include "tests/gl/gl_test_context.h"
@@ -109,12 +110,25 @@ CameraCase caseOf(const char* name, const Build& build) {
           }};
 }
 
+CameraCase gpcCase(const char* name, const char* sampling) {
+  const GpcCamera camera(pinhole(), {findGpcSampling(sampling),
+                                     {{{0.35f, 0.5f}, {0.3f, 0.4f}, 3, 0.8f}, {{0.85f, 0.4f}, {0.1f, 0.3f}, 2, 1.2f}}});
+  return {name, [camera](const Mesh& mesh) { return rasterizeGpc(camera, mesh); },
+          [camera](const Mesh&, const GlRenderer& renderer) {
+            const GlScope scope(renderer.context());
+            return renderer.drawOnGpu(camera).read();
+          }};
+}
+
 std::vector<CameraCase> cameraCases() {
   return {
       caseOf("pinhole", [](const Mesh&) { return pinhole(); }),
       caseOf("spoc", [](const Mesh& mesh) { return buildSpocCamera(pinhole(), mesh); }),
       caseOf("rppc", [](const Mesh& mesh) { return buildReversePinhole(pinhole(), mesh); }),
       caseOf("ddoc", [](const Mesh& mesh) { return buildDdocCamera(pinhole(), mesh); }),
+      gpcCase("gpc-linear", "linear"),
+      gpcCase("gpc-quadratic", "quadratic"),
+      gpcCase("gpc-cubic", "cubic"),
       caseOf("eoc-h", [](const Mesh& mesh) { return epipolar(mesh, kHorizontalSegment); }),
       caseOf("eoc-v", [](const Mesh& mesh) { return epipolar(mesh, kVerticalSegment); }),
       caseOf("eoc-forward",

@@ -81,8 +81,20 @@ TEST(CameraSchema, agreesWithTheReader) {
         ofCamera.at("properties").erase(name);
       }
     }
-    test::SchemaAgreement{ofCamera, schemaError, {{"camera", camera}}}.check();
+    nlohmann::json base{{"camera", camera}};
+    if (names.contains("regions")) {
+      base["regions"] = schema().at("properties").at("regions").at("default");
+    }
+    test::SchemaAgreement{ofCamera, schemaError, base}.check();
   }
+}
+
+// What a region may say; that regions lie within the image and apart is for gpc_layout_test.cpp.
+TEST(CameraSchema, agreesWithTheReaderOfRegions) {
+  const auto errorOfRegion = [](const std::string& region) {
+    return schemaError(R"({"camera": "gpc", "sampling": "linear", "regions": [)" + region + "]}");
+  };
+  test::SchemaAgreement{schema().at("properties").at("regions").at("items"), errorOfRegion}.check();
 }
 
 TEST(CameraSchema, eachCameraTakesOnlyWhatItSays) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <limits>
+#include <type_traits>
 
 #include "tests/render/camera_cases.h"
 
@@ -111,6 +112,9 @@ TEST(Footprint, isTight) {
     mesh.triangles.emplace_back(first, first + 1, first + 2);
   }
   test::forEachSmallCamera([&](const char* name, const auto& camera) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(camera)>, GpcCamera>) {
+      return;  // what it magnifies by varies over a box of 3 pixels more: gpc_map_test.cpp, imageBoxIsTight
+    }
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
       const PixelBox box = footprint(camera, inCameraSpace(referenceOf(camera), mesh, i));
       glm::vec2 lower(1e9f);

@@ -4,17 +4,20 @@
 #include <gtest/gtest.h>
 
 #include <cstdio>
+#include <type_traits>
 
 #include "oc_core/ocri/ddoc_builder.h"
 #include "oc_core/ocri/spoc_builder.h"
 #include "oc_core/render/hybrid_raycast.h"
 #include "oc_core/render/points.h"
 #include "oc_core/render/rasterize.h"
+#include "oc_core/render/rasterize_gpc.h"
 #include "oc_core/render/rasterize_subdivided.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/worlds/scene_source.h"
 #include "oc_core/worlds/solids.h"
 #include "tests/ocri/test_scenes.h"
+#include "tests/render/camera_cases.h"
 
 namespace ocelli {
 namespace {
@@ -39,6 +42,8 @@ void forEachCamera(const PinholeCamera& reference, const Mesh& mesh, const Visit
   visit("rppc", buildReversePinhole(reference, mesh), 0.0);
   visit("spoc", buildSpocCamera(reference, mesh), 0.0);
   visit("spoc-", buildSpocCamera(reference, mesh, {.farDisplacementPerHeight = 0.2f, .maskPole = false}), 0.0);
+  visit("gpc", GpcCamera(reference, test::oneRegion("cubic")), 0.0);
+  visit("gpc2", GpcCamera(reference, test::twoRegions("quadratic")), 0.0);
   visit("ddoc", buildDdocCamera(reference, mesh), kFolds);
 }
 
@@ -49,6 +54,10 @@ void forEachTechnique(const C& camera, const Mesh& mesh, const Visit& visit) {
   // rasterize_subdivided_test.cpp), so an edge that passes a pixel centre nearer than that may fall on the other side:
   // twice that share of the pixels at silhouettes. Only pieces that lie across a tear are left out altogether.
   visit("subdivided", rasterize(camera, mesh), Bounds{0.01, 0.1});
+  if constexpr (std::is_same_v<C, GpcCamera>) {
+    // Nothing is subdivided: only snapping is left of the above, 2/256 of the pixels at silhouettes.
+    visit("pieces", rasterizeGpc(camera, mesh), Bounds{0.01, 0.02});
+  }
   // A splat reaches half a pixel farther than the surface, so half of the pixels on the outer side of a silhouette,
   // which are half of those at it, are covered in addition; with those at corners, a third. Where the surface turns
   // away at its limb their depth may be one that it reaches between the rays.

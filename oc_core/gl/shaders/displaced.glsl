@@ -1,7 +1,8 @@
-// How the cameras displace the image of the pinhole. MODEL is one of the three.
+// How the cameras displace the image of the pinhole. MODEL is one of the four.
 #define SPOC 1
 #define REVERSE_PINHOLE 2
 #define DDOC 3
+#define GPC 4
 
 layout(std140, binding = 1) uniform Displacement {
   vec2 pole;               // SPOC, pixels
@@ -72,5 +73,59 @@ bool displacesWithin(vec2 lower, vec2 upper) {
   return texelFetch(displacedBefore, last, 0).x + texelFetch(displacedBefore, first, 0).x !=
          texelFetch(displacedBefore, ivec2(first.x, last.y), 0).x +
              texelFetch(displacedBefore, ivec2(last.x, first.y), 0).x;
+}
+#elif MODEL == GPC
+// A row for each zone, as oc_core/camera/gpc_map.h has it: centre and half extent; 1 / zoom, outer, and the least and the
+// greatest sampling rate; the coefficients of f in the transition.
+layout(binding = 1) uniform sampler2D zones;
+
+// r of a value of f between the two edges (gpc_profile.h): f grows with r.
+float inverseOf(float f, float outer, vec2 rates, vec4 c) {
+  float lower = max((f - c.x) * rates.x, 0.0);
+  float upper = min((f - c.x) * rates.y, outer - 1.0);
+  float s = 0.5 * (lower + upper);
+  for (int i = 0; i < 24; ++i) {
+    float error = c.x + s * (c.y + s * (c.z + s * c.w)) - f;
+    if (error > 0.0) {
+      upper = s;
+    } else {
+      lower = s;
+    }
+    float next = s - error / (c.y + s * (2.0 * c.z + s * 3.0 * c.w));
+    if (!(next >= lower && next <= upper)) {
+      next = 0.5 * (lower + upper);
+    }
+    if (next == s) {
+      break;
+    }
+    s = next;
+  }
+  return 1.0 + s;
+}
+
+vec2 distorted(vec2 q, float z) {
+  int count = textureSize(zones, 0).y;
+  for (int i = 0; i < count; ++i) {
+    vec4 place = texelFetch(zones, ivec2(0, i), 0);
+    vec4 rates = texelFetch(zones, ivec2(1, i), 0);
+    vec2 d = q - place.xy;
+    float f = max(abs(d.x) / place.z, abs(d.y) / place.w);
+    if (f < rates.y) {
+      float r = f <= rates.x ? f / rates.x : inverseOf(f, rates.y, rates.zw, texelFetch(zones, ivec2(2, i), 0));
+      return f > 0.0 ? place.xy + d * (r / f) : q;
+    }
+  }
+  return q;
+}
+bool displacesWithin(vec2 lower, vec2 upper) {
+  int count = textureSize(zones, 0).y;
+  for (int i = 0; i < count; ++i) {
+    vec4 place = texelFetch(zones, ivec2(0, i), 0);
+    vec2 reach = place.zw * texelFetch(zones, ivec2(1, i), 0).y;
+    if (all(lessThanEqual(lower, place.xy + reach)) && all(greaterThanEqual(upper, place.xy - reach))) {
+      return true;
+    }
+  }
+  return false;
 }
 #endif

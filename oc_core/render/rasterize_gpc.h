@@ -1,0 +1,26 @@
+// Feed-forward rasterisation for the general pinhole camera (section 5.2.1.3), piece by piece: its rays are those of a
+// pinhole, so every triangle is projected as by a pinhole, and only where the samples bend is anything else done.
+//
+// Around the regions the image is the pinhole's, and inside of a region it is that of a pinhole that zooms: straight
+// edges stay straight, and triangles are filled as ever. In a transition each pixel of a conservative footprint looks
+// up its place in the pinhole's image and evaluates the triangle's edges there: exact, without subdivision. Only
+// triangles so small that their image has straight edges, but for 1/32 pixel, are filled as such. Each pixel belongs to
+// one of these, by its centre, and within each neighbouring triangles leave no gap.
+#pragma once
+
+#include "oc_core/camera/gpc_camera.h"
+#include "oc_core/render/fragment_image.h"
+#include "oc_core/render/projected_mesh.h"
+#include "oc_core/render/rasterize_subdivided.h"
+
+namespace ocelli {
+
+/// The closest fragment at each pixel of `camera`; both sides of triangles are drawn.
+FragmentImage rasterizeGpc(const GpcCamera& camera, const Mesh& mesh);
+/// The same for a mesh that was projected by the camera's reference.
+FragmentImage rasterizeGpc(const GpcCamera& camera, const ProjectedMesh& projected);
+
+/// With which subdivision (rasterize_subdivided.h) draws this camera without tearing what it zooms.
+SubdivisionOptions gpcSubdivision(const GpcCamera& camera);
+
+}  // namespace ocelli
