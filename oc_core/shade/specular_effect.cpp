@@ -361,8 +361,7 @@ Effect specularEffect() {
   effect.checkWay = checkProxyName;
   effect.castsOnDevice = [](const std::string& text) {
     const SpecularWayName way = specularWay(text);
-    return way.target != kTraced && way.target != kEnvironment && !way.isStepped() &&
-           !namesConstructor(way.target);
+    return way.target != kTraced && way.target != kEnvironment && !way.isStepped() && !namesConstructor(way.target);
   };
   return effect;
 }
