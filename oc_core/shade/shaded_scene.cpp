@@ -6,8 +6,8 @@
 #include <map>
 
 #include "oc_core/base/error.h"
-#include "oc_core/scene/scene.h"
 #include "oc_core/render/raycast.h"
+#include "oc_core/scene/scene.h"
 #include "oc_core/shade/vertex_normals.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/placement.h"
