@@ -3,11 +3,15 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/effect_options.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -29,15 +33,17 @@ struct ShadeChoice {
   std::vector<std::string> by;
   std::string view;
   std::string size = "720x480";
-  std::string imageSize = "720x480";
+  std::string imageSize;
   std::string cell;
   int environmentHeight = 1024;
+  std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
   int runs = 1;
   bool compares = false;
   std::string json;
   std::string csv;
   std::string page;
   std::string output;
+  std::string gl;  ///< empty: the CPU casts all rays
 
   bool jsonToStandardOutput() const { return json == "-"; }
   bool comparesAnything() const { return compares || !json.empty() || !csv.empty() || !page.empty(); }
@@ -67,26 +73,55 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
+/// Throws InputError for options that the effect does not have, and for values that they do not take.
+std::map<std::string, std::string> givenOptions(const ShadeChoice& choice, const Effect& effect) {
+  std::map<std::string, std::string> given;
+  for (const auto& [name, value] : choice.options) {
+    if (value.empty()) {
+      continue;
+    }
+    const auto row = std::find_if(effect.options.begin(), effect.options.end(),
+                                  [&](const EffectOption& option) { return name == option.name; });
+    if (row == effect.options.end()) {
+      throw InputError(fmt::format("the effect \"{}\" has no such option", effect.name), "--" + name,
+                       "leave it away, or choose another --effect");
+    }
+    row->check(value);
+    given[name] = value;
+  }
+  return given;
+}
+
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
       : choice_(choice), context_(context), effect_(shadeEffect(choice.effect)) {
     const ImageSize size = imageSizeFromText(choice.size, "--size");
-    const ImageSize referenceSize = imageSizeFromText(choice.imageSize, "--image-size");
+    glm::ivec2 referenceSize = effect_.referenceSize;
+    if (!choice.imageSize.empty()) {
+      const ImageSize given = imageSizeFromText(choice.imageSize, "--image-size");
+      referenceSize = {given.width, given.height};
+    }
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
-    const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
-        choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
+    const std::map<std::string, std::string> options = givenOptions(choice, effect_);
+    const std::shared_ptr<const DepthRayCaster> caster = openCaster();
+    const auto scene = std::make_shared<const ShadedScene>(
+        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
+                        choice.scene.options, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
-    StageInputs inputs{.scene = scene, .referenceSize = {referenceSize.width, referenceSize.height}};
+    StageInputs inputs{.scene = scene, .referenceSize = referenceSize};
     if (!choice.cell.empty()) {
       inputs.cellSide = cellSideFromText(choice.cell, "--cell");
     }
     inputs.environmentHeight = choice.environmentHeight;
     inputs.progress = context.progress();
+    inputs.picture = camera_;
+    inputs.options = options;
+    inputs.caster = caster;
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
   }
@@ -119,6 +154,20 @@ class ShadeRun {
   }
 
  private:
+  /// Before the scene is loaded, so that a machine without OpenGL says so at once.
+  std::shared_ptr<const DepthRayCaster> openCaster() const {
+    if (choice_.gl.empty()) {
+      return nullptr;
+    }
+    if (effect_.castsOnDevice == nullptr || std::none_of(choice_.by.begin(), choice_.by.end(), effect_.castsOnDevice)) {
+      throw InputError("no ray is cast with OpenGL here", "--gl " + choice_.gl,
+                       "give a camera with --by, and an effect whose rays are cast at its images, or leave --gl out");
+    }
+    std::shared_ptr<const DepthRayCaster> caster = openRayCaster(choice_.gl);
+    context_.note("casting rays at depth images with " + caster->description());
+    return caster;
+  }
+
   void write(const Image<glm::vec3>& picture) const {
     writePng(choice_.output, srgbFromLinear(picture));
     context_.note("wrote " + choice_.output);
@@ -154,14 +203,6 @@ class ShadeRun {
   std::unique_ptr<EffectStage> stage_;
 };
 
-std::string effectHelp() {
-  std::string text;
-  for (const Effect& effect : shadeEffects()) {
-    text += fmt::format("{}{}: {}", text.empty() ? "" : "; ", effect.name, effect.description);
-  }
-  return text;
-}
-
 /// What `--by` takes, said once for effects that take the same.
 std::string waysHelp() {
   std::string text = "What stands for the scene where rays go on. Several with --compare or --page.";
@@ -182,19 +223,36 @@ std::string waysHelp() {
   return text;
 }
 
+/// Each option of the effects once, however many have it.
+void addEffectOptions(CLI::App& command, ShadeChoice& choice) {
+  for (const Effect& effect : shadeEffects()) {
+    for (const EffectOption& option : effect.options) {
+      if (choice.options.contains(option.name)) {
+        continue;
+      }
+      std::string of;
+      for (const Effect& other : shadeEffects()) {
+        const bool has = std::any_of(other.options.begin(), other.options.end(), [&](const EffectOption& each) {
+          return std::string_view(each.name) == option.name;
+        });
+        of += has ? (of.empty() ? "" : ", ") + std::string(other.name) : "";
+      }
+      command
+          .add_option("--" + std::string(option.name), choice.options[option.name],
+                      fmt::format("{} ({} by default). For {}", option.meaning, option.initial, of))
+          ->type_name(option.values);
+    }
+  }
+}
+
 }  // namespace
 
 void addShadeCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
-      "shade", "Draw reflections and refractions whose rays hit reference images, and compare them with traced ones");
+      "shade", "Draw reflections, refractions and relief tiles by reference images, and compare them with traced ones");
   const auto choice = std::make_shared<ShadeChoice>();
   addSceneOptions(command, choice->scene, context);
-  command
-      .add_option(
-          "--roles", choice->roles,
-          "Which objects mirror, refract or cast; by default SCENE.roles.json beside the scene, and for built-in "
-          "scenes their own")
-      ->type_name("FILE.json");
+  addRolesOption(command, choice->roles);
   command.add_option("--effect", choice->effect, effectHelp())->type_name("NAME");
   command.add_option("--by", choice->by, waysHelp())->required()->delimiter(',')->type_name("NAME,...");
   command
@@ -202,19 +260,24 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                   "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
       ->type_name("FILE.json");
   addSizeOption(command, choice->size);
-  command.add_option("--image-size", choice->imageSize, "Size of the reference images in pixels")
+  command
+      .add_option(
+          "--image-size", choice->imageSize,
+          "Size of the reference images in pixels; 720x480 by default, and for relief 512x512, which says how many "
+          "pixels an image has, in the proportions of its object")
       ->type_name("WIDTHxHEIGHT");
   command
       .add_option(
           "--cell", choice->cell,
           "Size of the cell of viewpoints that the reference images are made for, as for evaluate; by default as "
-          "large as what sends the rays")
+          "wide as the rays are at the reference view, or as large as what sends them")
       ->type_name("SIDE");
   command
       .add_option("--environment-height", choice->environmentHeight,
                   "Rows of environment maps, which have twice as many columns")
       ->check(CLI::Range(2, 16384))
       ->type_name("N");
+  addEffectOptions(command, *choice);
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")
       ->check(CLI::Range(1, 1000))
@@ -223,11 +286,15 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a way")->type_name("FILE");
   command.add_option("--page", choice->page, "Also make a page with pictures and error maps in this folder")
       ->type_name("DIR");
+  addGlSwitch(command, choice->gl,
+              "Cast rays at depth images with OpenGL, and compare what they hit with what they hit on the CPU");
   addSecondOutputOption(command, "-o,--output", choice->output, "Where the picture goes", {".png"});
   context.finish(command,
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
+                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,corners-8 --radius 0.4 --page ambient\n"
+                 "  ocelli shade builtin:parking --effect relief --by height-field,spoc,cell --page parking\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {
                    checkOutputs(*choice);

@@ -2,6 +2,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/effect_options.h"
 #include "cli/gl_drawing.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -9,6 +10,7 @@
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/base/error.h"
 #include "oc_core/gl/gl_context.h"
+#include "oc_core/shade/effects.h"
 #endif
 
 namespace ocelli {
@@ -23,6 +25,9 @@ struct ViewChoice {
   std::string script;
   std::string gl = "auto";
   std::string folder = ".";
+  std::string effect;
+  std::string way;
+  std::string roles;
 };
 
 #ifdef OCELLI_WITH_OPENGL
@@ -37,6 +42,18 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
   options.height = size.height;
   options.profile = choice.profile;
   options.folder = choice.folder;
+  options.effect.rolesFile = choice.roles;
+  if (!choice.effect.empty()) {
+    const Effect& effect = shadeEffect(choice.effect);
+    if (!choice.way.empty()) {
+      effect.checkWay(choice.way);
+    }
+    options.effect.on = true;
+    options.effect.effect = choice.effect;
+    options.effect.way = choice.way;
+  } else if (!choice.way.empty()) {
+    throw InputError("only with --effect", "--by " + choice.way, "give --effect NAME, or leave it out");
+  }
   return options;
 }
 
@@ -72,10 +89,16 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("-o,--output", choice->folder, "Folder for saved images and views")->type_name("DIR");
   command.add_option("--offscreen", choice->script, "Play a script to the viewer, without a display")
       ->type_name("SCRIPT.json");
+  command.add_option("--effect", choice->effect, "Start with a picture of this effect, as in shade: " + effectHelp())
+      ->type_name("NAME");
+  command.add_option("--by", choice->way, "What stands for the scene where its rays go; by default the camera")
+      ->type_name("NAME");
+  addRolesOption(command, choice->roles);
   addGlOption(command, choice->gl);
   context.finish(command,
                  "  ocelli view builtin:statues\n"
                  "  ocelli view bunny.obj --camera cell --size 1440x960\n"
+                 "  ocelli view builtin:mirror --effect reflection --by cell\n"
                  "  ocelli view builtin:room --offscreen tour.json -o frames",
                  [choice, context] { view(*choice, context); });
 }

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "display_sim/viewer/display_pane.h"
+#include "display_sim/viewer/effect_overlays.h"
 #include "display_sim/viewer/gui_pieces.h"
 #include "display_sim/viewer/viewer_colors.h"
 
@@ -48,10 +49,27 @@ void drawLegend(Pane pane, const WindowRect& image, const std::vector<LegendEntr
   }
 }
 
+constexpr float kNoteMargin = 8;
+
+/// How wide a note may be.
+float noteRoom(const WindowRect& image, float scale) {
+  return image.width - 4 * kNoteMargin * scale;
+}
+
+/// The first one that takes no more than a quarter of the pane's height, or the last one.
+std::string noteThatFits(const WindowRect& image, const std::vector<std::string>& notes, float scale) {
+  for (const std::string& note : notes) {
+    if (ImGui::CalcTextSize(note.c_str(), nullptr, false, noteRoom(image, scale)).y <= image.height / 4) {
+      return note;
+    }
+  }
+  return notes.back();
+}
+
 /// A line of text on a dimmed ground, at the top left of a pane.
 void drawNote(const WindowRect& image, const std::string& text, float scale) {
-  const float margin = 8 * scale;
-  const float room = image.width - 4 * margin;
+  const float margin = kNoteMargin * scale;
+  const float room = noteRoom(image, scale);
   const ImVec2 size = ImGui::CalcTextSize(text.c_str(), nullptr, false, room);
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const ImVec2 corner(image.x + margin, image.y + margin);
@@ -97,8 +115,19 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
       return fmt::format("{}, {} {}, slice {} of {}", profile.name, state.display.running ? "speed" : "stopped at",
                          speedText(state.display.speed), slice + 1, slices);
     }
+    case Pane::kEffect:
+      return effectDetail(state, facts.effect);
   }
   return {};
+}
+
+/// As many of the parts between commas as the room holds.
+std::string startThatFits(std::string text, float room) {
+  while (!text.empty() && ImGui::CalcTextSize(text.c_str()).x > room) {
+    const size_t comma = text.rfind(", ");
+    text.resize(comma == std::string::npos ? 0 : comma);
+  }
+  return text;
 }
 
 void drawHeader(const PanelDrawing& drawing, const PaneLayout& layout) {
@@ -110,9 +139,10 @@ void drawHeader(const PanelDrawing& drawing, const PaneLayout& layout) {
   ImGui::PopStyleVar();
   ImGui::SetCursorPosY((layout.header.height - ImGui::GetTextLineHeight()) / 2);
   ImGui::TextUnformatted(fmt::format("{}  {}", static_cast<int>(layout.pane) + 1, titleOf(layout.pane)).c_str());
-  const std::string detail = detailOf(drawing, layout.pane);
   ImGui::SameLine();
   const float left = ImGui::GetCursorPosX() + 8 * drawing.scale;
+  const std::string detail =
+      startThatFits(detailOf(drawing, layout.pane), layout.header.width - 10 * drawing.scale - left);
   const float right = layout.header.width - ImGui::CalcTextSize(detail.c_str()).x - 10 * drawing.scale;
   if (right >= left) {
     ImGui::SetCursorPosX(right);
@@ -135,6 +165,15 @@ void drawHeader(const PanelDrawing& drawing, const PaneLayout& layout) {
 std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
   const ViewerState& state = drawing.state;
   const ViewerFacts& facts = drawing.facts;
+  if (pane == Pane::kEffect) {
+    const auto& picture = facts.effect.picture;
+    if (state.effect.content != EffectShown::Content::kDifference || !picture || !picture->difference) {
+      return {};
+    }
+    return {{kRampLight, fmt::format("differs by {} of 255 or more", kHottestDifference)},
+            {kRampDark, "differs by 1"},
+            {{32, 32, 32}, "as traced: dark grey"}};
+  }
   if (!facts.data->camera) {
     return {};
   }
@@ -173,6 +212,7 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
       }
       return {};
     case Pane::kDisplay:
+    case Pane::kEffect:
       return {};
   }
   return {};
@@ -195,6 +235,12 @@ void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
   const std::string& failure = facts.failures[static_cast<size_t>(layout.pane)];
   if (!failure.empty()) {
     drawNote(layout.image, failure, drawing.scale);
+    return;
+  }
+  if (layout.pane == Pane::kEffect) {
+    drawNote(layout.image,
+             noteThatFits(layout.image, effectNotes(drawing.state, facts.effect, facts.showTimes), drawing.scale),
+             drawing.scale);
     return;
   }
   const bool empty = layout.pane == Pane::kScene     ? !facts.data->scene
@@ -241,7 +287,11 @@ std::string missingText(const MissingSamples& missing) {
 void drawPaneOverlays(const PanelDrawing& drawing) {
   for (const PaneLayout& layout : drawing.layout.panes) {
     drawHeader(drawing, layout);
-    drawLegend(layout.pane, layout.image, legendOf(drawing, layout.pane), drawing.scale);
+    WindowRect room = layout.image;
+    if (layout.pane == Pane::kEffect) {
+      room.height -= drawEffectSwitch(drawing, room);
+    }
+    drawLegend(layout.pane, room, legendOf(drawing, layout.pane), drawing.scale);
     drawNotes(drawing, layout);
   }
 }

@@ -139,7 +139,7 @@ void ScriptPlayer::perform(const WaitStep&) {
   do {
     viewer_.waitUntilMade();
     viewer_.update(0);
-  } while (viewer_.facts().work.busy);
+  } while (viewer_.isMaking());
   showFrames();
   settle();
 }
@@ -152,12 +152,32 @@ void ScriptPlayer::perform(const SecondsStep& step) {
   showFrames();
 }
 
+void ScriptPlayer::perform(const EffectStep& step) {
+  viewer_.chooseEffect(step.name, step.way);
+  showFrames();
+}
+
+void ScriptPlayer::perform(const ShowStep& step) {
+  viewer_.chooseEffectContent(step.content);
+  showFrames();
+}
+
 void ScriptPlayer::perform(const SaveStep& step) {
+  viewer_.waitForEffect();
   settle();  // a panel that has just opened is laid out in its first frame, and shows in the next
-  const std::filesystem::path path = folder_ / step.file;
+  write(step.file, viewer_.screenshot());
+}
+
+void ScriptPlayer::perform(const SaveEffectStep& step) {
+  viewer_.waitForEffect();
+  write(step.file, viewer_.effectPicture());
+}
+
+void ScriptPlayer::write(const std::string& file, const Image<Rgb8>& image) {
+  const std::filesystem::path path = folder_ / file;
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);
-  writePng(path, viewer_.screenshot());
+  writePng(path, image);
   if (saved_) {
     saved_(path.string());
   }

@@ -18,8 +18,8 @@ class ScriptPlayer {
   ScriptPlayer(Viewer& viewer, std::filesystem::path folder, std::function<void(const std::string& file)> saved = {});
 
   /// Throws InputError where the first scene cannot be loaded or a step closes the viewer before the last one,
-  /// WorkError where an image cannot be written or the viewer does not come to rest, GlError. All else that goes wrong
-  /// shows in the window, as it would for a person.
+  /// WorkError where an image cannot be written or the viewer does not come to rest, GlError. InputError where the
+  /// effect pane has nothing to save. All else that goes wrong shows in the window, as it would for a person.
   void play(const ViewerScript& script);
   void play(const ScriptStep& step);
 
@@ -42,7 +42,11 @@ class ScriptPlayer {
   void perform(const ResizeStep& step);
   void perform(const WaitStep& step);
   void perform(const SecondsStep& step);
+  void perform(const EffectStep& step);
+  void perform(const ShowStep& step);
   void perform(const SaveStep& step);
+  void perform(const SaveEffectStep& step);
+  void write(const std::string& file, const Image<Rgb8>& image);
 
   Viewer& viewer_;
   std::filesystem::path folder_;

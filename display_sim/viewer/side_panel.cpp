@@ -9,6 +9,7 @@
 
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/viewer/camera_form.h"
+#include "display_sim/viewer/effect_form.h"
 #include "display_sim/viewer/gui_pieces.h"
 
 namespace ocelli {
@@ -77,6 +78,9 @@ void SidePanel::draw(const PanelDrawing& drawing) {
   drawScene(drawing);
   drawCamera(drawing);
   drawDisplay(drawing);
+  if (drawing.state.effect.on) {
+    drawEffectForm(drawing, valueWidth(drawing.scale));
+  }
   drawShown(drawing);
   ImGui::EndChild();
   ImGui::End();
@@ -200,6 +204,11 @@ void SidePanel::drawShown(const PanelDrawing& drawing) {
   ImGui::Checkbox("frustum", &scene.frustum);
   ImGui::SameLine(column);
   ImGui::Checkbox("samples", &scene.samples);
+  ImGui::SameLine(2 * column);
+  bool effect = state.effect.on;
+  if (ImGui::Checkbox("effect", &effect)) {
+    drawing.wishes.actions.push_back(ViewerAction::kToggleEffect);
+  }
   ImGui::PushItemWidth(valueWidth(drawing.scale));
   glm::ivec2 grid(scene.rayColumns, scene.rayRows);
   if (ImGui::SliderInt2("ray grid", &grid.x, 1, kMaxRayRows, "%d", ImGuiSliderFlags_AlwaysClamp)) {

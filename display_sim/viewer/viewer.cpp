@@ -6,6 +6,8 @@
 #include <chrono>
 #include <cmath>
 
+#include "display_sim/viewer/effect_choice.h"
+#include "display_sim/viewer/error_message.h"
 #include "display_sim/viewer/free_file_name.h"
 #include "display_sim/viewer/pane_overlays.h"
 #include "display_sim/viewer/viewer_colors.h"
@@ -22,16 +24,6 @@ constexpr double kMessageSeconds = 5;
 constexpr double kTurnPerPaneHeight = kPi;  // a drag over the whole pane turns half around
 constexpr double kZoomPerScroll = 1.15;
 constexpr double kFrameSmoothing = 0.8;  // of the frame time that is shown
-
-std::string messageOf(const std::exception_ptr& error) {
-  try {
-    std::rethrow_exception(error);
-  } catch (const std::bad_alloc&) {
-    return "out of memory\n  try: a smaller scene or image";
-  } catch (const std::exception& known) {
-    return known.what();
-  }
-}
 
 bool popupIsOpen() {
   return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
@@ -51,6 +43,18 @@ Viewer::Viewer(GlContext& context, const ViewerOptions& options)
   facts_.renderer = context.info().renderer;
   facts_.showTimes = options.showTimes;
   facts_.data = &data_;
+  state_.effect = options.effect;
+  if (options.effect.on) {
+    openEffectPane(state_);
+  }
+  state_.effect.on = options.effect.on || !options.effect.rolesFile.empty() || sceneHasRoles(options.source);
+  if (state_.effect.on) {
+    if (options.reference == View{}) {
+      eyeAtStart_ = state_.reconstruction.view;
+    } else if (options.effect.on) {
+      state_.reconstruction.view = options.reference;
+    }
+  }
   work_.want(state_.work);
 }
 
@@ -182,8 +186,16 @@ void Viewer::handleScroll(const ScrollEvent& event) {
 
 void Viewer::openDropped(const std::string& file) {
   if (!file.ends_with(".json")) {
-    openScene(state_, file);
-  } else if (readJsonFile(file).contains("camera")) {
+    open(file);
+    return;
+  }
+  const nlohmann::json json = readJsonFile(file);
+  if (json.contains("objects")) {
+    state_.effect.on = true;
+    state_.effect.rolesFile = file;
+    ++state_.effect.rolesRead;
+    say("roles of " + file, false);
+  } else if (json.contains("camera")) {
     chooseCamera(state_, file);
     say("camera of " + file, false);
   } else {
@@ -193,7 +205,32 @@ void Viewer::openDropped(const std::string& file) {
 }
 
 void Viewer::open(const std::string& source) {
+  if (state_.work.sceneRevision == loadedRevision_) {
+    effectBefore_ = state_.effect;
+  }
   openScene(state_, source);
+  closeEffectPane(state_);
+  state_.effect = {};
+  state_.effect.on = sceneHasRoles(source);
+  state_.effectHome.reset();
+  eyeAtStart_.reset();
+}
+
+void Viewer::chooseEffect(const std::string& effect, const std::string& way) {
+  attempt([&] {
+    ocelli::chooseEffect(state_, effect);
+    chooseEffectWay(state_, way);
+  });
+}
+
+const Image<Rgb8>& Viewer::effectPicture() const {
+  const auto& picture = facts_.effect.picture;
+  const Image<Rgb8>* shown = picture ? picture->shown(state_.effect.content) : nullptr;
+  if (shown == nullptr) {
+    throw InputError("the effect pane shows no picture", "the viewer",
+                     facts_.effect.error.empty() ? "turn it on and wait until it is drawn" : facts_.effect.error);
+  }
+  return *shown;
 }
 
 void Viewer::choose(const std::string& camera) {
@@ -252,10 +289,11 @@ void Viewer::take(const WorkResult& result) {
     if (result.step == WorkStep::kScene && loadedRevision_ == 0) {
       std::rethrow_exception(result.error);
     }
-    say(messageOf(result.error), true);
+    say(errorMessage(result.error), true);
     if (result.step == WorkStep::kScene) {  // what was there stays
       state_.work.source = loadedSource_;
       state_.work.sceneRevision = loadedRevision_;
+      state_.effect = effectBefore_;
     }
   }
   try {
@@ -286,9 +324,77 @@ void Viewer::update(double seconds) {
   }
   work_.want(state_.work);  // what failed may have been taken back
   facts_.work = work_.status();
+  takeEffect();
   if (data_.camera && static_cast<size_t>(state_.reference.image) >= data_.camera->representation.images.size()) {
     state_.reference.image = 0;
   }
+}
+
+EffectWanted Viewer::effectWanted() const {
+  EffectWanted wanted;
+  if (state_.work.sceneRevision != loadedRevision_) {  // what there is stays until another scene has come
+    wanted = lastWanted_;
+    wanted.shows = false;
+    return wanted;
+  }
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = where.find(Pane::kEffect);
+  wanted.on = state_.effect.on;
+  if (!wanted.on) {
+    return wanted;
+  }
+  wanted.shows = pane != nullptr && window_.width > 0;
+  wanted.source = loadedSource_;
+  wanted.sceneOptions = state_.work.sceneOptions;
+  wanted.sceneRevision = loadedRevision_;
+  wanted.rolesFile = state_.effect.rolesFile;
+  wanted.rolesRead = state_.effect.rolesRead;
+  wanted.effect = state_.effect.effect;
+  wanted.way = chosenWay(state_);
+  const glm::ivec2 size(state_.work.width, state_.work.height);
+  wanted.referenceSize = size == glm::ivec2(kDefaultWidth, kDefaultHeight) ? glm::ivec2(0) : size;
+  wanted.environmentHeight = options_.environmentHeight;
+  wanted.view = state_.reconstruction.view;
+  wanted.size = pane != nullptr ? effectPlace(state_, pixelsOf(pane->image)).size : glm::ivec2(1);
+  wanted.content = state_.effect.content;
+  return wanted;
+}
+
+void Viewer::wantEffect() {
+  lastWanted_ = effectWanted();
+  effects_.want(lastWanted_);
+  facts_.effect = effects_.status();
+}
+
+void Viewer::takeEffect() {
+  wantEffect();
+  const EffectStatus& status = facts_.effect;
+  if (!lastWanted_.on || status.sceneRevision != state_.work.sceneRevision) {
+    return;
+  }
+  if (state_.effect.effect.empty()) {
+    state_.effect.effect = status.effect;
+  }
+  if (status.home && status.effect == state_.effect.effect) {
+    if (eyeAtStart_ && *eyeAtStart_ == state_.reconstruction.view) {
+      state_.reconstruction.view = *status.home;
+    }
+    eyeAtStart_.reset();
+    state_.effectHome = status.home;
+  }
+  wantEffect();  // what has come to be known changes it
+}
+
+void Viewer::waitUntilMade() {
+  work_.waitUntilIdle();
+  effects_.waitUntilIdle();
+}
+
+void Viewer::waitForEffect() {
+  do {
+    effects_.waitUntilIdle();
+    update(0);
+  } while (facts_.effect.busy);
 }
 
 bool Viewer::isMoving() const {
@@ -335,6 +441,8 @@ bool Viewer::drawAnew(const PaneLayout& pane) {
       return drawing_->reconstruction.draw(state_, data_, size, drawing_->meshes);
     case Pane::kDisplay:
       return drawing_->display.draw(state_, data_, size, lineScale);
+    case Pane::kEffect:
+      return drawing_->effect.draw(state_, facts_.effect, size);
   }
   OC_CHECK(false, "every pane is drawn");
 }
@@ -393,6 +501,8 @@ const PaneTarget& Viewer::Drawing::targetOf(Pane pane) const {
       return reconstruction.target();
     case Pane::kDisplay:
       return display.target();
+    case Pane::kEffect:
+      return effect.target();
   }
   OC_CHECK(false, "every pane has its image");
 }

@@ -11,6 +11,7 @@
 #include <functional>
 
 #include "display_sim/viewer/display_pane.h"
+#include "display_sim/viewer/effect_pane.h"
 #include "display_sim/viewer/reconstruction_pane.h"
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_pane.h"
@@ -29,6 +30,10 @@ struct ViewerOptions {
   std::string profile = "perspecta";
   std::filesystem::path folder = ".";  ///< where images and views are saved
   bool showTimes = true;               ///< figures that differ from run to run
+  /// Where it is on, the viewer starts in the effect pane. It is among the others where something says the roles of the
+  /// scene's objects. Its names are those of oc_core/shade/effects.h.
+  EffectShown effect = {};
+  int environmentHeight = 1024;  ///< rows of the environment maps of effects: as `ocelli shade` has them
 };
 
 class Viewer {
@@ -52,18 +57,29 @@ class Viewer {
   const ViewerFacts& facts() const { return facts_; }
   /// Asked to by a key or a CloseEvent.
   bool wantsClose() const { return wantsClose_; }
-  /// Whether another frame would look different: something moves, waits or is being made.
+  /// Whether another frame would look different: something moves, waits or is being made. A picture of the effect may
+  /// come at any time while facts().effect is busy.
   bool isMoving() const;
   /// Whether events still wait for a frame.
   bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
   /// Whether the next frame would tell more, though nothing moves.
   bool isSettling() const;
   /// Until nothing is being made any more. Update and draw afterwards.
-  void waitUntilMade() { work_.waitUntilIdle(); }
+  void waitUntilMade();
+  /// Until the picture of the effect is whole, where its pane shows. Draw afterwards.
+  void waitForEffect();
+  /// Whether something is being made.
+  bool isMaking() const { return facts_.work.busy || facts_.effect.busy; }
 
   /// As if these had been asked for in the window.
   void open(const std::string& source);
   void choose(const std::string& camera);
+  /// Opens the effect pane; `way` may be empty, for the camera.
+  void chooseEffect(const std::string& effect, const std::string& way);
+  void chooseEffectContent(EffectShown::Content content) { state_.effect.content = content; }
+
+  /// What the effect pane shows, as large as there, without texts over it. Throws InputError where it shows nothing.
+  const Image<Rgb8>& effectPicture() const;
 
  private:
   /// What draws, made under one GlScope.
@@ -74,6 +90,7 @@ class Viewer {
           reference(context),
           reconstruction(context),
           display(context),
+          effect(context),
           image(context) {}
 
     const PaneTarget& targetOf(Pane pane) const;
@@ -83,6 +100,7 @@ class Viewer {
     ReferencePane reference;
     ReconstructionPane reconstruction;
     DisplayPane display;
+    EffectPane effect;
     PaneTarget image;
   };
   struct Drag {
@@ -101,6 +119,9 @@ class Viewer {
   void attempt(const std::function<void()>& body);
   void say(const std::string& text, bool isError);
   void take(const WorkResult& result);
+  EffectWanted effectWanted() const;
+  void wantEffect();
+  void takeEffect();
   void saveScreenshot();
   void saveView();
   void pickPixel();
@@ -121,6 +142,10 @@ class Viewer {
   std::string profileName_;  ///< of `profile_`
   DisplayProfile profile_;
   BackgroundWork work_;
+  EffectWork effects_;
+  EffectWanted lastWanted_;
+  EffectShown effectBefore_;        ///< while another scene is being loaded
+  std::optional<View> eyeAtStart_;  ///< which goes to the view of the effect, unless it has moved
   ViewerData data_;
   GuiLayer gui_;
   SidePanel panel_;

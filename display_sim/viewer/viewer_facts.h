@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "display_sim/viewer/effect_work.h"
 #include "display_sim/viewer/reconstruction_pane.h"
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_lines.h"
@@ -23,6 +24,7 @@ struct ViewerFacts {
   ReferenceScale scale;
   std::optional<PickedPixel> picked;
   std::string displayProblem;
+  EffectStatus effect;
   std::array<std::string, kPaneCount> failures;  ///< why OpenGL could not draw a pane; empty where it could
   std::string message;
   bool messageIsError = false;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 
+#include "display_sim/viewer/effect_choice.h"
+
 namespace ocelli {
 namespace {
 
@@ -17,6 +19,7 @@ constexpr const char* kPanesGroup = "Panes";
 constexpr const char* kCameraGroup = "Camera";
 constexpr const char* kShow = "What panes show";
 constexpr const char* kDisplayGroup = "Display";
+constexpr const char* kEffectGroup = "Effect: reflections and others";
 constexpr const char* kWindow = "Window and files";
 
 ReferenceShown::Quantity next(ReferenceShown::Quantity quantity) {
@@ -45,8 +48,17 @@ void maximise(ViewerState& state, Pane pane) {
   state.active = pane;
 }
 
-Pane neighbour(Pane pane, size_t step) {
-  return kPanes[(static_cast<size_t>(pane) + step) % kPaneCount];
+Pane neighbour(const ViewerState& state, size_t step) {
+  Pane pane = state.active;
+  do {
+    pane = kPanes[(static_cast<size_t>(pane) + step) % kPaneCount];
+  } while (!isOffered(state, pane));
+  return pane;
+}
+
+/// Shows this in the effect pane, or the chosen way where it is shown already.
+void switchTo(ViewerState& state, EffectShown::Content content) {
+  state.effect.content = state.effect.content == content ? EffectShown::Content::kByWay : content;
 }
 
 /// What moves the active pane, in steps.
@@ -98,11 +110,12 @@ const std::vector<KeyBinding>& keyBindings() {
 
       {Key::kTab, kNextPane, kPanesGroup, "Tab  Shift + Tab", "next, previous pane"},
       {Key::kTab, kPreviousPane, kPanesGroup, "", "", true},
-      {Key::k1, kMaximise1, kPanesGroup, "1  2  3  4", "one pane alone"},
+      {Key::k1, kMaximise1, kPanesGroup, "1  2  3  4  5", "one pane alone; 5 is the effect"},
       {Key::k2, kMaximise2, kPanesGroup, "", ""},
       {Key::k3, kMaximise3, kPanesGroup, "", ""},
       {Key::k4, kMaximise4, kPanesGroup, "", ""},
-      {Key::k0, kShowAll, kPanesGroup, "0", "all four"},
+      {Key::k5, kMaximise5, kPanesGroup, "", ""},
+      {Key::k0, kShowAll, kPanesGroup, "0", "all panes"},
 
       {Key::kC, kNextCamera, kCameraGroup, "C  Shift + C", "next, previous camera"},
       {Key::kC, kPreviousCamera, kCameraGroup, "", "", true},
@@ -130,6 +143,14 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kP, kNextProfile, kDisplayGroup, "P", "next display"},
       {Key::kZ, kToggleSliced, kDisplayGroup, "Z", "shows the mesh or the scene itself"},
 
+      {Key::kK, kSwitchToTraced, kEffectGroup, "K  Shift + K", "traced or by the way, their difference"},
+      {Key::kK, kSwitchToDifference, kEffectGroup, "", "", true},
+      {Key::kU, kNextWay, kEffectGroup, "U  Y", "next way, effect; Shift: previous"},
+      {Key::kU, kPreviousWay, kEffectGroup, "", "", true},
+      {Key::kY, kNextEffect, kEffectGroup, "", ""},
+      {Key::kY, kPreviousEffect, kEffectGroup, "", "", true},
+      {Key::kO, kToggleEffect, kEffectGroup, "O", "the effect pane on, off"},
+
       {Key::kH, kHelp, kWindow, "H  F1", "this help"},
       {Key::kF1, kHelp, kWindow, "", ""},
       {Key::kG, kTogglePanel, kWindow, "G", "panel on the left"},
@@ -156,7 +177,7 @@ const std::vector<PointerBinding>& pointerBindings() {
       {"Right or Shift drag", "move sideways"},
       {"Wheel", "nearer, farther away"},
       {"Over the image", "read a sample, see its ray"},
-      {"Drop a file", "open it: scene, view or camera"},
+      {"Drop a file", "open it: scene, view, camera or roles"},
   };
   return bindings;
 }
@@ -171,10 +192,10 @@ bool applyAction(ViewerState& state, ViewerAction action) {
   }
   switch (action) {
     case kNextPane:
-      activate(state, neighbour(state.active, 1));
+      activate(state, neighbour(state, 1));
       return true;
     case kPreviousPane:
-      activate(state, neighbour(state.active, kPaneCount - 1));
+      activate(state, neighbour(state, kPaneCount - 1));
       return true;
     case kMaximise1:
       maximise(state, Pane::kScene);
@@ -187,6 +208,9 @@ bool applyAction(ViewerState& state, ViewerAction action) {
       return true;
     case kMaximise4:
       maximise(state, Pane::kDisplay);
+      return true;
+    case kMaximise5:
+      openEffectPane(state);
       return true;
     case kShowAll:
       state.maximised.reset();
@@ -261,6 +285,32 @@ bool applyAction(ViewerState& state, ViewerAction action) {
     case kToggleSliced:
       toggle(state.work.sliceScene);
       displayChanged(state);
+      return true;
+    case kToggleEffect:
+      if (state.effect.on) {
+        closeEffectPane(state);
+      } else {
+        state.effect.on = true;
+        activate(state, Pane::kEffect);
+      }
+      return true;
+    case kSwitchToTraced:
+      switchTo(state, EffectShown::Content::kByTracing);
+      return true;
+    case kSwitchToDifference:
+      switchTo(state, EffectShown::Content::kDifference);
+      return true;
+    case kNextWay:
+      chooseNextEffectWay(state, 1);
+      return true;
+    case kPreviousWay:
+      chooseNextEffectWay(state, -1);
+      return true;
+    case kNextEffect:
+      chooseNextEffect(state, 1);
+      return true;
+    case kPreviousEffect:
+      chooseNextEffect(state, -1);
       return true;
     case kHelp:
       toggle(state.help);

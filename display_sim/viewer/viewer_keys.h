@@ -13,12 +13,13 @@ namespace ocelli {
 enum class ViewerAction {
   // clang-format off
   kTurnLeft, kTurnRight, kTurnUp, kTurnDown, kMoveLeft, kMoveRight, kMoveUp, kMoveDown, kZoomIn, kZoomOut, kResetView,
-  kNextPane, kPreviousPane, kMaximise1, kMaximise2, kMaximise3, kMaximise4, kShowAll,
+  kNextPane, kPreviousPane, kMaximise1, kMaximise2, kMaximise3, kMaximise4, kMaximise5, kShowAll,
   kNextCamera, kPreviousCamera, kWiderCell, kNarrowerCell, kReferenceToEye,
   kToggleRays, kToggleStraightRays, kToggleFrustum, kToggleCell, kToggleSamples, kToggleCloseUp,
   kNextQuantity, kNextImage,
   kNextContent, kToggleBlink,
   kRunOrStop, kSlower, kFaster, kStepBack, kStepForward, kToggleFollow, kNextProfile, kToggleSliced,
+  kToggleEffect, kSwitchToTraced, kSwitchToDifference, kNextWay, kPreviousWay, kNextEffect, kPreviousEffect,
   kHelp, kTogglePanel, kFocusPanel, kScreenshot, kSaveView, kEscape, kQuit,
   // clang-format on
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace ocelli {
 namespace {
@@ -48,14 +49,18 @@ ViewerLayout viewerLayout(const ViewerState& state, const glm::vec2& windowSize,
     layout.panes.push_back(paneIn(*state.maximised, area, header));
     return layout;
   }
-  const float width = std::floor((area.width - gap) / 2);
+  std::vector<Pane> offered;
+  std::copy_if(kPanes.begin(), kPanes.end(), std::back_inserter(offered),
+               [&](Pane pane) { return isOffered(state, pane); });
+  const size_t inUpperRow = offered.size() / 2;
   const float height = std::floor((area.height - gap) / 2);
-  for (const Pane pane : kPanes) {
-    const auto index = static_cast<size_t>(pane);
-    const bool isRight = index % 2 != 0;
-    const bool isLow = index / 2 != 0;
+  for (size_t i = 0; i < offered.size(); ++i) {
+    const bool isLow = i >= inUpperRow;
+    const auto columns = static_cast<float>(isLow ? offered.size() - inUpperRow : inUpperRow);
+    const auto column = static_cast<float>(isLow ? i - inUpperRow : i);
+    const float width = std::floor((area.width - gap * (columns - 1)) / columns);
     layout.panes.push_back(paneIn(
-        pane, {area.x + (isRight ? width + gap : 0), area.y + (isLow ? height + gap : 0), width, height}, header));
+        offered[i], {area.x + column * (width + gap), area.y + (isLow ? height + gap : 0), width, height}, header));
   }
   return layout;
 }

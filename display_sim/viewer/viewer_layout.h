@@ -1,4 +1,5 @@
-// Where things are in the window: a panel on the left, four panes, a bar below. Screen coordinates.
+// Where things are in the window: a panel on the left, four panes in two rows, a fifth one beside the lower two where
+// it is on, a bar below. Screen coordinates.
 #pragma once
 
 #include <vector>

@@ -10,6 +10,12 @@ namespace {
 
 /// Where nothing moves, a window looks whether something is made at least so often.
 constexpr double kRestSeconds = 0.5;
+/// ... and so often where pictures of an effect may come, which are drawn by the same cores as the window.
+constexpr double kEffectRestSeconds = 0.02;
+
+double restOf(const Viewer& viewer) {
+  return viewer.isMoving() ? 0 : viewer.facts().effect.busy ? kEffectRestSeconds : kRestSeconds;
+}
 
 }  // namespace
 
@@ -19,7 +25,7 @@ void runViewerWindow(const ViewerOptions& options) {
   Viewer viewer(window.context(), options);
   auto last = Clock::now();
   while (!viewer.wantsClose()) {
-    for (const InputEvent& event : window.poll(viewer.isMoving() ? 0 : kRestSeconds)) {
+    for (const InputEvent& event : window.poll(restOf(viewer))) {
       viewer.handle(event);
     }
     const auto now = Clock::now();

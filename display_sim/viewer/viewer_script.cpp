@@ -109,12 +109,24 @@ ScriptStep readInside(JsonFields& fields, const std::string& name, const std::st
   return step;
 }
 
-ScriptStep readSave(JsonFields& fields) {
-  const std::string file = readName(fields, "save");
+std::string readImageFile(JsonFields& fields, const std::string& name) {
+  const std::string file = readName(fields, name);
   if (!file.ends_with(".png")) {
-    fields.fail("save", "must be a file that ends in .png");
+    fields.fail(name, "must be a file that ends in .png");
   }
-  return SaveStep{file};
+  return file;
+}
+
+ScriptStep readShow(JsonFields& fields) {
+  const std::string name = fields.text("show");
+  std::string known;
+  for (const EffectShown::Content content : kEffectContents) {
+    if (name == nameOf(content)) {
+      return ShowStep{content};
+    }
+    known += (known.empty() ? "" : ", ") + std::string(nameOf(content));
+  }
+  fields.fail("show", "must be one of: " + known);
 }
 
 ScriptStep readWait(JsonFields& fields) {
@@ -162,7 +174,17 @@ const std::map<std::string, StepReader>& stepReaders() {
       {"wait", [](JsonFields& fields, const auto&) { return readWait(fields); }},
       {"seconds",
        [](JsonFields& fields, const auto&) { return SecondsStep{fields.number("seconds", 0, kMaxSeconds)}; }},
-      {"save", [](JsonFields& fields, const auto&) { return readSave(fields); }},
+      {"effect",
+       [](JsonFields& fields, const std::string& where) {
+         return readInside(fields, "effect", where, [](JsonFields& inside) {
+           const std::string name = readName(inside, "name");
+           return EffectStep{name, inside.has("by") ? readName(inside, "by") : ""};
+         });
+       }},
+      {"show", [](JsonFields& fields, const auto&) { return readShow(fields); }},
+      {"save", [](JsonFields& fields, const auto&) { return SaveStep{readImageFile(fields, "save")}; }},
+      {"save_effect",
+       [](JsonFields& fields, const auto&) { return SaveEffectStep{readImageFile(fields, "save_effect")}; }},
   };
   return readers;
 }

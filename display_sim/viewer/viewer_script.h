@@ -11,6 +11,7 @@
 #include <variant>
 #include <vector>
 
+#include "display_sim/viewer/viewer_state.h"
 #include "oc_core/base/input_event.h"
 
 namespace ocelli {
@@ -67,13 +68,28 @@ struct WaitStep {};
 struct SecondsStep {
   double seconds = 0;
 };
-/// An image of the window; a PNG file.
+/// An effect, which opens its pane, and what stands for the scene in it: empty for the camera.
+struct EffectStep {
+  std::string name;
+  std::string way;
+};
+/// What the effect pane shows.
+struct ShowStep {
+  EffectShown::Content content = EffectShown::Content::kByWay;
+};
+/// An image of the window, with the picture of the effect as it is once it is whole; a PNG file.
 struct SaveStep {
   std::string file;
 };
 
-using ScriptStep = std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep,
-                                ScrollStep, ResizeStep, WaitStep, SecondsStep, SaveStep>;
+/// The picture that the effect pane shows, by itself; a PNG file.
+struct SaveEffectStep {
+  std::string file;
+};
+
+using ScriptStep =
+    std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep, ScrollStep,
+                 ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep, SaveEffectStep>;
 
 struct ViewerScript {
   int width = 1280;

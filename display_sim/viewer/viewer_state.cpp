@@ -66,7 +66,7 @@ std::string_view named(std::initializer_list<std::string_view> names, Enum value
 }  // namespace
 
 std::string_view titleOf(Pane pane) {
-  return named({"Scene", "Reference image", "Reconstruction", "Display"}, pane);
+  return named({"Scene", "Reference image", "Reconstruction", "Display", "Effect"}, pane);
 }
 
 std::string_view nameOf(ReferenceShown::Quantity quantity) {
@@ -75,6 +75,14 @@ std::string_view nameOf(ReferenceShown::Quantity quantity) {
 
 std::string_view nameOf(ReconstructionShown::Content content) {
   return named({"missing marked", "as it is", "truth", "beside truth", "blinking with truth"}, content);
+}
+
+std::string_view nameOf(EffectShown::Content content) {
+  return named({"way", "traced", "difference"}, content);
+}
+
+bool isOffered(const ViewerState& state, Pane pane) {
+  return pane != Pane::kEffect || state.effect.on;
 }
 
 ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
@@ -166,6 +174,7 @@ void orbitPane(ViewerState& state, Pane pane, double right, double up) {
       panPane(state, pane, right / kPi, up / kPi);
       return;
     case Pane::kReconstruction:
+    case Pane::kEffect:
       state.reconstruction.view = orbited(state.reconstruction.view, right, up);
       return;
     case Pane::kDisplay:
@@ -186,6 +195,7 @@ void panPane(ViewerState& state, Pane pane, double right, double up) {
       return;
     }
     case Pane::kReconstruction:
+    case Pane::kEffect:
       state.reconstruction.view = panned(state.reconstruction.view, right, up);
       return;
     case Pane::kDisplay:  // an observer looks at the middle of the display
@@ -203,6 +213,7 @@ void zoomPane(ViewerState& state, Pane pane, double factor) {
       state.reference.zoom = std::clamp(state.reference.zoom * factor, 1.0, kMaxReferenceZoom);
       return;
     case Pane::kReconstruction:
+    case Pane::kEffect:
       state.reconstruction.view = zoomed(state.reconstruction.view, 1 / factor);
       return;
     case Pane::kDisplay:
@@ -223,6 +234,9 @@ void resetPane(ViewerState& state, Pane pane) {
       return;
     case Pane::kReconstruction:
       state.reconstruction.view = state.work.reference;
+      return;
+    case Pane::kEffect:
+      state.reconstruction.view = state.effectHome.value_or(state.work.reference);
       return;
     case Pane::kDisplay:
       state.display.view = displayFrontView();

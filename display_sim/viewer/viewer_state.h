@@ -15,10 +15,11 @@
 
 namespace ocelli {
 
-enum class Pane { kScene, kReference, kReconstruction, kDisplay };
-inline constexpr size_t kPaneCount = 4;
-inline constexpr std::array kPanes{Pane::kScene, Pane::kReference, Pane::kReconstruction, Pane::kDisplay};
-/// "Scene", "Reference image", "Reconstruction", "Display".
+enum class Pane { kScene, kReference, kReconstruction, kDisplay, kEffect };
+inline constexpr size_t kPaneCount = 5;
+inline constexpr std::array kPanes{Pane::kScene, Pane::kReference, Pane::kReconstruction, Pane::kDisplay,
+                                   Pane::kEffect};
+/// "Scene", "Reference image", "Reconstruction", "Display", "Effect".
 std::string_view titleOf(Pane pane);
 
 /// What has to be made. Code that changes a part of it must give that part the next revision.
@@ -87,12 +88,30 @@ struct DisplayShown {
 inline constexpr double kMinSpeed = 1.0 / 16384;
 inline constexpr double kMaxSpeed = 4;
 
+/// The effect pane: what `ocelli shade` draws (oc_core/shade/effects.h), from where the user's eye is.
+struct EffectShown {
+  enum class Content { kByWay, kByTracing, kDifference };
+  bool on = false;
+  std::string effect;     ///< its name; empty: the first one that the scene has objects for
+  std::string way;        ///< what stands for the scene where its rays go; empty: the camera, where the effect takes it
+  std::string rolesFile;  ///< empty: that of the scene
+  int rolesRead = 0;      ///< counts how often it was given, as it may have changed
+  Content content = Content::kByWay;
+  bool operator==(const EffectShown&) const = default;
+};
+inline constexpr std::array kEffectContents{EffectShown::Content::kByWay, EffectShown::Content::kByTracing,
+                                            EffectShown::Content::kDifference};
+std::string_view nameOf(EffectShown::Content content);
+
 struct ViewerState {
   WorkWanted work;
   SceneShown scene;
   ReferenceShown reference;
   ReconstructionShown reconstruction;
   DisplayShown display;
+  EffectShown effect;
+  /// Where Home brings the user's eye in the effect pane: the view of the effect, once that is known.
+  std::optional<View> effectHome;
 
   Pane active = Pane::kReconstruction;  ///< the one that keys move
   std::optional<Pane> maximised;
@@ -105,6 +124,9 @@ struct ViewerState {
 /// view cell.
 ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
                         const View& reference, int width, int height, const std::string& profile);
+
+/// Whether a pane has a place among the others.
+bool isOffered(const ViewerState& state, Pane pane);
 
 /// Shows another scene. The views stay as they are.
 void openScene(ViewerState& state, const std::string& source);
@@ -131,12 +153,12 @@ inline constexpr int kMinImageSide = 16;
 inline constexpr int kMaxImageSide = 8192;
 
 /// Turns, moves or zooms what a pane shows; `right` and `up` as the eye goes. Angles in radians, distances in heights
-/// of the pane. In the image, both move it.
+/// of the pane. In the image, both move it. The reconstruction and the effect are seen by one eye, the user's.
 void orbitPane(ViewerState& state, Pane pane, double right, double up);
 void panPane(ViewerState& state, Pane pane, double right, double up);
 /// Above 1 nearer.
 void zoomPane(ViewerState& state, Pane pane, double factor);
-/// Back to where it was when the viewer opened; the user's eye to the reference view.
+/// Back to where it was when the viewer opened; the user's eye to the reference view, in the effect pane to its view.
 void resetPane(ViewerState& state, Pane pane);
 
 /// The scene pane from close by, or from afar again.

@@ -121,7 +121,7 @@ void drawHelp(const PanelDrawing& drawing) {
   }
   const float scale = drawing.scale;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(960 * scale, window.x - 16 * scale), std::min(590 * scale, window.y - 16 * scale));
+  const ImVec2 size(std::min(960 * scale, window.x - 16 * scale), std::min(680 * scale, window.y - 16 * scale));
   ImGui::SetNextWindowPos({(window.x - size.x) / 2, (window.y - size.y) / 2});
   ImGui::SetNextWindowSize(size);
   ImGui::Begin("help", nullptr,

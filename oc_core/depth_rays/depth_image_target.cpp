@@ -35,8 +35,10 @@ std::optional<Hit> firstHit(const RayPath& path, const Mesh& mesh, const Meet& m
 
 }  // namespace
 
-DepthImageTarget::DepthImageTarget(const ReferenceImages& images)
-    : cells_(std::make_unique<SampleCells>(sampleCells(images))), pyramid_(*cells_) {}
+DepthImageTarget::DepthImageTarget(const ReferenceImages& images) : DepthImageTarget(sampleCells(images), kCells) {}
+
+DepthImageTarget::DepthImageTarget(SampleCells cells, Cells)
+    : cells_(std::make_unique<SampleCells>(std::move(cells))), pyramid_(*cells_) {}
 
 std::optional<Hit> DepthImageTarget::hit(const RayPath& ray) const {
   RayCost ignored;

@@ -8,6 +8,7 @@
 
 #include <memory>
 #include <optional>
+#include <utility>
 
 #include "oc_core/depth_rays/sample_cells.h"
 #include "oc_core/depth_rays/sample_pyramid.h"
@@ -19,6 +20,8 @@ class DepthImageTarget final : public RayTarget {
  public:
   /// Images without samples, and no image at all, are met by no ray.
   explicit DepthImageTarget(const ReferenceImages& images);
+  /// Surfaces between samples that were made in another way (rim_cells.h).
+  static DepthImageTarget ofCells(SampleCells cells) { return {std::move(cells), kCells}; }
 
   /// The first surface between samples that the ray meets, from either side; its colour is interpolated between them.
   /// The element is the triangle: cells().placeOf(). Nothing for rays whose coordinates are not finite or as large as
@@ -31,10 +34,14 @@ class DepthImageTarget final : public RayTarget {
 
   Box bounds() const override { return pyramid_.bounds(); }
   const SampleCells& cells() const { return *cells_; }
+  const SamplePyramid& pyramid() const { return pyramid_; }
   /// The most steps that one straight piece of a ray can take.
   size_t maxSteps() const { return pyramid_.maxSteps(); }
 
  private:
+  enum Cells { kCells };
+  DepthImageTarget(SampleCells cells, Cells);
+
   std::unique_ptr<SampleCells> cells_;  ///< stays where it is
   SamplePyramid pyramid_;
 };

@@ -35,6 +35,24 @@ SampleCells::Place SampleCells::placeOf(uint32_t triangle) const {
   return {grid->image, pixel % grid->width, pixel / grid->width};
 }
 
+SampleCells cellsFrom(Mesh mesh, std::vector<SampleGrid> grids, uint32_t pixels,
+                      const std::vector<uint32_t>& cellOfTriangle) {
+  SampleCells cells{std::move(mesh), std::move(grids), {}};
+  // Sorted by cell; within one, in their order.
+  cells.firstTriangle.assign(static_cast<size_t>(pixels) + 1, 0);
+  for (const uint32_t cell : cellOfTriangle) {
+    ++cells.firstTriangle[cell + 1];
+  }
+  std::partial_sum(cells.firstTriangle.begin(), cells.firstTriangle.end(), cells.firstTriangle.begin());
+  std::vector<uint32_t> next(cells.firstTriangle.begin(), cells.firstTriangle.end() - 1);
+  std::vector<glm::uvec3> sorted(cellOfTriangle.size());
+  for (size_t i = 0; i < sorted.size(); ++i) {
+    sorted[next[cellOfTriangle[i]]++] = cells.mesh.triangles[i];
+  }
+  cells.mesh.triangles = std::move(sorted);
+  return cells;
+}
+
 SampleCells sampleCells(const ReferenceImages& images) {
   SampleCells cells;
   std::vector<uint32_t> cellOfTriangle;
@@ -52,18 +70,21 @@ SampleCells sampleCells(const ReferenceImages& images) {
       append(cells.mesh, part.mesh);
     }
   }
-  // Sorted by cell; within one, in their order.
-  cells.firstTriangle.assign(static_cast<size_t>(pixels) + 1, 0);
-  for (const uint32_t cell : cellOfTriangle) {
-    ++cells.firstTriangle[cell + 1];
+  return cellsFrom(std::move(cells.mesh), std::move(cells.grids), pixels, cellOfTriangle);
+}
+
+SampleCells triangleCells(const Mesh& mesh) {
+  // As wide as the groups that a pyramid makes of neighbours, so that each holds triangles that follow each other.
+  constexpr int kColumns = 4;
+  const size_t count = mesh.triangles.size();
+  const auto rows = static_cast<int>((count + kColumns - 1) / kColumns);
+  SampleCells cells{mesh, {}, std::vector<uint32_t>(static_cast<size_t>(rows) * kColumns + 1)};
+  for (size_t i = 0; i < cells.firstTriangle.size(); ++i) {
+    cells.firstTriangle[i] = static_cast<uint32_t>(std::min(i, count));
   }
-  std::partial_sum(cells.firstTriangle.begin(), cells.firstTriangle.end(), cells.firstTriangle.begin());
-  std::vector<uint32_t> next(cells.firstTriangle.begin(), cells.firstTriangle.end() - 1);
-  std::vector<glm::uvec3> sorted(cellOfTriangle.size());
-  for (size_t i = 0; i < sorted.size(); ++i) {
-    sorted[next[cellOfTriangle[i]]++] = cells.mesh.triangles[i];
+  if (rows > 0) {
+    cells.grids.push_back({0, kColumns, rows, 0});
   }
-  cells.mesh.triangles = std::move(sorted);
   return cells;
 }
 

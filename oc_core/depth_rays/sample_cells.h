@@ -39,7 +39,14 @@ struct SampleCells {
   Place placeOf(uint32_t triangle) const;
 };
 
+/// From triangles in any order, and the cell of each; `pixels` are those of all grids.
+SampleCells cellsFrom(Mesh mesh, std::vector<SampleGrid> grids, uint32_t pixels,
+                      const std::vector<uint32_t>& cellOfTriangle);
+
 /// No image, and images without samples, give no triangle.
 SampleCells sampleCells(const ReferenceImages& images);
+
+/// A mesh in place of images, for what is met exactly: a cell a triangle, in their order.
+SampleCells triangleCells(const Mesh& mesh);
 
 }  // namespace ocelli

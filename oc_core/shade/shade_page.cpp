@@ -28,7 +28,7 @@ std::string tableOf(const ShadeReport& report) {
   std::string html =
       "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Figures\"><table><caption>Against the traced "
       "picture, on this machine.</caption>\n<thead><tr><th scope=\"col\">By</th>";
-  const std::vector<size_t> shown = shownColumns(report.effect);
+  const std::vector<size_t> shown = shownColumns(report);
   for (const size_t column : shown) {
     html += fmt::format("<th scope=\"col\">{}</th>", htmlFromText(report.effect.columns[column].heading));
   }
@@ -89,7 +89,7 @@ std::string shadePage(const ShadeReport& report) {
   html +=
       "</div>\n</section>\n<section aria-labelledby=\"meaning\">\n<h2 id=\"meaning\">What the figures "
       "mean</h2>\n<dl>\n";
-  for (const size_t column : shownColumns(report.effect)) {
+  for (const size_t column : shownColumns(report)) {
     html += fmt::format("<dt>{}</dt><dd>{}.</dd>\n", htmlFromText(report.effect.columns[column].heading),
                         htmlFromText(report.effect.columns[column].meaning));
   }

@@ -31,10 +31,12 @@ nlohmann::ordered_json numberOrNull(const std::optional<double>& value) {
 
 }  // namespace
 
-std::vector<size_t> shownColumns(const Effect& effect) {
+std::vector<size_t> shownColumns(const ShadeReport& report) {
   std::vector<size_t> shown;
-  for (size_t i = 0; i < effect.columns.size(); ++i) {
-    if (effect.columns[i].heading != nullptr) {
+  for (size_t i = 0; i < report.effect.columns.size(); ++i) {
+    const bool hasFigure = std::any_of(report.ways.begin(), report.ways.end(),
+                                       [&](const ShadedWay& way) { return way.figures[i].has_value(); });
+    if (report.effect.columns[i].heading != nullptr && hasFigure) {
       shown.push_back(i);
     }
   }
@@ -53,7 +55,7 @@ std::string shadeTable(const ShadeReport& report) {
   for (const ShadedWay& way : report.ways) {
     widest = std::max(widest, way.name.size());
   }
-  const std::vector<size_t> shown = shownColumns(report.effect);
+  const std::vector<size_t> shown = shownColumns(report);
   std::string text = fmt::format("{:<{}}", "by", widest);
   for (const size_t column : shown) {
     text += fmt::format("  {:>10}", report.effect.columns[column].heading);

@@ -20,8 +20,8 @@ struct ShadeReport {
   std::vector<ShadedWay> ways = {};  ///< each with a figure a column of the effect
 };
 
-/// The columns that tables show, as indices of Effect::columns.
-std::vector<size_t> shownColumns(const Effect& effect);
+/// The columns that tables show, as indices of Effect::columns: those with a heading of which a way has a figure.
+std::vector<size_t> shownColumns(const ShadeReport& report);
 /// As tables show it; "-" where there is none.
 std::string textOf(const FigureColumn& column, const std::optional<double>& figure);
 

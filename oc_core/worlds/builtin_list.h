@@ -5,6 +5,7 @@
 
 namespace ocelli {
 
+BuiltinScene barrelsScene();
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
@@ -13,7 +14,9 @@ BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene lensScene();
 BuiltinScene mazeScene();
+BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
+BuiltinScene parkingScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
 BuiltinScene statuesScene();

@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <string>
 #include <vector>
 
@@ -25,14 +26,17 @@ inline constexpr uint32_t kRefracts = 2;
 inline constexpr uint32_t kCasts = 4;
 inline constexpr uint32_t kReceives = 8;
 inline constexpr uint32_t kIsBillboard = 16;
+inline constexpr uint32_t kIsRelief = 32;
 
 /// All there are, in the order of lists.
-inline constexpr std::array<ObjectRole, 5> kObjectRoles{{
-    {"mirror", "a perfect mirror: it shows what its reflected rays meet", kMirrors},
+inline constexpr std::array<ObjectRole, 6> kObjectRoles{{
+    {"mirror", "a perfect mirror: it shows what its reflected rays meet; if it is cast too, other rays go on from it",
+     kMirrors},
     {"refract", "clear glass: it shows what its refracted rays meet", kRefracts},
     {"cast", "what depth images stand for, where rays meet it", kCasts},
     {"receive", "shadows and ambient light are measured on it", kReceives},
     {"billboard", "of few triangles: rays meet it exactly, beside every depth image", kIsBillboard},
+    {"relief", "one image of it is made and drawn wherever it stands: relief tiles", kIsRelief},
 }};
 
 /// An object of a scene, or one that comes to it.
@@ -45,6 +49,8 @@ struct RoledObject {
   glm::vec3 center{0};
   double radius = 0.3;
   double turnDegrees = 0;  ///< about the vertical, counter-clockwise seen from above
+  /// More copies of it, as centre and turn in degrees; then `center` and `turnDegrees` say nothing. Only of tiles.
+  std::vector<glm::dvec4> places = {};
 
   bool has(uint32_t role) const { return (roles & role) != 0; }
 };

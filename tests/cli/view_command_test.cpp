@@ -79,6 +79,39 @@ TEST(ViewCommand, wrongOptionsAreErrors) {
   }
 }
 
+// The view that J saves, and the size of the picture, are all that `ocelli shade` needs to draw the same.
+TEST(ViewCommand, theEffectPaneShowsWhatShadeDraws) {
+  const TemporaryFolder folder;
+  const ProgramResult result =
+      view("builtin:mirror",
+           R"({"size": [480, 320], "steps": [{"wait": "idle"}, {"save_effect": "home.png"}, {"key": "Right"},
+               {"key": "Up"}, {"key": "J"}, {"save_effect": "turned.png"}]})",
+           folder, "--effect reflection --by di");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const Image<Rgb8> turned = readPng(folder / "frames/turned.png");
+  const std::string shade = "shade builtin:mirror --by di --reference middle --image-size 90x60 --size " + std::to_string(turned.width()) +
+                            "x" + std::to_string(turned.height()) + " -o " + inQuotes(folder / "shade.png");
+  ASSERT_EQ(runProgram(shade).exitCode, 0);
+  EXPECT_EQ(readPng(folder / "shade.png"), readPng(folder / "frames/home.png"));
+  ASSERT_EQ(runProgram(shade + " --view " + inQuotes(folder / "frames/ocelli-view-001.json")).exitCode, 0);
+  EXPECT_EQ(readPng(folder / "shade.png"), turned);
+  EXPECT_NE(turned, readPng(folder / "frames/home.png"));
+}
+
+TEST(ViewCommand, wrongEffectsAreErrors) {
+  const TemporaryFolder folder;
+  const auto expectError = [&](const char* more, const char* part) {
+    const ProgramResult result = view("builtin:teapot", R"({"steps": [{"save_effect": "none.png"}]})", folder, more);
+    EXPECT_EQ(result.exitCode, 2) << more;
+    EXPECT_THAT(result.error, HasSubstr(part)) << more;
+  };
+  expectError("--effect refelction", "reflection, refraction");
+  expectError("--effect reflection --by none", "--by");
+  expectError("--by di", "only with --effect");
+  expectError("--effect reflection", "drop a file of roles");
+  expectError("--effect reflection --roles none.json", "none.json");
+}
+
 TEST(ViewCommand, aWindowTakesNoProvider) {
   const ProgramResult result = runProgram("view builtin:teapot --gl osmesa");
   EXPECT_EQ(result.exitCode, 2);

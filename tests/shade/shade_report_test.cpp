@@ -61,6 +61,15 @@ TEST(ShadeReport, theTableSaysRatiosInPercentAndHidesColumnsWithoutHeading) {
   EXPECT_THAT(table, testing::Not(HasSubstr("200")));
 }
 
+TEST(ShadeReport, theTableLeavesOutColumnsOfWhichNoWayHasAFigure) {
+  TwoWays two;
+  EXPECT_THAT(shadeTable(two.report), HasSubstr("lost %"));
+  two.report.ways[1].figures[2].reset();
+  EXPECT_THAT(shadeTable(two.report), testing::Not(HasSubstr("lost %")));
+  EXPECT_THAT(shadePage(two.report), testing::Not(HasSubstr("lost %")));
+  EXPECT_THAT(shadeCsv(two.report), HasSubstr("lost")) << "files have all columns";
+}
+
 TEST(ShadePage, showsEachWayWithItsMapsAndEscapesNames) {
   TwoWays two;
   two.report.ways[1].name = "<x>";

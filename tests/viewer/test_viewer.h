@@ -62,6 +62,7 @@ class TestViewer {
     options.profile = "test";
     options.folder = folder;
     options.showTimes = false;
+    options.environmentHeight = 64;
     return options;
   }
 };

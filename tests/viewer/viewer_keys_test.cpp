@@ -46,7 +46,8 @@ TEST(ViewerKeys, arrowsMoveTheActivePaneAlone) {
     EXPECT_TRUE(applyAction(state, ViewerAction::kTurnLeft));
     EXPECT_EQ(state.scene.view != before.scene.view, pane == Pane::kScene);
     EXPECT_EQ(!(state.reference == before.reference), pane == Pane::kReference);
-    EXPECT_EQ(state.reconstruction.view != before.reconstruction.view, pane == Pane::kReconstruction);
+    EXPECT_EQ(state.reconstruction.view != before.reconstruction.view,
+              pane == Pane::kReconstruction || pane == Pane::kEffect);
     EXPECT_EQ(state.display.view != before.display.view, pane == Pane::kDisplay);
   }
 }
@@ -75,6 +76,35 @@ TEST(ViewerKeys, tabGoesRoundAndFollowsALonePane) {
   EXPECT_EQ(state.maximised, Pane::kScene);
   applyAction(state, ViewerAction::kShowAll);
   EXPECT_FALSE(state.maximised.has_value());
+}
+
+TEST(ViewerKeys, theEffectPaneIsOnlyOnTheWayWhereItIsOn) {
+  ViewerState state = keyState();
+  state.active = Pane::kScene;
+  applyAction(state, ViewerAction::kPreviousPane);
+  EXPECT_EQ(state.active, Pane::kDisplay);
+  applyAction(state, ViewerAction::kToggleEffect);
+  EXPECT_TRUE(state.effect.on);
+  EXPECT_EQ(state.active, Pane::kEffect);
+  applyAction(state, ViewerAction::kNextPane);
+  EXPECT_EQ(state.active, Pane::kScene);
+  applyAction(state, ViewerAction::kMaximise5);
+  EXPECT_EQ(state.maximised, Pane::kEffect);
+  applyAction(state, ViewerAction::kToggleEffect);
+  EXPECT_FALSE(state.effect.on);
+  EXPECT_NE(state.active, Pane::kEffect);
+  EXPECT_FALSE(state.maximised.has_value());
+}
+
+TEST(ViewerKeys, theEffectPaneSwitchesAndComesBack) {
+  using enum EffectShown::Content;
+  ViewerState state = keyState();
+  applyAction(state, ViewerAction::kSwitchToTraced);
+  EXPECT_EQ(state.effect.content, kByTracing);
+  applyAction(state, ViewerAction::kSwitchToDifference);
+  EXPECT_EQ(state.effect.content, kDifference);
+  applyAction(state, ViewerAction::kSwitchToDifference);
+  EXPECT_EQ(state.effect.content, kByWay);
 }
 
 TEST(ViewerKeys, escapeLeavesTheHelpFirst) {

@@ -28,6 +28,7 @@ TEST(ViewerLayout, nothingOverlapsOrLeavesTheWindow) {
       ViewerState state = layoutState();
       for (const bool panel : {true, false}) {
         state.panel = panel;
+        state.effect.on = panel;
         for (const auto maximised : {std::optional<Pane>(), std::optional(Pane::kDisplay)}) {
           state.maximised = maximised;
           const ViewerLayout layout = viewerLayout(state, size, scale);
@@ -47,7 +48,10 @@ TEST(ViewerLayout, nothingOverlapsOrLeavesTheWindow) {
 }
 
 TEST(ViewerLayout, panesAreFoundByTheirPlace) {
-  const ViewerLayout layout = viewerLayout(layoutState(), {1280, 800}, 1);
+  ViewerState state = layoutState();
+  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), kPaneCount - 1);
+  state.effect.on = true;
+  const ViewerLayout layout = viewerLayout(state, {1280, 800}, 1);
   ASSERT_EQ(layout.panes.size(), kPaneCount);
   for (const Pane pane : kPanes) {
     const WindowRect& image = layout.find(pane)->image;

@@ -55,6 +55,15 @@ TEST(ViewerScript, readsEveryStep) {
   EXPECT_TRUE(std::holds_alternative<WaitStep>(stepOf(R"({"wait": "idle"})")));
   EXPECT_EQ(std::get<SecondsStep>(stepOf(R"({"seconds": 0.5})")).seconds, 0.5);
   EXPECT_EQ(std::get<SaveStep>(stepOf(R"({"save": "a.png"})")).file, "a.png");
+  EXPECT_EQ(std::get<SaveEffectStep>(stepOf(R"({"save_effect": "a.png"})")).file, "a.png");
+  const auto effect = std::get<EffectStep>(stepOf(R"({"effect": {"name": "reflection", "by": "cell"}})"));
+  EXPECT_EQ(effect.name, "reflection");
+  EXPECT_EQ(effect.way, "cell");
+  EXPECT_EQ(std::get<EffectStep>(stepOf(R"({"effect": {"name": "reflection"}})")).way, "");
+  for (const EffectShown::Content content : kEffectContents) {
+    const std::string step = R"({"show": ")" + std::string(nameOf(content)) + R"("})";
+    EXPECT_EQ(std::get<ShowStep>(stepOf(step)).content, content);
+  }
 }
 
 TEST(ViewerScript, keysTakeModifiers) {
@@ -96,6 +105,14 @@ TEST(ViewerScript, refusesHostileValues) {
                            R"({"wait": "forever"})",
                            R"({"save": "image.jpg"})",
                            R"({"save": ""})",
+                           R"({"save_effect": "image.jpg"})",
+                           R"({"effect": "reflection"})",
+                           R"({"effect": {"by": "cell"}})",
+                           R"({"effect": {"name": ""}})",
+                           R"({"effect": {"name": "reflection", "by": ""}})",
+                           R"({"effect": {"name": "reflection", "with": "cell"}})",
+                           R"({"show": "by"})",
+                           R"({"show": 1})",
                            R"({"drag": 3})",
                            R"({"scroll": {"at": [1, 2], "up": 1e9}})",
                            R"({"scroll": {"up": 1}})",
@@ -165,11 +182,32 @@ TEST(ViewerScript, theSchemaHasTheLimitsThatAreRead) {
   });
 }
 
+TEST(ViewerScript, theSchemaNamesWhatTheEffectPaneShows) {
+  const nlohmann::json schema = readJsonFile(OCELLI_VIEWER_SCRIPT_SCHEMA);
+  std::vector<std::string> names;
+  for (const EffectShown::Content content : kEffectContents) {
+    names.emplace_back(nameOf(content));
+  }
+  EXPECT_EQ(schema.at("$defs").at("step").at("properties").at("show").at("enum").get<std::vector<std::string>>(),
+            names);
+}
+
 TEST(ViewerScript, theTourIsOne) {
   const ViewerScript tour = readViewerScript(OCELLI_VIEWER_TOUR);
   const auto saves = std::count_if(tour.steps.begin(), tour.steps.end(),
                                    [](const ScriptStep& step) { return std::holds_alternative<SaveStep>(step); });
   EXPECT_GE(saves, 10);
+}
+
+TEST(ViewerScript, theOneThroughEffectsTakesEachStepOfThem) {
+  const ViewerScript effects = readViewerScript(OCELLI_VIEWER_EFFECTS);
+  size_t taken = 0;
+  for (const ScriptStep& step : effects.steps) {
+    taken |= std::holds_alternative<EffectStep>(step) ? 1 : 0;
+    taken |= std::holds_alternative<ShowStep>(step) ? 2 : 0;
+    taken |= std::holds_alternative<SaveEffectStep>(step) ? 4 : 0;
+  }
+  EXPECT_EQ(taken, 7U);
 }
 
 TEST(ViewerScript, aMissingFileIsAnError) {

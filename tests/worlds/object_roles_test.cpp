@@ -16,7 +16,8 @@ using testing::HasSubstr;
 const char* const kGoodRoles = R"({"objects": [
   {"object": 2, "roles": ["cast", "receive"]},
   {"source": "builtin:sphere", "roles": ["refract"], "refractive_index": 1.33, "center": [1, 2, 3], "radius": 0.5,
-   "turn_degrees": 30}]})";
+   "turn_degrees": 30},
+  {"source": "car.obj", "roles": ["relief"], "places": [{"center": [1, 0, 2]}, {"center": [3, 0, 2], "turn_degrees": 90}]}]})";
 
 std::string rolesError(const std::string& text) {
   try {
@@ -33,7 +34,7 @@ std::string objectError(const std::string& object) {
 
 TEST(ObjectRoles, areRead) {
   const std::vector<RoledObject> objects = objectRolesFromJsonText(kGoodRoles, "roles.json");
-  ASSERT_EQ(objects.size(), 2u);
+  ASSERT_EQ(objects.size(), 3u);
   EXPECT_EQ(objects[0].object, 2u);
   EXPECT_EQ(objects[0].roles, kCasts | kReceives);
   EXPECT_EQ(objects[0].source, "");
@@ -43,6 +44,11 @@ TEST(ObjectRoles, areRead) {
   EXPECT_EQ(objects[1].center, glm::vec3(1, 2, 3));
   EXPECT_EQ(objects[1].radius, 0.5);
   EXPECT_EQ(objects[1].turnDegrees, 30);
+  EXPECT_TRUE(objects[1].places.empty());
+  EXPECT_EQ(objects[2].roles, kIsRelief);
+  ASSERT_EQ(objects[2].places.size(), 2u);
+  EXPECT_EQ(objects[2].places[0], glm::dvec4(1, 0, 2, 0));
+  EXPECT_EQ(objects[2].places[1], glm::dvec4(3, 0, 2, 90));
 }
 
 TEST(ObjectRoles, agreeWithTheirSchema) {
@@ -65,7 +71,9 @@ TEST(ObjectRoles, mistakesAreNamed) {
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["miror"]})"), HasSubstr("mirror, refract, cast"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast", "cast"]})"), HasSubstr("twice"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "refract"]})"), HasSubstr("both mirror and refract"));
-  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "cast"]})"), HasSubstr("cannot be cast"));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["refract", "cast"]})"), HasSubstr("cannot be cast"));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "billboard"]})"), HasSubstr("cannot be billboard"));
+  EXPECT_EQ(objectError(R"({"object": 1, "roles": ["mirror", "cast"]})"), "");
   EXPECT_THAT(objectError(R"({"roles": ["cast"]})"), HasSubstr("must be given, and not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "source": "x", "roles": ["cast"]})"), HasSubstr("not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast"]}, {"object": 1, "roles": ["cast"]})"),
@@ -73,6 +81,11 @@ TEST(ObjectRoles, mistakesAreNamed) {
   EXPECT_NE(objectError(R"({"object": 1, "roles": ["refract"], "refractive_index": 0.9})"), "");
   EXPECT_NE(objectError(R"({"source": "x", "roles": ["cast"], "radius": 0})"), "");
   EXPECT_NE(objectError(R"({"object": 1, "roles": ["cast"], "color": 3})"), "");
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "relief"]})"), HasSubstr("billboard or relief"));
+  EXPECT_THAT(objectError(R"({"source": "x", "roles": ["cast"], "places": [{"center": [0, 0, 0]}]})"),
+              HasSubstr("role \"relief\""));
+  EXPECT_NE(objectError(R"({"source": "x", "roles": ["relief"], "places": []})"), "");
+  EXPECT_NE(objectError(R"({"source": "x", "roles": ["relief"], "places": [{"turn_degrees": 3}]})"), "");
 }
 
 TEST(ObjectRoles, builtinScenesHaveTheirs) {
