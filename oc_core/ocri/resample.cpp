@@ -42,7 +42,11 @@ class PinholeSource {
         focal_(static_cast<double>(camera_.focalPixels())),
         center_(camera_.centerPixels()),
         axes_(glm::transpose(
-            glm::dmat3(glm::dvec3(camera_.right()), glm::dvec3(camera_.down()), glm::dvec3(camera_.forward())))) {}
+            glm::dmat3(glm::dvec3(camera_.right()), glm::dvec3(camera_.down()), glm::dvec3(camera_.forward())))) {
+    for (size_t i = 0; i < image.t.size(); ++i) {
+      nearest_ = image.holds(i) ? std::min(nearest_, image.t[i]) : nearest_;
+    }
+  }
 
   const PinholeCamera& camera() const { return camera_; }
 
@@ -89,9 +93,30 @@ class PinholeSource {
     return mixed(lower.y) * (1 - f.y) + mixed(upper.y) * f.y;
   }
 
-  bool seesNothing(const glm::dvec2& place) const {
-    return !image_.holds(std::min(static_cast<int>(place.x), image_.width() - 1),
-                         std::min(static_cast<int>(place.y), image_.height() - 1));
+  /// Whether nothing stands on a ray from elsewhere, as far as the image tells: it sees all of the ray up to infinity.
+  /// What lies behind its samples it does not see. `direction` has a length of 1 along the view direction of `eye`.
+  bool seesAll(const glm::vec3& eye, const glm::dvec3& direction) const {
+    constexpr int kSteps = 128;
+    constexpr double kBehind = 1.01;
+    const glm::dvec3 from = glm::dvec3(eye) - glm::dvec3(camera_.eye());
+    for (int i = 0; i <= kSteps; ++i) {
+      // Equal steps of 1/z, from half of the nearest sample's z.
+      const double inverse = 2.0 / static_cast<double>(nearest_) * (kSteps - i) / kSteps;
+      const glm::dvec3 point = from * inverse + direction;  // divided by its z
+      const std::optional<glm::dvec2> at = place(point);
+      if (!at) {
+        if (i == kSteps) {
+          return false;
+        }
+        continue;
+      }
+      const int x = std::min(static_cast<int>(at->x), image_.width() - 1);
+      const int y = std::min(static_cast<int>(at->y), image_.height() - 1);
+      if (image_.holds(x, y) && (axes_ * point).z > kBehind * static_cast<double>(image_.t(x, y)) * inverse) {
+        return false;
+      }
+    }
+    return true;
   }
 
  private:
@@ -100,7 +125,8 @@ class PinholeSource {
   GpcMap map_;
   double focal_;
   glm::dvec2 center_;
-  glm::dmat3 axes_;  ///< camera coordinates from those of the world
+  float nearest_ = 1e9f;  ///< z of its samples
+  glm::dmat3 axes_;       ///< camera coordinates from those of the world
 };
 
 /// The directions of a view's pixels, not of unit length.
@@ -200,9 +226,7 @@ void warp(const ReferenceImages& images, const PinholeSource* source, const Pinh
         }
         continue;
       }
-      // Nothing is seen where the image sees nothing either, however far away; else something hid what is here.
-      const auto place = source != nullptr ? source->place(rays.at(glm::dvec2(x, y) + 0.5)) : std::nullopt;
-      view.hole(x, y) = !(place && source->seesNothing(*place));
+      view.hole(x, y) = source == nullptr || !source->seesAll(camera.eye(), rays.at(glm::dvec2(x, y) + 0.5));
     }
   });
 }
