@@ -32,6 +32,7 @@ struct ShadeChoice {
   std::string imageSize = "720x480";
   std::string cell;
   int environmentHeight = 1024;
+  int lightSamples = 1024;
   int runs = 1;
   bool compares = false;
   std::string json;
@@ -67,6 +68,15 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
+/// The rows of a square of so many samples.
+int lightSideFrom(int samples) {
+  int side = 8;
+  while (side * side < samples) {
+    side += 8;
+  }
+  return side;
+}
+
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
@@ -76,8 +86,10 @@ class ShadeRun {
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
-    const auto scene = std::make_shared<const ShadedScene>(loadShadedScene(
-        choice.scene.source, rolesFor(choice.scene.source, choice.roles), choice.scene.options, context.progress()));
+    SceneOptions options = choice.scene.options;
+    options.shading = effect_.lightsScene ? Shading::kNone : options.shading;
+    const auto scene = std::make_shared<const ShadedScene>(
+        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles), options, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
@@ -86,6 +98,7 @@ class ShadeRun {
       inputs.cellSide = cellSideFromText(choice.cell, "--cell");
     }
     inputs.environmentHeight = choice.environmentHeight;
+    inputs.lightSide = lightSideFrom(choice.lightSamples);
     inputs.progress = context.progress();
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
@@ -214,6 +227,11 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       .add_option("--environment-height", choice->environmentHeight,
                   "Rows of environment maps, which have twice as many columns")
       ->check(CLI::Range(2, 16384))
+      ->type_name("N");
+  command
+      .add_option("--light-samples", choice->lightSamples,
+                  "Samples of an area light that decide how much of it is seen: 64, 256, 576 or 1024")
+      ->check(CLI::IsMember({64, 256, 576, 1024}))
       ->type_name("N");
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")

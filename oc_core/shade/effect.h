@@ -94,6 +94,7 @@ struct StageInputs {
   std::optional<float> cellSide =
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
+  int lightSide = 32;            ///< rows of the samples of an area light, which has their square
   Progress progress = {};
 };
 
@@ -114,6 +115,8 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  /// Whether it lights the scene: that is to be loaded with Shading::kNone, so that no other light is in its colours.
+  bool lightsScene = false;
 };
 
 }  // namespace ocelli

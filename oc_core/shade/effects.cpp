@@ -1,12 +1,13 @@
 #include "oc_core/shade/effects.h"
 
 #include "oc_core/base/error.h"
+#include "oc_core/shade/shadow_effect.h"
 #include "oc_core/shade/specular_effect.h"
 
 namespace ocelli {
 
 const std::vector<Effect>& shadeEffects() {
-  static const std::vector<Effect> effects{reflectionEffect(), refractionEffect()};
+  static const std::vector<Effect> effects{reflectionEffect(), refractionEffect(), shadowEffect()};
   return effects;
 }
 

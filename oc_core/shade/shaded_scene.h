@@ -24,6 +24,11 @@ struct ShadedScene {
   Mesh cast;          ///< what depth images stand for
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
+  /// Of each triangle of `cast`, then of `billboards`, then of `surroundings`: whether its object has the role
+  /// `receive`.
+  std::vector<uint8_t> receives = {};
+  /// Their panels are parts of `surroundings`.
+  std::vector<AreaLight> lights = {};
 };
 
 /// The file of roles beside the file of a scene: "teapot.roles.json" beside "teapot.obj".

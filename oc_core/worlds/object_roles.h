@@ -9,8 +9,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "oc_core/scene/area_light.h"
 
 namespace ocelli {
 
@@ -25,14 +28,16 @@ inline constexpr uint32_t kRefracts = 2;
 inline constexpr uint32_t kCasts = 4;
 inline constexpr uint32_t kReceives = 8;
 inline constexpr uint32_t kIsBillboard = 16;
+inline constexpr uint32_t kShines = 64;
 
 /// All there are, in the order of lists.
-inline constexpr std::array<ObjectRole, 5> kObjectRoles{{
+inline constexpr std::array<ObjectRole, 6> kObjectRoles{{
     {"mirror", "a perfect mirror: it shows what its reflected rays meet", kMirrors},
     {"refract", "clear glass: it shows what its refracted rays meet", kRefracts},
     {"cast", "what depth images stand for, where rays meet it", kCasts},
     {"receive", "shadows and ambient light are measured on it", kReceives},
     {"billboard", "of few triangles: rays meet it exactly, beside every depth image", kIsBillboard},
+    {"light", "a flat panel that is the light of soft shadows, or a light that comes to the scene", kShines},
 }};
 
 /// An object of a scene, or one that comes to it.
@@ -45,6 +50,8 @@ struct RoledObject {
   glm::vec3 center{0};
   double radius = 0.3;
   double turnDegrees = 0;  ///< about the vertical, counter-clockwise seen from above
+  /// A light that comes; nothing for objects, also for a panel of the scene that is the light.
+  std::optional<AreaLight> light = {};
 
   bool has(uint32_t role) const { return (roles & role) != 0; }
 };

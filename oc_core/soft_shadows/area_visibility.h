@@ -1,0 +1,58 @@
+// How much of an area light points of surfaces see: what soft shadows are made of (section 3.5.3). The text replaces
+// the pinhole of a shadow map by an occlusion camera, which holds what all points of the light see, and gives no
+// algorithm. The ways to integrate over the light stand behind this interface.
+//
+// Visibility is the share of the light's area that no surface hides, 0 to 1; all parts of the light count alike. It is
+// 0 for points that the light does not shine at: behind its plane, or turned away from all of it.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "oc_core/soft_shadows/light_frame.h"
+
+namespace ocelli {
+
+/// A point that receives light. Nearly all ways are faster where neighbours follow each other.
+struct ShadowReceiver {
+  glm::vec3 position{0};  ///< world
+  glm::vec3 normal{0};    ///< unit, of the surface, on the side that is seen
+};
+
+/// Points of sampled surfaces are off by up to a footprint: receivers are lifted by so much along their normals, so
+/// that a surface does not hide the light from itself.
+struct ReceiverLift {
+  float least = 1e-4f;    ///< world units: more than single precision rounds
+  float perDistance = 0;  ///< and of the distance from the plane of the light
+  float at(float z) const { return std::max(least, perDistance * z); }
+};
+
+struct ShadowWork {
+  uint64_t rays = 0;      ///< that were cast
+  uint64_t elements = 0;  ///< edges, samples or texels that were looked at
+};
+
+struct LightVisibility {
+  std::vector<float> share;  ///< of each receiver
+  /// What the share is off by, as far as its way can tell; empty where it cannot.
+  std::vector<float> estimatedError = {};
+  ShadowWork work = {};
+};
+
+class AreaVisibility {
+ public:
+  virtual ~AreaVisibility() = default;
+  /// Of each receiver. On all threads, with the same result for any number of them.
+  virtual LightVisibility of(std::span<const ShadowReceiver> receivers) const = 0;
+};
+
+/// Where a receiver stands as the light sees it, lifted; nothing where the light does not shine at it: at or behind its
+/// plane, or with the surface turned away from every point of the light.
+struct LitReceiver {
+  glm::vec3 position{0};  ///< in the frame of the light
+  glm::vec3 normal{0};
+};
+bool isLit(const ShadowReceiver& receiver, const LightFrame& frame, const ReceiverLift& lift, LitReceiver& lit);
+
+}  // namespace ocelli

@@ -1,0 +1,44 @@
+// The outlines that a block of neighbouring receivers shares, projected onto the light for one of them after the other.
+// For .cpp files.
+#pragma once
+
+#include <vector>
+
+#include "oc_core/soft_shadows/edge_tree.h"
+#include "oc_core/soft_shadows/light_cover.h"
+
+namespace ocelli {
+
+/// Edges as arrays of numbers, so that loops over them become vector instructions.
+class OutlineBlock {
+ public:
+  /// `folds` and `rims` of `edges` that the block shares. `receivers` is their box, in the frame of the light.
+  void take(const std::vector<const OccluderEdge*>& shared, const std::vector<glm::vec4>& planes, const Box& receivers);
+  bool empty() const { return edges_.empty(); }
+  size_t size() const { return edges_.size(); }
+
+  struct Projected {
+    size_t edges = 0;        ///< that came over the light
+    double lengthening = 0;  ///< the sum over them of distance from the light times how much projection enlarges there
+  };
+  /// Adds those that come over the light, as `receiver` sees them, to `cover`.
+  Projected project(const glm::vec3& receiver, const LightGrid& grid, const std::vector<glm::vec4>& planes,
+                    LightCover& cover);
+
+ private:
+  struct Ends {
+    std::vector<float> x, y, z;
+    void clear();
+    void push(const glm::vec3& p);
+  };
+
+  std::vector<const OccluderEdge*> edges_;
+  Ends a_;
+  Ends b_;
+  std::vector<int8_t> weight_;            ///< of edges whose weight is the same for all receivers; kVaries for others
+  std::vector<uint8_t> isCut_;            ///< whether it may reach behind the plane of a receiver
+  std::vector<float> ax_, ay_, bx_, by_;  ///< projected, grid coordinates
+  static constexpr int8_t kVaries = 127;
+};
+
+}  // namespace ocelli
