@@ -175,7 +175,7 @@ void requireLight(const ShadedScene& scene) {
   }
 }
 
-/// Of what receives light, from in front and above, as wide as the sphere around it.
+/// Of what receives light, from in front and above, as wide as the box around it.
 View shadowView(const ShadedScene& scene) {
   Box box;
   size_t triangle = 0;
@@ -189,14 +189,20 @@ View shadowView(const ShadedScene& scene) {
     }
   }
   constexpr double kElevationDegrees = 25;
-  constexpr double kWidth = 0.72;  // of the sphere around the box: floors fill little of its height
+  constexpr double kMargin = 1.04;
   View view;
   view.target = box.center();
   const auto elevation = static_cast<float>(radiansFromDegrees(kElevationDegrees));
   view.eye =
       view.target + glm::vec3(0, std::sin(elevation), std::cos(elevation)) * static_cast<float>(kDefaultEyeDistance);
-  const double radius = kWidth * static_cast<double>(glm::length(box.size())) / 2;
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(std::min(radius / kDefaultEyeDistance, 1.0)));
+  view.fovVerticalDegrees = 90;
+  const PinholeCamera wide(view, kDefaultWidth, kDefaultHeight);
+  double tangent = 1e-3;
+  for (const glm::vec3& corner : cornersOf(box)) {
+    const glm::dvec3 p(wide.cameraFromWorld(corner));
+    tangent = std::max(tangent, std::max(std::abs(p.y), std::abs(p.x) * kDefaultHeight / kDefaultWidth) / p.z);
+  }
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(std::min(tangent * kMargin, 1.0)));
   return view;
 }
 

@@ -71,7 +71,8 @@ ShadowPixels ShadowSurfaces::seenBy(const PinholeCamera& camera) const {
         }
         const glm::vec3 incoming = glm::normalize(path.back() - path.front());
         normal = glm::dot(normal, incoming) > 0 ? -normal / length : normal / length;
-        Seen each{{static_cast<uint32_t>(result.base.index(x, y)), false, color, 0}, {position, normal}};
+        Seen each{{static_cast<uint32_t>(result.base.index(x, y)), false, color, 0},
+                  {position, normal, fragment.triangle < scene_.cast.triangles.size()}};
         LitReceiver lit;
         if (isLit(each.receiver, frame_, {}, lit)) {
           each.pixel.isMeasured = fragment.triangle < scene_.receives.size() && scene_.receives[fragment.triangle] != 0;

@@ -33,7 +33,9 @@ double sinceShadowStart(ShadowClock::time_point start) {
 
 ReceiverLift liftFor(const ShadowInputs& in) {
   ReceiverLift lift;
-  lift.perDistance = kLiftFootprints / in.reference.focalPixels();
+  const char* e = getenv("LIFT");
+  lift.perDistance = (e ? static_cast<float>(atof(e)) : kLiftFootprints) / in.reference.focalPixels();
+  lift.towardsLight = (getenv("AHEAD") ? static_cast<float>(atof(getenv("AHEAD"))) : 0) / in.reference.focalPixels();
   return lift;
 }
 
@@ -67,7 +69,10 @@ BuiltShadow outlinesOfGeometry(const ShadowInputs& in) {
 BuiltShadow outlinesOfImages(const CameraChoice& choice, const ShadowInputs& in) {
   BuiltShadow built{.name = choice.name};
   const auto start = ShadowClock::now();
-  const ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
+  ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
+  for (ReferenceImage& image : images) {
+    image.seenFromAside = getenv("ASIDE") != nullptr;
+  }
   Mesh mesh = unionMesh(images);
   built.buildMilliseconds = sinceShadowStart(start);
   for (const ReferenceImage& image : images) {

@@ -12,10 +12,13 @@ bool isLit(const ShadowReceiver& receiver, const LightFrame& frame, const Receiv
   }
   // The corner of the light that stands highest over the plane of the surface.
   const glm::vec3 highest(std::copysign(frame.half().x, normal.x), std::copysign(frame.half().y, normal.y), 0);
-  if (!(glm::dot(normal, highest - position) > 0)) {
+  const float horizon = glm::dot(normal, position);
+  if (!(glm::dot(normal, highest) > horizon)) {
     return false;
   }
-  lit = {position + normal * lift.at(position.z), normal};
+  const bool seesHorizon = !(glm::dot(normal, -highest) > horizon);
+  const float ahead = receiver.isSampled ? lift.towardsLight * position.z : 0;
+  lit = {position + normal * lift.at(position.z, receiver.isSampled) - glm::normalize(position) * ahead, normal, horizon, seesHorizon};
   return lit.position.z > LightFrame::kMinHalfSide;
 }
 

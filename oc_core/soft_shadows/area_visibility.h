@@ -2,8 +2,9 @@
 // the pinhole of a shadow map by an occlusion camera, which holds what all points of the light see, and gives no
 // algorithm. The ways to integrate over the light stand behind this interface.
 //
-// Visibility is the share of the light's area that no surface hides, 0 to 1; all parts of the light count alike. It is
-// 0 for points that the light does not shine at: behind its plane, or turned away from all of it.
+// Visibility is the share of the light's area that no surface hides, 0 to 1; all parts of the light count alike. What
+// lies below the plane of the receiver's own surface, its horizon, is hidden: it would shine at its back. So visibility
+// is 0 for points that the light does not shine at: behind its plane, or turned away from all of it.
 #pragma once
 
 #include <cstdint>
@@ -18,14 +19,18 @@ namespace ocelli {
 struct ShadowReceiver {
   glm::vec3 position{0};  ///< world
   glm::vec3 normal{0};    ///< unit, of the surface, on the side that is seen
+  /// Whether its own surface is one that images stand for.
+  bool isSampled = false;
 };
 
-/// Points of sampled surfaces are off by up to a footprint: receivers are lifted by so much along their normals, so
-/// that a surface does not hide the light from itself.
+/// Receivers are lifted by so much along their normals, so that a surface does not hide the light from itself.
 struct ReceiverLift {
-  float least = 1e-4f;    ///< world units: more than single precision rounds
-  float perDistance = 0;  ///< and of the distance from the plane of the light
-  float at(float z) const { return std::max(least, perDistance * z); }
+  float least = 1e-4f;  ///< world units: more than single precision rounds
+  /// Where the surface is one that images stand for, which is off by up to a footprint there: of the distance from the
+  /// plane of the light.
+  float perDistance = 0;
+  float towardsLight = 0;
+  float at(float z, bool isSampled) const { return isSampled ? std::max(least, perDistance * z) : least; }
 };
 
 struct ShadowWork {
@@ -52,6 +57,11 @@ class AreaVisibility {
 struct LitReceiver {
   glm::vec3 position{0};  ///< in the frame of the light
   glm::vec3 normal{0};
+  float horizon = 0;         ///< dot(normal, position) without the lift
+  bool seesHorizon = false;  ///< whether some of the light lies below the plane of the surface
+
+  /// Whether a point of the light lies over the plane of the surface.
+  bool isAbove(const glm::vec3& onLight) const { return glm::dot(normal, onLight) > horizon; }
 };
 bool isLit(const ShadowReceiver& receiver, const LightFrame& frame, const ReceiverLift& lift, LitReceiver& lit);
 

@@ -37,12 +37,19 @@ class BackProjector {
     looked += looked_;
     int seen = 0;
     for (size_t row = 0; row < static_cast<size_t>(grid_.side()); ++row) {
-      seen += std::popcount(allOf_[row] & ~hidden_[row]);
+      seen += std::popcount(allOf_[row] & ~hidden_[row] & ~belowHorizon(lit, static_cast<int>(row)));
     }
     return static_cast<float>(seen) / static_cast<float>(grid_.count());
   }
 
  private:
+  uint32_t belowHorizon(const LitReceiver& lit, int row) const {
+    uint32_t bits = 0;
+    for (int column = 0; lit.seesHorizon && column < grid_.side(); ++column) {
+      bits |= lit.isAbove(grid_.point(column, row)) ? 0 : 1u << column;
+    }
+    return bits;
+  }
   /// Around the texels from (x0, y0) to (x1, y1) at a depth.
   Patch projected(int x0, int y0, int x1, int y1, float depth) const {
     const float enlarged = receiver_.z / (receiver_.z - depth);

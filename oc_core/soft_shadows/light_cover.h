@@ -20,6 +20,8 @@ class LightCover {
   explicit LightCover(const LightGrid& grid);
 
   void clear();
+  /// What is below the horizon of the receiver is hidden by more surfaces than there are.
+  static constexpr int kHorizonWeight = 4096;
   /// An edge from `a` to `b`, in grid coordinates. `weight` surfaces lie to its left (seen with x to the right and y
   /// up) more than to its right.
   void add(const glm::vec2& a, const glm::vec2& b, int weight);

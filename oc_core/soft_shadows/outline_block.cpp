@@ -45,7 +45,8 @@ void OutlineBlock::take(const std::vector<const OccluderEdge*>& shared, const st
 }
 
 OutlineBlock::Projected OutlineBlock::project(const glm::vec3& receiver, const LightGrid& grid,
-                                              const std::vector<glm::vec4>& planes, LightCover& cover) {
+                                              const std::vector<glm::vec4>& planes, float shiftPerDistance,
+                                              LightCover& cover) {
   const glm::vec2 scale = grid.scale();
   const glm::vec2 middle = glm::vec2(receiver) * scale + grid.offset();
   const auto projectAll = [&](const Ends& ends, std::vector<float>& px, std::vector<float>& py) {
@@ -99,7 +100,7 @@ OutlineBlock::Projected OutlineBlock::project(const glm::vec3& receiver, const L
     cover.add({ax_[i], ay_[i]}, {bx_[i], by_[i]}, weight);
     ++projected.edges;
     const float z = std::min(a_.z[i], nearest);
-    projected.lengthening += static_cast<double>(z * receiver.z / (receiver.z - z));
+    projected.shift += std::min(1.0f, shiftPerDistance * z * receiver.z / (receiver.z - z));
   }
   return projected;
 }

@@ -18,12 +18,14 @@ class OutlineBlock {
   size_t size() const { return edges_.size(); }
 
   struct Projected {
-    size_t edges = 0;        ///< that came over the light
-    double lengthening = 0;  ///< the sum over them of distance from the light times how much projection enlarges there
+    size_t edges = 0;  ///< that came over the light
+    /// The sum over them of what they are off by on the light, of its mean side; each at most 1.
+    float shift = 0;
   };
-  /// Adds those that come over the light, as `receiver` sees them, to `cover`.
+  /// Adds those that come over the light, as `receiver` sees them, to `cover`. They are off by `shiftPerDistance` of
+  /// their distance from the light, of the light's mean side, before projection enlarges that.
   Projected project(const glm::vec3& receiver, const LightGrid& grid, const std::vector<glm::vec4>& planes,
-                    LightCover& cover);
+                    float shiftPerDistance, LightCover& cover);
 
  private:
   struct Ends {

@@ -20,13 +20,29 @@ constexpr float kSmallBlock = 0.25f;
 /// A receiver that the light shines at.
 struct Asked {
   size_t index = 0;
-  glm::vec3 position{0};
+  LitReceiver lit;
 };
+
+/// The horizon of a receiver, where it crosses the light, as an edge of what it hides. In the light's plane it is the
+/// line on which dot(normal, point) is the horizon.
+void addHorizon(const LitReceiver& lit, const LightGrid& grid, LightCover& cover) {
+  // In grid coordinates the normal of the line shrinks where these are wider.
+  const glm::vec2 normal = glm::vec2(lit.normal) / grid.scale();
+  const float length = glm::length(normal);
+  const glm::vec2 unit = normal / length;
+  const float distance = (lit.horizon + glm::dot(normal, grid.offset())) / length;
+  // Far beyond the light to both sides; what is hidden lies to the left of the edge.
+  const float far = 8.0f * static_cast<float>(grid.side());
+  const glm::vec2 middle(static_cast<float>(grid.side()) / 2);
+  const glm::vec2 foot = middle + unit * (distance - glm::dot(unit, middle));
+  const glm::vec2 along(-unit.y, unit.x);
+  cover.add(foot - along * far, foot + along * far, LightCover::kHorizonWeight);
+}
 
 Box boxOf(std::span<const Asked> asked) {
   Box box;
   for (const Asked& each : asked) {
-    box.add(each.position);
+    box.add(each.lit.position);
   }
   return box;
 }
@@ -60,6 +76,9 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
   const size_t tasks = (receivers.size() + kReceiversABlock - 1) / kReceiversABlock;
   std::vector<ShadowWork> workOf(tasks);
 
+  // Half a footprint, of the light's mean side.
+  const float shiftPerDistance = options_.footprintPerDistance * 0.5f * (grid_.scale().x + grid_.scale().y) * 0.5f /
+                                 static_cast<float>(grid_.side());
   const float cells = static_cast<float>(grid_.count());
   const auto solve = [&](std::span<Asked> asked, Workspace& own, ShadowWork& work) {
     const Box box = boxOf(asked);
@@ -71,27 +90,32 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
     own.lines.resize(asked.size());
     own.blocked.resize(asked.size());
     for (size_t i = 0; i < asked.size(); ++i) {
-      const glm::vec3& p = asked[i].position;
+      const LitReceiver& lit = asked[i].lit;
+      const glm::vec3& p = lit.position;
       float& share = result.share[asked[i].index];
       glm::vec3 to(0);
       share = 1;
       OutlineBlock::Projected projected;
-      if (!own.block.empty()) {
+      if (!own.block.empty() || lit.seesHorizon) {
         own.cover.clear();
-        projected = own.block.project(p, grid_, edges_.planes, own.cover);
+        projected = own.block.project(p, grid_, edges_.planes, shiftPerDistance, own.cover);
         work.elements += own.block.size();
       }
-      if (projected.edges > 0) {
+      if (lit.seesHorizon) {
+        addHorizon(lit, grid_, own.cover);
+      }
+      if (projected.edges > 0 || lit.seesHorizon) {
         const LightCover::Least least = own.cover.least();
         share = static_cast<float>(least.count) / cells;
         to = grid_.point(least.column, least.row);
+        if (!lit.isAbove(to)) {
+          share = 0;  // no sample lies over the horizon
+        }
         // Crofton: an outline crosses 4 / pi as many pairs of a grid as it is long.
         const float crossings = static_cast<float>(least.neighbours);
-        const float meanShift = options_.footprintPerDistance * 0.5f *
-                                static_cast<float>(projected.lengthening / static_cast<double>(projected.edges)) *
-                                0.5f * (grid_.scale().x + grid_.scale().y);
-        result.estimatedError[asked[i].index] =
-            (std::sqrt(crossings / 12) + crossings * std::numbers::pi_v<float> / 4 * meanShift) / cells;
+        const float length = crossings * std::numbers::pi_v<float> / 4 / static_cast<float>(grid_.side());
+        const float meanShift = projected.shift / static_cast<float>(std::max<size_t>(projected.edges, 1));
+        result.estimatedError[asked[i].index] = std::min(1.0f, std::sqrt(crossings / 12) / cells + length * meanShift);
       }
       own.lines[i] = {p, to};
     }
@@ -116,7 +140,7 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
     }
     const auto middle = asked.begin() + static_cast<std::ptrdiff_t>(asked.size() / 2);
     std::nth_element(asked.begin(), middle, asked.end(), [axis](const Asked& p, const Asked& q) {
-      return std::pair(p.position[axis], p.index) < std::pair(q.position[axis], q.index);
+      return std::pair(p.lit.position[axis], p.index) < std::pair(q.lit.position[axis], q.index);
     });
     self(self, asked.first(asked.size() / 2), own, work);
     self(self, asked.subspan(asked.size() / 2), own, work);
@@ -130,7 +154,7 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
       for (size_t i = task * kReceiversABlock; i < last; ++i) {
         LitReceiver lit;
         if (isLit(receivers[i], frame_, options_.lift, lit)) {
-          asked.push_back({i, lit.position});
+          asked.push_back({i, lit});
         }
       }
       halve(halve, asked, own, workOf[task]);

@@ -9,8 +9,8 @@
 namespace ocelli {
 namespace {
 
-/// Calls `visit(x, y, slope)` for the texels at taps over the light's shape, scaled by `half` around `middle` (both in
-/// slopes), in strata; for those beside the map too.
+/// Calls `visit(x, y, onLight)` for the texels at taps over the light's shape, scaled by `half` around `middle` (both
+/// in slopes), in strata; for those beside the map too. `onLight` is the point of the light that a tap stands for.
 template <class Visit>
 void forTaps(const LightShadowMap& map, const LightFrame& frame, const glm::vec2& middle, const glm::vec2& half,
              int side, Random& random, const Visit& visit) {
@@ -23,7 +23,8 @@ void forTaps(const LightShadowMap& map, const LightFrame& frame, const glm::vec2
       }
       const glm::vec2 slope = middle + half * glm::vec2(x, y);
       const glm::vec2 texel = map.texel(slope);
-      visit(static_cast<int>(std::floor(texel.x)), static_cast<int>(std::floor(texel.y)));
+      visit(static_cast<int>(std::floor(texel.x)), static_cast<int>(std::floor(texel.y)),
+            glm::vec3(frame.half() * glm::vec2(x, y), 0));
     }
   }
 }
@@ -55,30 +56,27 @@ LightVisibility PercentageCloserShadows::of(std::span<const ShadowReceiver> rece
       };
       result.share[i] = 1;
       const float nearest = map_.leastDepth();
-      if (!(nearest < p.z)) {
-        continue;
-      }
       double sum = 0;
       int blockers = 0;
-      forTaps(map_, frame_, middle, frame_.half() * (1 / nearest - 1 / p.z), options_.searchTaps, random,
-              [&](int x, int y) {
+      forTaps(map_, frame_, middle, frame_.half() * std::max(0.0f, 1 / nearest - 1 / p.z), options_.searchTaps, random,
+              [&](int x, int y, const glm::vec3&) {
                 ++looked[i];
                 if (isNearer(x, y)) {
                   sum += static_cast<double>(depths(x, y));
                   ++blockers;
                 }
               });
-      if (blockers == 0) {
+      if (blockers == 0 && !lit.seesHorizon) {
         continue;
       }
-      const auto mean = static_cast<float>(sum / blockers);
+      const auto mean = blockers > 0 ? static_cast<float>(sum / blockers) : p.z;
       int taps = 0;
       int nearer = 0;
       forTaps(map_, frame_, middle, frame_.half() * std::max(0.0f, 1 / mean - 1 / p.z), options_.filterTaps, random,
-              [&](int x, int y) {
+              [&](int x, int y, const glm::vec3& onLight) {
                 ++looked[i];
                 ++taps;
-                nearer += isNearer(x, y) ? 1 : 0;
+                nearer += !lit.isAbove(onLight) || isNearer(x, y) ? 1 : 0;
               });
       result.share[i] = 1 - static_cast<float>(nearer) / static_cast<float>(taps);
     }

@@ -45,7 +45,7 @@ glm::vec3 TracedVisibility::onLight(const LightFrame& frame, const glm::vec2& un
 LightVisibility TracedVisibility::of(std::span<const ShadowReceiver> receivers) const {
   LightVisibility result;
   result.share.assign(receivers.size(), 0);
-  std::vector<uint8_t> isAsked(receivers.size(), 0);
+  std::vector<uint32_t> cast(receivers.size(), 0);
   const auto raysEach = static_cast<size_t>(columns_ * rows_);
   parallelFor(receivers.size(), kReceiversATask, [&](size_t begin, size_t end) {
     std::vector<SightLine> lines(raysEach);
@@ -64,21 +64,25 @@ LightVisibility TracedVisibility::of(std::span<const ShadowReceiver> receivers) 
           const float y = random.inRange(0, 1);
           const glm::vec2 unit((static_cast<float>(column) + x) / static_cast<float>(columns_),
                                (static_cast<float>(row) + y) / static_cast<float>(rows_));
-          const glm::vec3 to = frame_.toWorld(onLight(frame_, unit));
+          const glm::vec3 place = onLight(frame_, unit);
+          if (!lit.isAbove(place)) {
+            continue;
+          }
+          const glm::vec3 to = frame_.toWorld(place);
           lines[ray++] = {from, to + (from - to) * kBeforeLight};
         }
       }
-      rays_.find(lines, blocked);
-      size_t free = raysEach;
-      for (const uint8_t hit : blocked) {
-        free -= hit;
+      rays_.find(std::span(lines).first(ray), std::span(blocked).first(ray));
+      size_t free = ray;
+      for (size_t each = 0; each < ray; ++each) {
+        free -= blocked[each];
       }
       result.share[i] = static_cast<float>(free) / static_cast<float>(raysEach);
-      isAsked[i] = 1;
+      cast[i] = static_cast<uint32_t>(ray);
     }
   });
-  for (const uint8_t asked : isAsked) {
-    result.work.rays += asked * raysEach;
+  for (const uint32_t each : cast) {
+    result.work.rays += each;
   }
   return result;
 }

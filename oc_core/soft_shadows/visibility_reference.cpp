@@ -19,6 +19,9 @@ float visibilitySlowly(const Mesh& occluders, const AreaLight& light, const Shad
       if (!grid.isOnLight(column, row)) {
         continue;
       }
+      if (!lit.isAbove(grid.point(column, row))) {
+        continue;
+      }
       const StraightRay ray{from, frame.toWorld(grid.point(column, row)) - from, 1};
       bool isHidden = false;
       for (uint32_t i = 0; i < occluders.triangles.size() && !isHidden; ++i) {

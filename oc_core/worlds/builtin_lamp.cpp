@@ -31,13 +31,13 @@ struct UnderLamp {
 
 // The lamp hangs to the left and in front, so that shadows fall to the right and back, over each other and over what
 // stands there.
-constexpr std::array<UnderLamp, 5> kStatuesUnderLamp{{{-0.45f, 0.10f, 0.55f, 20, palette::skyBlue},
-                                                      {0.05f, 0.42f, 0.45f, -35, palette::yellow},
-                                                      {0.25f, -0.15f, 0.60f, 70, palette::vermilion},
-                                                      {-0.20f, -0.50f, 0.50f, 10, palette::purple},
-                                                      {0.80f, 0.25f, 0.40f, 130, palette::green}}};
+constexpr std::array<UnderLamp, 5> kStatuesUnderLamp{{{-0.52f, 0.12f, 0.62f, 20, palette::skyBlue},
+                                                      {0.06f, 0.40f, 0.50f, -35, palette::yellow},
+                                                      {0.20f, -0.18f, 0.70f, 70, palette::vermilion},
+                                                      {-0.40f, -0.42f, 0.55f, 10, palette::purple},
+                                                      {0.72f, 0.18f, 0.50f, 130, palette::green}}};
 constexpr std::array<UnderLamp, 1> kUnderPergola{{{0.1f, 0.1f, 0.6f, -20, palette::skyBlue}}};
-constexpr glm::vec3 kLampPlace{-0.75f, 1.35f, 0.7f};
+constexpr glm::vec3 kLampPlace{-0.8f, 1.0f, 0.6f};
 constexpr glm::vec3 kLampTarget{0.1f, kGround, 0};
 constexpr uint32_t kSlatLayers = 2;
 
@@ -45,12 +45,13 @@ std::vector<BuiltinParameter> lampParameters() {
   return {meshParameter(),
           turnParameter(),
           trianglesParameter(),
-          {"light", "side of the lamp, of half the floor's width", BuiltinParameter::Kind::kNumber, "0.4", 0.01, 1.5}};
+          {"light", "side of the lamp, of about half the floor's width", BuiltinParameter::Kind::kNumber, "0.5", 0.01,
+           1.5}};
 }
 
 void addFloorAndLamp(Scene& scene, const BuiltinValues& values) {
   Mesh floor;
-  addCheckerFloor(floor, {-1.3f, -1}, {1.5f, 1}, kGround, 14, 10, palette::slate(), palette::ivory());
+  addCheckerFloor(floor, {-1, -0.8f}, {1.2f, 0.8f}, kGround, 11, 8, palette::slate(), palette::ivory());
   scene.add(std::move(floor));
   const auto side = static_cast<float>(values.number("light"));
   scene.add(panelOf(areaLightTowards(kLampPlace, kLampTarget, side, side, false, 0, "builtin:lamp")));

@@ -155,10 +155,10 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 }
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
-  static const std::vector<BuiltinScene> scenes{teapotScene(), roomScene(),   statuesScene(), crowdScene(),
-                                                fenceScene(),  doorsScene(),  boxesScene(),   mazeScene(),
-                                                townScene(),   canyonScene(), sphereScene(),  torusScene(),
-                                                boxScene(),    wavingScene(), mirrorScene(),  lensScene()};
+  static const std::vector<BuiltinScene> scenes{
+      teapotScene(), roomScene(),   statuesScene(), crowdScene(),  fenceScene(),  doorsScene(),
+      boxesScene(),  mazeScene(),   townScene(),    canyonScene(), sphereScene(), torusScene(),
+      boxScene(),    wavingScene(), mirrorScene(),  lensScene(),   lampScene(),   pergolaScene()};
   return scenes;
 }
 
