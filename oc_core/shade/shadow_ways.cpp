@@ -23,9 +23,10 @@ using ShadowClock = std::chrono::steady_clock;
 
 constexpr const char* kKnownWays =
     "use traced, traced-N, outlines, pcss, backprojection, or a camera of `ocelli camera list`";
-/// What receivers are lifted by, of the footprint of a sample there: samples stand for half of that to each side, and
-/// the surface between them may lean.
-constexpr float kLiftFootprints = 1.5f;
+/// What receivers on sampled surfaces are moved by, in footprints of samples: measured on builtin:lamp, where less lets
+/// squares of samples shade their own surface, and more lets light in where things touch.
+constexpr float kLiftFootprints = 0.5f;
+constexpr float kTowardsLightFootprints = 1;
 
 double sinceShadowStart(ShadowClock::time_point start) {
   return std::chrono::duration<double, std::milli>(ShadowClock::now() - start).count();
@@ -33,9 +34,8 @@ double sinceShadowStart(ShadowClock::time_point start) {
 
 ReceiverLift liftFor(const ShadowInputs& in) {
   ReceiverLift lift;
-  const char* e = getenv("LIFT");
-  lift.perDistance = (e ? static_cast<float>(atof(e)) : kLiftFootprints) / in.reference.focalPixels();
-  lift.towardsLight = (getenv("AHEAD") ? static_cast<float>(atof(getenv("AHEAD"))) : 0) / in.reference.focalPixels();
+  lift.perDistance = kLiftFootprints / in.reference.focalPixels();
+  lift.towardsLight = kTowardsLightFootprints / in.reference.focalPixels();
   return lift;
 }
 
@@ -71,7 +71,7 @@ BuiltShadow outlinesOfImages(const CameraChoice& choice, const ShadowInputs& in)
   const auto start = ShadowClock::now();
   ReferenceImages images = buildReferenceImages(choice, in.reference, in.scene.cast, in.progress);
   for (ReferenceImage& image : images) {
-    image.seenFromAside = getenv("ASIDE") != nullptr;
+    image.seenFromAside = true;  // by receivers on the surfaces themselves
   }
   Mesh mesh = unionMesh(images);
   built.buildMilliseconds = sinceShadowStart(start);

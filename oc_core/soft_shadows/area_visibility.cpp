@@ -1,5 +1,6 @@
 #include "oc_core/soft_shadows/area_visibility.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ocelli {
@@ -17,8 +18,10 @@ bool isLit(const ShadowReceiver& receiver, const LightFrame& frame, const Receiv
     return false;
   }
   const bool seesHorizon = !(glm::dot(normal, -highest) > horizon);
-  const float ahead = receiver.isSampled ? lift.towardsLight * position.z : 0;
-  lit = {position + normal * lift.at(position.z, receiver.isSampled) - glm::normalize(position) * ahead, normal, horizon, seesHorizon};
+  const float sampledAt = receiver.isSampled ? position.z : 0;
+  const glm::vec3 lifted = position + normal * std::max(lift.least, lift.perDistance * sampledAt) -
+                           glm::normalize(position) * (lift.towardsLight * sampledAt);
+  lit = {lifted, normal, horizon, seesHorizon};
   return lit.position.z > LightFrame::kMinHalfSide;
 }
 

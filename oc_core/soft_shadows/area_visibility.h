@@ -23,14 +23,13 @@ struct ShadowReceiver {
   bool isSampled = false;
 };
 
-/// Receivers are lifted by so much along their normals, so that a surface does not hide the light from itself.
+/// Receivers are moved off their surfaces by so much, so that these do not hide the light from themselves.
 struct ReceiverLift {
-  float least = 1e-4f;  ///< world units: more than single precision rounds
-  /// Where the surface is one that images stand for, which is off by up to a footprint there: of the distance from the
-  /// plane of the light.
-  float perDistance = 0;
-  float towardsLight = 0;
-  float at(float z, bool isSampled) const { return isSampled ? std::max(least, perDistance * z) : least; }
+  float least = 1e-4f;  ///< along the normal, world units: more than single precision rounds
+  // Where the surface is one that images stand for, also by these shares of the distance from the plane of the light:
+  // its samples are off by up to a footprint there.
+  float perDistance = 0;   ///< along the normal, where that is more
+  float towardsLight = 0;  ///< towards the centre of the light: squares of samples stand out along its rays
 };
 
 struct ShadowWork {

@@ -16,7 +16,9 @@ using testing::HasSubstr;
 const char* const kGoodRoles = R"({"objects": [
   {"object": 2, "roles": ["cast", "receive"]},
   {"source": "builtin:sphere", "roles": ["refract"], "refractive_index": 1.33, "center": [1, 2, 3], "radius": 0.5,
-   "turn_degrees": 30}]})";
+   "turn_degrees": 30},
+  {"roles": ["light"], "light": {"center": [0, 3, 0], "target": [0, 0, 0], "size": [0.5, 0.25], "shape": "disc",
+   "turn_degrees": 10}}]})";
 
 std::string rolesError(const std::string& text) {
   try {
@@ -33,7 +35,7 @@ std::string objectError(const std::string& object) {
 
 TEST(ObjectRoles, areRead) {
   const std::vector<RoledObject> objects = objectRolesFromJsonText(kGoodRoles, "roles.json");
-  ASSERT_EQ(objects.size(), 2u);
+  ASSERT_EQ(objects.size(), 3u);
   EXPECT_EQ(objects[0].object, 2u);
   EXPECT_EQ(objects[0].roles, kCasts | kReceives);
   EXPECT_EQ(objects[0].source, "");
@@ -43,6 +45,14 @@ TEST(ObjectRoles, areRead) {
   EXPECT_EQ(objects[1].center, glm::vec3(1, 2, 3));
   EXPECT_EQ(objects[1].radius, 0.5);
   EXPECT_EQ(objects[1].turnDegrees, 30);
+  EXPECT_FALSE(objects[1].light);
+  EXPECT_EQ(objects[2].roles, kShines);
+  ASSERT_TRUE(objects[2].light);
+  EXPECT_EQ(objects[2].light->center, glm::vec3(0, 3, 0));
+  EXPECT_EQ(objects[2].light->direction(), glm::vec3(0, -1, 0));
+  EXPECT_EQ(objects[2].light->width, 0.5f);
+  EXPECT_EQ(objects[2].light->height, 0.25f);
+  EXPECT_TRUE(objects[2].light->isDisc);
 }
 
 TEST(ObjectRoles, agreeWithTheirSchema) {
@@ -70,6 +80,17 @@ TEST(ObjectRoles, mistakesAreNamed) {
   EXPECT_THAT(objectError(R"({"object": 1, "source": "x", "roles": ["cast"]})"), HasSubstr("not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast"]}, {"object": 1, "roles": ["cast"]})"),
               HasSubstr("same as that of an object before"));
+  const std::string light = R"("light": {"center": [0, 1, 0], "target": [0, 0, 0], "size": [1, 1]})";
+  EXPECT_EQ(objectError("{\"roles\": [\"light\"], " + light + "}"), "");
+  EXPECT_EQ(objectError(R"({"object": 1, "roles": ["light"]})"), "") << "a panel of the scene";
+  EXPECT_THAT(objectError("{\"roles\": [\"cast\"], " + light + "}"), HasSubstr("has the role \"light\""));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["light", "cast"]})"), HasSubstr("cannot be anything else"));
+  EXPECT_THAT(objectError(R"({"source": "x", "roles": ["light"]})"), HasSubstr("cannot be a light"));
+  EXPECT_THAT(
+      objectError(R"({"roles": ["light"], "light": {"center": [0, 1, 0], "target": [0, 1, 0], "size": [1, 1]}})"),
+      HasSubstr("shines nowhere"));
+  EXPECT_THAT(objectError(R"({"roles": ["light"], "light": {"center": [0, 1, 0], "target": [0, 0, 0]}})"),
+              HasSubstr("\"size\""));
   EXPECT_NE(objectError(R"({"object": 1, "roles": ["refract"], "refractive_index": 0.9})"), "");
   EXPECT_NE(objectError(R"({"source": "x", "roles": ["cast"], "radius": 0})"), "");
   EXPECT_NE(objectError(R"({"object": 1, "roles": ["cast"], "color": 3})"), "");
@@ -82,6 +103,13 @@ TEST(ObjectRoles, builtinScenesHaveTheirs) {
     cast += object.has(kCasts);
   }
   EXPECT_EQ(cast, 5u);
+  for (const char* scene : {"builtin:lamp,light=0.2", "builtin:pergola"}) {
+    size_t lights = 0;
+    for (const RoledObject& object : builtinRoles(scene)) {
+      lights += object.has(kShines);
+    }
+    EXPECT_EQ(lights, 1u) << scene;
+  }
 }
 
 }  // namespace
