@@ -29,7 +29,7 @@ void OutlineBlock::take(const std::vector<const OccluderEdge*>& shared, const st
   a_.clear();
   b_.clear();
   weight_.clear();
-  isCut_.clear();
+  cut_.clear();
   const float cut = receivers.lower.z * (1 - 2 * kBeforeReceiver);
   for (const OccluderEdge* edge : edges_) {
     a_.push(edge->a);
@@ -37,11 +37,15 @@ void OutlineBlock::take(const std::vector<const OccluderEdge*>& shared, const st
     const int own = sideOfBox(planes[edge->plane], receivers);
     const int other = edge->isRim() ? 1 : sideOfBox(planes[edge->other], receivers);
     weight_.push_back(own == 0 || other == 0 ? kVaries : static_cast<int8_t>(own + other * edge->otherSign));
-    isCut_.push_back(edge->a.z >= cut || edge->b.z >= cut ? 1 : 0);
+    if (edge->a.z >= cut || edge->b.z >= cut) {
+      cut_.push_back(static_cast<uint32_t>(weight_.size() - 1));
+    }
   }
   for (std::vector<float>* projected : {&ax_, &ay_, &bx_, &by_}) {
     projected->resize(edges_.size());
   }
+  isOver_.resize(edges_.size());
+  over_.resize(edges_.size());
 }
 
 OutlineBlock::Projected OutlineBlock::project(const glm::vec3& receiver, const LightGrid& grid,
@@ -64,35 +68,14 @@ OutlineBlock::Projected OutlineBlock::project(const glm::vec3& receiver, const L
   };
   projectAll(a_, ax_, ay_);
   projectAll(b_, bx_, by_);
-  const auto rows = static_cast<float>(grid.side());
   const float nearest = receiver.z * (1 - kBeforeReceiver);
+  for (const uint32_t i : cut_) {
+    projectCut(i, receiver, middle, scale, nearest);
+  }
   Projected projected;
-  for (size_t i = 0; i < edges_.size(); ++i) {
-    if (isCut_[i] != 0) {
-      glm::vec3 a = edges_[i]->a;
-      glm::vec3 b = edges_[i]->b;
-      if (a.z >= nearest && b.z >= nearest) {
-        continue;
-      }
-      if (a.z >= nearest) {
-        a = b + (a - b) * ((nearest - b.z) / (a.z - b.z));
-        a.z = nearest;
-      } else if (b.z >= nearest) {
-        b = a + (b - a) * ((nearest - a.z) / (b.z - a.z));
-        b.z = nearest;
-      }
-      const float enlargedA = receiver.z / (receiver.z - a.z);
-      const float enlargedB = receiver.z / (receiver.z - b.z);
-      ax_[i] = middle.x + (a.x - receiver.x) * enlargedA * scale.x;
-      ay_[i] = middle.y + (a.y - receiver.y) * enlargedA * scale.y;
-      bx_[i] = middle.x + (b.x - receiver.x) * enlargedB * scale.x;
-      by_[i] = middle.y + (b.y - receiver.y) * enlargedB * scale.y;
-    }
-    // What passes beside the light on one side of it changes nothing, or all of its samples alike.
-    if (std::max(ax_[i], bx_[i]) < 0 || std::min(ax_[i], bx_[i]) >= rows || std::max(ay_[i], by_[i]) <= 0 ||
-        std::min(ay_[i], by_[i]) > rows - 1) {
-      continue;
-    }
+  const size_t over = overLight(static_cast<float>(grid.side()));
+  for (size_t each = 0; each < over; ++each) {
+    const uint32_t i = over_[each];
     const int weight = weight_[i] == kVaries ? weightOf(*edges_[i], planes, receiver) : weight_[i];
     if (weight == 0) {
       continue;
@@ -103,6 +86,57 @@ OutlineBlock::Projected OutlineBlock::project(const glm::vec3& receiver, const L
     projected.shift += std::min(1.0f, shiftPerDistance * z * receiver.z / (receiver.z - z));
   }
   return projected;
+}
+
+/// An edge that may reach behind the plane of the receiver, cut before it; beside the light where all of it is behind.
+void OutlineBlock::projectCut(uint32_t i, const glm::vec3& receiver, const glm::vec2& middle, const glm::vec2& scale,
+                              float nearest) {
+  glm::vec3 a = edges_[i]->a;
+  glm::vec3 b = edges_[i]->b;
+  if (a.z >= nearest && b.z >= nearest) {
+    ax_[i] = bx_[i] = ay_[i] = by_[i] = -1;
+    return;
+  }
+  if (a.z >= nearest) {
+    a = b + (a - b) * ((nearest - b.z) / (a.z - b.z));
+    a.z = nearest;
+  } else if (b.z >= nearest) {
+    b = a + (b - a) * ((nearest - a.z) / (b.z - a.z));
+    b.z = nearest;
+  }
+  const float enlargedA = receiver.z / (receiver.z - a.z);
+  const float enlargedB = receiver.z / (receiver.z - b.z);
+  ax_[i] = middle.x + (a.x - receiver.x) * enlargedA * scale.x;
+  ay_[i] = middle.y + (a.y - receiver.y) * enlargedA * scale.y;
+  bx_[i] = middle.x + (b.x - receiver.x) * enlargedB * scale.x;
+  by_[i] = middle.y + (b.y - receiver.y) * enlargedB * scale.y;
+}
+
+/// Writes the numbers of the edges that come over the light to over_, and returns how many. What passes beside the
+/// light on one side of it changes nothing, or all of its samples alike. Without branches: which edges do is as good as
+/// random.
+size_t OutlineBlock::overLight(float rows) {
+  const size_t count = edges_.size();
+  const float* ax = ax_.data();
+  const float* ay = ay_.data();
+  const float* bx = bx_.data();
+  const float* by = by_.data();
+  int32_t* isOver = isOver_.data();
+  for (size_t i = 0; i < count; ++i) {
+    const float left = ax[i] < bx[i] ? ax[i] : bx[i];
+    const float right = ax[i] < bx[i] ? bx[i] : ax[i];
+    const float low = ay[i] < by[i] ? ay[i] : by[i];
+    const float high = ay[i] < by[i] ? by[i] : ay[i];
+    isOver[i] = static_cast<int32_t>(right >= 0) & static_cast<int32_t>(left < rows) & static_cast<int32_t>(high > 0) &
+                static_cast<int32_t>(low <= rows - 1);
+  }
+  uint32_t* over = over_.data();
+  size_t found = 0;
+  for (size_t i = 0; i < count; ++i) {
+    over[found] = static_cast<uint32_t>(i);
+    found += static_cast<size_t>(isOver[i]);
+  }
+  return found;
 }
 
 }  // namespace ocelli

@@ -34,12 +34,18 @@ class OutlineBlock {
     void push(const glm::vec3& p);
   };
 
+  void projectCut(uint32_t i, const glm::vec3& receiver, const glm::vec2& middle, const glm::vec2& scale,
+                  float nearest);
+  size_t overLight(float rows);
+
   std::vector<const OccluderEdge*> edges_;
   Ends a_;
   Ends b_;
   std::vector<int8_t> weight_;            ///< of edges whose weight is the same for all receivers; kVaries for others
-  std::vector<uint8_t> isCut_;            ///< whether it may reach behind the plane of a receiver
+  std::vector<uint32_t> cut_;             ///< edges that may reach behind the plane of a receiver
   std::vector<float> ax_, ay_, bx_, by_;  ///< projected, grid coordinates
+  std::vector<int32_t> isOver_;
+  std::vector<uint32_t> over_;
   static constexpr int8_t kVaries = 127;
 };
 
