@@ -31,6 +31,11 @@ const std::vector<ShadowColumn>& allShadowColumns() {
        [](const BuiltShadow&, const ShadowFigures& f) -> ShadowValue { return f.rmse; }},
       {{"penumbra_rmse", "penumbra", "the same over pixels that see the light in part", 4, 1},
        [](const BuiltShadow&, const ShadowFigures& f) -> ShadowValue { return f.penumbraRmse; }},
+      {{"on_others_rmse", "on others", "the same over pixels of objects that no image stands for, such as floors", 4,
+        1},
+       [](const BuiltShadow&, const ShadowFigures& f) -> ShadowValue {
+         return f.onOthers > 0 ? ShadowValue(f.onOthersRmse) : std::nullopt;
+       }},
       {{"wrong", "wrong %", "pixels whose visibility is off by more than 0.1", 2, 100},
        [](const BuiltShadow&, const ShadowFigures& f) -> ShadowValue { return f.wrong; }},
       {{"signed_mean", "mean error", "of visibility: positive where light leaks", 4, 1},
@@ -73,6 +78,7 @@ ShadowFigures shadowFigures(const ShadowPixels& pixels, const std::vector<float>
   ShadowFigures figures;
   double squares = 0;
   double penumbraSquares = 0;
+  double onOthersSquares = 0;
   double sum = 0;
   double expected = 0;
   size_t wrong = 0;
@@ -89,6 +95,10 @@ ShadowFigures shadowFigures(const ShadowPixels& pixels, const std::vector<float>
       ++figures.inPenumbra;
       penumbraSquares += error * error;
     }
+    if (!pixels.receivers[i].isSampled) {
+      ++figures.onOthers;
+      onOthersSquares += error * error;
+    }
     if (!found.estimatedError.empty()) {
       expected += static_cast<double>(found.estimatedError[i]) * static_cast<double>(found.estimatedError[i]);
     }
@@ -96,6 +106,7 @@ ShadowFigures shadowFigures(const ShadowPixels& pixels, const std::vector<float>
   const double count = std::max<double>(1, static_cast<double>(figures.receivers));
   figures.rmse = std::sqrt(squares / count);
   figures.penumbraRmse = std::sqrt(penumbraSquares / std::max<double>(1, static_cast<double>(figures.inPenumbra)));
+  figures.onOthersRmse = std::sqrt(onOthersSquares / std::max<double>(1, static_cast<double>(figures.onOthers)));
   figures.wrong = static_cast<double>(wrong) / count;
   figures.signedMean = sum / count;
   if (!found.estimatedError.empty()) {

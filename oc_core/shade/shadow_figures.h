@@ -19,6 +19,8 @@ struct ShadowFigures {
   size_t inPenumbra = 0;  ///< those of them that see the light in part
   double rmse = 0;
   double penumbraRmse = 0;              ///< over those in the penumbra alone
+  size_t onOthers = 0;                  ///< receivers on objects that images do not stand for, such as floors
+  double onOthersRmse = 0;              ///< over those alone
   double wrong = 0;                     ///< the share of receivers that are off by more than kWrong
   double signedMean = 0;                ///< visibility minus truth: positive where light leaks
   std::optional<double> estimate = {};  ///< the root of the mean square of what the way expects to be off by

@@ -140,6 +140,8 @@ TEST(ShadowEffect, takesImagesOfOnePixel) {
 TEST(ShadowFigures, areThoseOfWhatIsMeasured) {
   ShadowPixels pixels{Image<glm::vec3>(2, 2), {}, {}};
   pixels.pixels = {{0, true, {}, 1}, {1, true, {}, 1}, {2, false, {}, 1}, {3, true, {}, 1}};
+  pixels.receivers.resize(4);
+  pixels.receivers[1].isSampled = true;
   const std::vector<float> truth{1, 0.5f, 0.5f, 0};
   LightVisibility found;
   found.share = {1, 0.75f, 0, 0.05f};
@@ -149,6 +151,8 @@ TEST(ShadowFigures, areThoseOfWhatIsMeasured) {
   EXPECT_EQ(figures.inPenumbra, 1u);
   EXPECT_NEAR(figures.rmse, std::sqrt((0.0625 + 0.0025) / 3), 1e-6);
   EXPECT_NEAR(figures.penumbraRmse, 0.25, 1e-6);
+  EXPECT_EQ(figures.onOthers, 2u);
+  EXPECT_NEAR(figures.onOthersRmse, std::sqrt(0.0025 / 2), 1e-6);
   EXPECT_NEAR(figures.wrong, 1.0 / 3, 1e-6);
   EXPECT_NEAR(figures.signedMean, 0.1, 1e-6);
   EXPECT_NEAR(*figures.estimate, std::sqrt(0.09 / 3), 1e-6);

@@ -3,6 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/geometric.hpp>
+
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/worlds/builtin_scenes.h"
@@ -49,7 +51,7 @@ TEST(ObjectRoles, areRead) {
   EXPECT_EQ(objects[2].roles, kShines);
   ASSERT_TRUE(objects[2].light);
   EXPECT_EQ(objects[2].light->center, glm::vec3(0, 3, 0));
-  EXPECT_EQ(objects[2].light->direction(), glm::vec3(0, -1, 0));
+  EXPECT_LT(glm::distance(objects[2].light->direction(), {0, -1, 0}), 1e-6f);
   EXPECT_EQ(objects[2].light->width, 0.5f);
   EXPECT_EQ(objects[2].light->height, 0.25f);
   EXPECT_TRUE(objects[2].light->isDisc);
