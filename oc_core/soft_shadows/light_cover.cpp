@@ -58,6 +58,15 @@ void LightCover::add(const glm::vec2& a, const glm::vec2& b, int weight) {
   }
 }
 
+int LightCover::alikeAround(int column, int row) const {
+  if (!isLeast(column, row)) {
+    return -1;
+  }
+  const int side = grid_.side();
+  return (column > 0 && isLeast(column - 1, row)) + (column + 1 < side && isLeast(column + 1, row)) +
+         (row > 0 && isLeast(column, row - 1)) + (row + 1 < side && isLeast(column, row + 1));
+}
+
 LightCover::Least LightCover::least() {
   const int side = grid_.side();
   const auto n = static_cast<size_t>(side);
@@ -106,18 +115,19 @@ LightCover::Least LightCover::least() {
   }
   // A sample whose neighbours are of its kind lies in the middle of them: a ray to it passes no edge closely.
   int most = -1;
-  for (int column = 0; column < side && most < 4; ++column) {
-    for (int row = 0; row < side && most < 4; ++row) {
-      if (!isLeast(column, row)) {
-        continue;
-      }
-      const int around = (column > 0 && isLeast(column - 1, row)) + (column + 1 < side && isLeast(column + 1, row)) +
-                         (row > 0 && isLeast(column, row - 1)) + (row + 1 < side && isLeast(column, row + 1));
-      if (around > most) {
-        most = around;
-        result.column = column;
-        result.row = row;
-      }
+  int otherMost = -1;
+  const int last = side * side - 1;
+  for (int i = 0; i <= last && (most < 4 || otherMost < 4); ++i) {
+    if (const int around = most < 4 ? alikeAround(i / side, i % side) : -1; around > most) {
+      most = around;
+      result.column = i / side;
+      result.row = i % side;
+    }
+    const int j = last - i;
+    if (const int around = otherMost < 4 ? alikeAround(j / side, j % side) : -1; around > otherMost) {
+      otherMost = around;
+      result.otherColumn = j / side;
+      result.otherRow = j % side;
     }
   }
   return result;

@@ -31,6 +31,8 @@ class LightCover {
     int count = 0;   ///< of them
     int column = 0;  ///< one of them, among others of them where there is such a one
     int row = 0;
+    int otherColumn = 0;  ///< another one, far from it where there is
+    int otherRow = 0;
     int neighbours = 0;  ///< pairs of neighbouring samples of which one is among them
   };
   Least least();
@@ -41,6 +43,9 @@ class LightCover {
   static constexpr size_t kSide = LightGrid::kMaxSide;
   static constexpr int16_t kOffLight = INT16_MAX;
   size_t index(int column, int row) const { return static_cast<size_t>(column) * kSide + static_cast<size_t>(row); }
+
+  /// How many neighbours of a sample are among the least, too; -1 where it is not.
+  int alikeAround(int column, int row) const;
 
   const LightGrid& grid_;
   // Column by column.

@@ -47,6 +47,22 @@ Box boxOf(std::span<const Asked> asked) {
   return box;
 }
 
+/// A ray to each sample.
+float shareByRays(const LitReceiver& lit, const LightGrid& grid, const BlockedRays& rays) {
+  std::vector<SightLine> lines;
+  for (int column = 0; column < grid.side(); ++column) {
+    for (int row = 0; row < grid.side(); ++row) {
+      const glm::vec3 to = grid.point(column, row);
+      if (grid.isOnLight(column, row) && lit.isAbove(to)) {
+        lines.push_back({lit.position, to});
+      }
+    }
+  }
+  std::vector<uint8_t> blocked(lines.size());
+  rays.find(lines, blocked);
+  return static_cast<float>(std::count(blocked.begin(), blocked.end(), 0)) / static_cast<float>(grid.count());
+}
+
 /// What a thread needs.
 struct Workspace {
   explicit Workspace(const LightGrid& grid) : cover(grid) {}
@@ -87,13 +103,13 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
     work.elements += rims_.find(shaft, own.found);
     work.elements += folds_.find(shaft, own.found);
     own.block.take(own.found, edges_.planes, box);
-    own.lines.resize(asked.size());
-    own.blocked.resize(asked.size());
+    own.lines.clear();
     for (size_t i = 0; i < asked.size(); ++i) {
       const LitReceiver& lit = asked[i].lit;
       const glm::vec3& p = lit.position;
       float& share = result.share[asked[i].index];
       glm::vec3 to(0);
+      glm::vec3 other(0);
       share = 1;
       OutlineBlock::Projected projected;
       if (!own.block.empty() || lit.seesHorizon) {
@@ -108,6 +124,7 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
         const LightCover::Least least = own.cover.least();
         share = static_cast<float>(least.count) / cells;
         to = grid_.point(least.column, least.row);
+        other = grid_.point(least.otherColumn, least.otherRow);
         if (!lit.isAbove(to)) {
           share = 0;  // no sample lies over the horizon
         }
@@ -117,12 +134,17 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
         const float meanShift = projected.shift / static_cast<float>(std::max<size_t>(projected.edges, 1));
         result.estimatedError[asked[i].index] = std::min(1.0f, std::sqrt(crossings / 12) / cells + length * meanShift);
       }
-      own.lines[i] = {p, to};
+      own.lines.push_back({p, to});
+      own.lines.push_back({p, other});
     }
+    own.blocked.resize(own.lines.size());
     rays_.find(own.lines, own.blocked);
-    work.rays += asked.size();
+    work.rays += own.lines.size();
     for (size_t i = 0; i < asked.size(); ++i) {
-      if (own.blocked[i] != 0) {
+      if (own.blocked[2 * i] != own.blocked[2 * i + 1]) {
+        result.share[asked[i].index] = shareByRays(asked[i].lit, grid_, rays_);
+        work.rays += static_cast<uint64_t>(grid_.count());
+      } else if (own.blocked[2 * i] != 0) {
         result.share[asked[i].index] = 0;
         result.estimatedError[asked[i].index] = 0;
       }
