@@ -58,13 +58,14 @@ void LightCover::add(const glm::vec2& a, const glm::vec2& b, int weight) {
   }
 }
 
-int LightCover::alikeAround(int column, int row) const {
-  if (!isLeast(column, row)) {
+int LightCover::alikeAround(int column, int row, bool isAmongLeast) const {
+  const auto isAsked = [&](int x, int y) { return isLeast(x, y) == isAmongLeast && hidden_[index(x, y)] != kOffLight; };
+  if (!isAsked(column, row)) {
     return -1;
   }
   const int side = grid_.side();
-  return (column > 0 && isLeast(column - 1, row)) + (column + 1 < side && isLeast(column + 1, row)) +
-         (row > 0 && isLeast(column, row - 1)) + (row + 1 < side && isLeast(column, row + 1));
+  return (column > 0 && isAsked(column - 1, row)) + (column + 1 < side && isAsked(column + 1, row)) +
+         (row > 0 && isAsked(column, row - 1)) + (row + 1 < side && isAsked(column, row + 1));
 }
 
 LightCover::Least LightCover::least() {
@@ -114,21 +115,23 @@ LightCover::Least LightCover::least() {
     result.neighbours += pairs[row];
   }
   // A sample whose neighbours are of its kind lies in the middle of them: a ray to it passes no edge closely.
-  int most = -1;
-  int otherMost = -1;
-  const int last = side * side - 1;
-  for (int i = 0; i <= last && (most < 4 || otherMost < 4); ++i) {
-    if (const int around = most < 4 ? alikeAround(i / side, i % side) : -1; around > most) {
-      most = around;
-      result.column = i / side;
-      result.row = i % side;
+  const int samples = side * side;
+  const auto choose = [&](bool isAmongLeast, bool fromEnd, int& chosenColumn, int& chosenRow) {
+    int most = -1;
+    for (int i = 0; i < samples && most < 4; ++i) {
+      const int sample = fromEnd ? samples - 1 - i : i;
+      if (const int around = alikeAround(sample / side, sample % side, isAmongLeast); around > most) {
+        most = around;
+        chosenColumn = sample / side;
+        chosenRow = sample % side;
+      }
     }
-    const int j = last - i;
-    if (const int around = otherMost < 4 ? alikeAround(j / side, j % side) : -1; around > otherMost) {
-      otherMost = around;
-      result.otherColumn = j / side;
-      result.otherRow = j % side;
-    }
+  };
+  choose(true, false, result.column, result.row);
+  choose(true, true, result.otherColumn, result.otherRow);
+  result.hasHidden = result.count < grid_.count();
+  if (result.hasHidden) {
+    choose(false, false, result.hiddenColumn, result.hiddenRow);
   }
   return result;
 }

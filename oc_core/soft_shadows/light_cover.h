@@ -33,6 +33,9 @@ class LightCover {
     int row = 0;
     int otherColumn = 0;  ///< another one, far from it where there is
     int otherRow = 0;
+    bool hasHidden = false;  ///< whether there are samples on the light that are not among them
+    int hiddenColumn = 0;    ///< one of those, among others of those where there is such a one
+    int hiddenRow = 0;
     int neighbours = 0;  ///< pairs of neighbouring samples of which one is among them
   };
   Least least();
@@ -44,8 +47,9 @@ class LightCover {
   static constexpr int16_t kOffLight = INT16_MAX;
   size_t index(int column, int row) const { return static_cast<size_t>(column) * kSide + static_cast<size_t>(row); }
 
-  /// How many neighbours of a sample are among the least, too; -1 where it is not.
-  int alikeAround(int column, int row) const;
+  /// How many neighbours of a sample are among the least, too, or are not, as it is itself; -1 where it is not as
+  /// asked, or beside the light.
+  int alikeAround(int column, int row, bool isAmongLeast) const;
 
   const LightGrid& grid_;
   // Column by column.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <optional>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
@@ -72,6 +73,7 @@ struct Workspace {
   std::vector<const OccluderEdge*> found;
   std::vector<SightLine> lines;
   std::vector<uint8_t> blocked;
+  std::vector<uint8_t> mustBeBlocked;
 };
 
 }  // namespace
@@ -104,12 +106,14 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
     work.elements += folds_.find(shaft, own.found);
     own.block.take(own.found, edges_.planes, box);
     own.lines.clear();
+    own.mustBeBlocked.clear();
     for (size_t i = 0; i < asked.size(); ++i) {
       const LitReceiver& lit = asked[i].lit;
       const glm::vec3& p = lit.position;
       float& share = result.share[asked[i].index];
       glm::vec3 to(0);
       glm::vec3 other(0);
+      std::optional<glm::vec3> hidden;
       share = 1;
       OutlineBlock::Projected projected;
       if (!own.block.empty() || lit.seesHorizon) {
@@ -125,6 +129,9 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
         share = static_cast<float>(least.count) / cells;
         to = grid_.point(least.column, least.row);
         other = grid_.point(least.otherColumn, least.otherRow);
+        if (least.hasHidden) {
+          hidden = grid_.point(least.hiddenColumn, least.hiddenRow);
+        }
         if (!lit.isAbove(to)) {
           share = 0;  // no sample lies over the horizon
         }
@@ -136,15 +143,20 @@ LightVisibility OutlineVisibility::of(std::span<const ShadowReceiver> receivers)
       }
       own.lines.push_back({p, to});
       own.lines.push_back({p, other});
+      // Below the horizon nothing else needs to stand before it.
+      own.lines.push_back({p, hidden && lit.isAbove(*hidden) ? *hidden : to});
+      own.mustBeBlocked.push_back(hidden && lit.isAbove(*hidden) ? 1 : 0);
     }
     own.blocked.resize(own.lines.size());
     rays_.find(own.lines, own.blocked);
     work.rays += own.lines.size();
     for (size_t i = 0; i < asked.size(); ++i) {
-      if (own.blocked[2 * i] != own.blocked[2 * i + 1]) {
+      const bool isLeastBlocked = own.blocked[3 * i] != 0;
+      if (isLeastBlocked != (own.blocked[3 * i + 1] != 0) ||
+          (own.mustBeBlocked[i] != 0 && own.blocked[3 * i + 2] == 0)) {
         result.share[asked[i].index] = shareByRays(asked[i].lit, grid_, rays_);
         work.rays += static_cast<uint64_t>(grid_.count());
-      } else if (own.blocked[2 * i] != 0) {
+      } else if (isLeastBlocked) {
         result.share[asked[i].index] = 0;
         result.estimatedError[asked[i].index] = 0;
       }

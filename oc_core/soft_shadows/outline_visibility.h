@@ -8,8 +8,8 @@
 //      surfaces before each sample up to a number that all share;
 //   3. one ray to a sample with the fewest tells that number: where it is free, the samples with as few are what the
 //      receiver sees; where it is blocked, all are. Receivers with no edge before the light are decided by the ray
-//      alone. A second ray to another of them must say the same: where it does not (a ray that passes an edge closer
-//      than numbers are exact), each sample gets a ray.
+//      alone. A second ray to another of them must say the same, and one to a sample that more hide must be blocked:
+//      where that is not so (a ray passed an edge closer than numbers are exact), each sample gets a ray.
 // After S. Laine et al., Soft shadow volumes for ray tracing, SIGGRAPH 2005, who take the edges of the geometry.
 //
 // The error has two parts.
