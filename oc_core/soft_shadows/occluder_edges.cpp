@@ -12,7 +12,7 @@ namespace {
 /// Triangles begin so far in front of the light, world units.
 constexpr float kInFront = 1e-5f;
 /// Two triangles lie in one plane where the sine of the angle between them is less: what single precision tells.
-constexpr float kSinFlat = 1e-5f;
+constexpr float kSinFlat = 1e-6f;
 
 /// The part of a triangle in front of the light, as a fan.
 void addCut(Mesh& mesh, const std::array<glm::vec3, 3>& corners) {
@@ -68,6 +68,27 @@ struct Side {
   bool ascends = true;  ///< whether it runs from the vertex with the lower number
 };
 
+/// Triangles in one plane share it: where no edge is between two, they must face every point alike.
+class SharedPlanes {
+ public:
+  explicit SharedPlanes(size_t triangles) : plane_(triangles) { std::iota(plane_.begin(), plane_.end(), 0u); }
+  uint32_t of(uint32_t triangle) {
+    while (plane_[triangle] != triangle) {
+      plane_[triangle] = plane_[plane_[triangle]];
+      triangle = plane_[triangle];
+    }
+    return triangle;
+  }
+  void unite(uint32_t a, uint32_t b) {
+    const uint32_t first = of(a);
+    const uint32_t second = of(b);
+    plane_[std::max(first, second)] = std::min(first, second);
+  }
+
+ private:
+  std::vector<uint32_t> plane_;
+};
+
 }  // namespace
 
 int weightOf(const OccluderEdge& edge, const std::vector<glm::vec4>& planes, const glm::vec3& point) {
@@ -112,6 +133,7 @@ OccluderEdges occluderEdges(const Mesh& occluders, const LightFrame& frame) {
   std::vector<uint32_t> next(first.begin(), first.end() - 1);
   forSides([&](uint32_t vertex, const Side& side) { sides[next[vertex]++] = side; });
 
+  SharedPlanes shared(result.mesh.triangles.size());
   for (uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
     const auto begin = sides.begin() + first[vertex];
     const auto end = sides.begin() + first[vertex + 1];
@@ -130,13 +152,22 @@ OccluderEdges occluderEdges(const Mesh& occluders, const LightFrame& frame) {
       edge.otherSign = side->ascends == other->ascends ? 1 : -1;
       const glm::vec3 p(result.planes[edge.plane]);
       const glm::vec3 q(result.planes[edge.other]);
-      // Two triangles that continue each other face every point alike, and cancel.
-      if (!(glm::length(glm::cross(p, q)) < kSinFlat && glm::dot(p, q) * static_cast<float>(edge.otherSign) < 0)) {
+      if (edge.otherSign < 0 && glm::dot(p, q) > 0 && glm::length(glm::cross(p, q)) < kSinFlat) {
+        shared.unite(edge.plane, edge.other);
+      } else {
         result.folds.push_back(edge);
       }
       side += 2;
     }
   }
+  for (OccluderEdge& rim : result.rims) {
+    rim.plane = shared.of(rim.plane);
+  }
+  for (OccluderEdge& fold : result.folds) {
+    fold.plane = shared.of(fold.plane);
+    fold.other = shared.of(fold.other);
+  }
+  std::erase_if(result.folds, [](const OccluderEdge& e) { return e.plane == e.other && e.otherSign < 0; });
   return result;
 }
 

@@ -35,12 +35,22 @@ TEST(OccluderEdges, ofABoxAreItsTwelve) {
   EXPECT_EQ(outlines({5, 0.1f, 7}), 6u);
 }
 
-// However triangles are turned: two that continue each other have no edge between them.
+// However triangles are turned: two that continue each other have no outline between them.
 TEST(OccluderEdges, askNotHowTrianglesAreTurned) {
   Mesh plate = test::plate(-1, 1, -1, 1, 2);
   std::swap(plate.triangles[1].x, plate.triangles[1].y);
   EXPECT_EQ(edgesOf(plate).rims.size(), 4u);
-  EXPECT_TRUE(edgesOf(plate).folds.empty());
+  const OccluderEdges edges = edgesOf(plate);
+  for (const OccluderEdge& edge : edges.folds) {
+    EXPECT_EQ(weightOf(edge, edges.planes, {0.3f, 0.2f, 3}), 0);
+  }
+}
+
+// Triangles without an edge between them face every point alike, also one in their plane.
+TEST(OccluderEdges, ofOnePlaneShareIt) {
+  for (const OccluderEdge& edge : edgesOf(test::plate(-1, 1, -1, 1, 2)).rims) {
+    EXPECT_EQ(edge.plane, 0u);
+  }
 }
 
 TEST(OccluderEdges, areOfWhatLiesInFrontOfTheLight) {
