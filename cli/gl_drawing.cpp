@@ -5,15 +5,29 @@
 #include "oc_core/base/error.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "oc_core/gl/gl_renderer.h"
+#include "oc_core/gl_rays/gl_ray_caster.h"
 #endif
 
 namespace ocelli {
 
+namespace {
+
+constexpr const char* kWhereFrom = "Where OpenGL comes from; auto takes EGL, or else OSMesa";
+
+CLI::Option& addProviderOption(CLI::App& command, std::string& provider, const std::string& text) {
+  return *command.add_option("--gl", provider, text)
+              ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
+              ->type_name("NAME");
+}
+
+}  // namespace
+
 void addGlOption(CLI::App& command, std::string& provider) {
-  command.add_option("--gl", provider, "Where OpenGL comes from; auto takes EGL, or else OSMesa")
-      ->check(CLI::IsMember({"auto", "egl", "osmesa"}))
-      ->type_name("NAME")
-      ->capture_default_str();
+  addProviderOption(command, provider, kWhereFrom).capture_default_str();
+}
+
+void addGlSwitch(CLI::App& command, std::string& provider, const std::string& use) {
+  addProviderOption(command, provider, use + ". " + kWhereFrom);
 }
 
 void addMethodOption(CLI::App& command, std::string& method) {
@@ -33,8 +47,8 @@ void requireGlUsed(const std::string& provider, bool used, const std::string& by
   }
 }
 
-void failWithoutOpenGl() {
-  throw InputError("this program was built without OpenGL", "--method or --construction",
+void failWithoutOpenGl(const std::string& where) {
+  throw InputError("this program was built without OpenGL", where,
                    "leave \"gl\" out, or build with -DOCELLI_WITH_OPENGL=ON");
 }
 
@@ -58,6 +72,10 @@ std::string GlDrawing::description() const {
   return describe(impl_->context->info());
 }
 
+std::shared_ptr<const DepthRayCaster> openRayCaster(const std::string& provider) {
+  return std::make_shared<GlRayCaster>(openGlContext(provider, "--gl"));
+}
+
 #else
 
 struct GlDrawing::Impl {};
@@ -72,6 +90,10 @@ const SceneRenderer& GlDrawing::rendererOf(const Mesh& /*mesh*/) {
 
 std::string GlDrawing::description() const {
   return {};
+}
+
+std::shared_ptr<const DepthRayCaster> openRayCaster(const std::string& /*provider*/) {
+  failWithoutOpenGl("--gl");
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include <memory>
 #include <string>
 
+#include "oc_core/depth_rays/depth_ray_caster.h"
 #include "oc_core/render/scene_renderer.h"
 
 namespace CLI {
@@ -16,6 +17,10 @@ namespace ocelli {
 /// Adds `--gl auto|egl|osmesa`.
 void addGlOption(CLI::App& command, std::string& provider);
 
+/// Adds `--gl auto|egl|osmesa` to a command that uses OpenGL where it is given, and only there; `provider` is empty
+/// before. `use` says what OpenGL does then: "Cast rays with OpenGL".
+void addGlSwitch(CLI::App& command, std::string& provider, const std::string& use);
+
 /// Adds `--method cpu|gl`, for work that has these two ways.
 void addMethodOption(CLI::App& command, std::string& method);
 
@@ -23,7 +28,11 @@ void addMethodOption(CLI::App& command, std::string& method);
 void requireGlUsed(const std::string& provider, bool used, const std::string& by);
 
 /// Throws InputError: this program was built without OpenGL.
-[[noreturn]] void failWithoutOpenGl();
+[[noreturn]] void failWithoutOpenGl(const std::string& where = "--method or --construction");
+
+/// Casts rays at depth images with OpenGL. Throws InputError where this program was built without it, GlError where no
+/// context can be opened.
+std::shared_ptr<const DepthRayCaster> openRayCaster(const std::string& provider);
 
 class GlDrawing {
  public:

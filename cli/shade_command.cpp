@@ -3,11 +3,14 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <optional>
+#include <string_view>
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/gl_drawing.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
@@ -29,16 +32,18 @@ struct ShadeChoice {
   std::vector<std::string> by;
   std::string view;
   std::string size = "720x480";
-  std::string imageSize = "720x480";
+  std::string imageSize;
   std::string cell;
   int environmentHeight = 1024;
   int lightSamples = 1024;
+  std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
   int runs = 1;
   bool compares = false;
   std::string json;
   std::string csv;
   std::string page;
   std::string output;
+  std::string gl;  ///< empty: the CPU casts all rays
 
   bool jsonToStandardOutput() const { return json == "-"; }
   bool comparesAnything() const { return compares || !json.empty() || !csv.empty() || !page.empty(); }
@@ -77,29 +82,58 @@ int lightSideFrom(int samples) {
   return side;
 }
 
+/// Throws InputError for options that the effect does not have, and for values that they do not take.
+std::map<std::string, std::string> givenOptions(const ShadeChoice& choice, const Effect& effect) {
+  std::map<std::string, std::string> given;
+  for (const auto& [name, value] : choice.options) {
+    if (value.empty()) {
+      continue;
+    }
+    const auto row = std::find_if(effect.options.begin(), effect.options.end(),
+                                  [&](const EffectOption& option) { return name == option.name; });
+    if (row == effect.options.end()) {
+      throw InputError(fmt::format("the effect \"{}\" has no such option", effect.name), "--" + name,
+                       "leave it away, or choose another --effect");
+    }
+    row->check(value);
+    given[name] = value;
+  }
+  return given;
+}
+
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
       : choice_(choice), context_(context), effect_(shadeEffect(choice.effect)) {
     const ImageSize size = imageSizeFromText(choice.size, "--size");
-    const ImageSize referenceSize = imageSizeFromText(choice.imageSize, "--image-size");
+    glm::ivec2 referenceSize = effect_.referenceSize;
+    if (!choice.imageSize.empty()) {
+      const ImageSize given = imageSizeFromText(choice.imageSize, "--image-size");
+      referenceSize = {given.width, given.height};
+    }
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
-    SceneOptions options = choice.scene.options;
-    options.shading = effect_.lightsScene ? Shading::kNone : options.shading;
+    SceneOptions sceneOptions = choice.scene.options;
+    sceneOptions.shading = effect_.lightsScene ? Shading::kNone : sceneOptions.shading;
+    const std::map<std::string, std::string> options = givenOptions(choice, effect_);
+    const std::shared_ptr<const DepthRayCaster> caster = openCaster();
     const auto scene = std::make_shared<const ShadedScene>(
-        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles), options, context.progress()));
+        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
+                        sceneOptions, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
-    StageInputs inputs{.scene = scene, .referenceSize = {referenceSize.width, referenceSize.height}};
+    StageInputs inputs{.scene = scene, .referenceSize = referenceSize};
     if (!choice.cell.empty()) {
       inputs.cellSide = cellSideFromText(choice.cell, "--cell");
     }
     inputs.environmentHeight = choice.environmentHeight;
     inputs.lightSide = lightSideFrom(choice.lightSamples);
     inputs.progress = context.progress();
+    inputs.picture = camera_;
+    inputs.options = options;
+    inputs.caster = caster;
     stage_ = effect_.stage(inputs);
     stage_->checkView(*camera_);
   }
@@ -132,6 +166,20 @@ class ShadeRun {
   }
 
  private:
+  /// Before the scene is loaded, so that a machine without OpenGL says so at once.
+  std::shared_ptr<const DepthRayCaster> openCaster() const {
+    if (choice_.gl.empty()) {
+      return nullptr;
+    }
+    if (effect_.castsOnDevice == nullptr || std::none_of(choice_.by.begin(), choice_.by.end(), effect_.castsOnDevice)) {
+      throw InputError("no ray is cast with OpenGL here", "--gl " + choice_.gl,
+                       "give a camera with --by, and an effect whose rays are cast at its images, or leave --gl out");
+    }
+    std::shared_ptr<const DepthRayCaster> caster = openRayCaster(choice_.gl);
+    context_.note("casting rays at depth images with " + caster->description());
+    return caster;
+  }
+
   void write(const Image<glm::vec3>& picture) const {
     writePng(choice_.output, srgbFromLinear(picture));
     context_.note("wrote " + choice_.output);
@@ -195,11 +243,33 @@ std::string waysHelp() {
   return text;
 }
 
+/// Each option of the effects once, however many have it.
+void addEffectOptions(CLI::App& command, ShadeChoice& choice) {
+  for (const Effect& effect : shadeEffects()) {
+    for (const EffectOption& option : effect.options) {
+      if (choice.options.contains(option.name)) {
+        continue;
+      }
+      std::string of;
+      for (const Effect& other : shadeEffects()) {
+        const bool has = std::any_of(other.options.begin(), other.options.end(), [&](const EffectOption& each) {
+          return std::string_view(each.name) == option.name;
+        });
+        of += has ? (of.empty() ? "" : ", ") + std::string(other.name) : "";
+      }
+      command
+          .add_option("--" + std::string(option.name), choice.options[option.name],
+                      fmt::format("{} ({} by default). For {}", option.meaning, option.initial, of))
+          ->type_name(option.values);
+    }
+  }
+}
+
 }  // namespace
 
 void addShadeCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
-      "shade", "Draw reflections and refractions whose rays hit reference images, and compare them with traced ones");
+      "shade", "Draw reflections, refractions and relief tiles by reference images, and compare them with traced ones");
   const auto choice = std::make_shared<ShadeChoice>();
   addSceneOptions(command, choice->scene, context);
   command
@@ -215,13 +285,17 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                   "View of the picture; by default from (0, 0, 10) to what sends the rays, and as wide as that")
       ->type_name("FILE.json");
   addSizeOption(command, choice->size);
-  command.add_option("--image-size", choice->imageSize, "Size of the reference images in pixels")
+  command
+      .add_option(
+          "--image-size", choice->imageSize,
+          "Size of the reference images in pixels; 720x480 by default, and for relief 512x512, which says how many "
+          "pixels an image has, in the proportions of its object")
       ->type_name("WIDTHxHEIGHT");
   command
       .add_option(
           "--cell", choice->cell,
           "Size of the cell of viewpoints that the reference images are made for, as for evaluate; by default as "
-          "large as what sends the rays")
+          "wide as the rays are at the reference view, or as large as what sends them")
       ->type_name("SIDE");
   command
       .add_option("--environment-height", choice->environmentHeight,
@@ -233,6 +307,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                   "Samples of an area light that decide how much of it is seen: 64, 256, 576 or 1024")
       ->check(CLI::IsMember({64, 256, 576, 1024}))
       ->type_name("N");
+  addEffectOptions(command, *choice);
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")
       ->check(CLI::Range(1, 1000))
@@ -241,11 +316,15 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a way")->type_name("FILE");
   command.add_option("--page", choice->page, "Also make a page with pictures and error maps in this folder")
       ->type_name("DIR");
+  addGlSwitch(command, choice->gl,
+              "Cast rays at depth images with OpenGL, and compare what they hit with what they hit on the CPU");
   addSecondOutputOption(command, "-o,--output", choice->output, "Where the picture goes", {".png"});
   context.finish(command,
                  "  ocelli shade builtin:mirror --by ddoc -o reflection.png\n"
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
+                 "  ocelli shade dragon.obj --effect ambient --by horizon,graph,corners-8 --radius 0.4 --page ambient\n"
+                 "  ocelli shade builtin:parking --effect relief --by height-field,spoc,cell --page parking\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {
                    checkOutputs(*choice);

@@ -28,7 +28,7 @@ if(OCELLI_WITH_LIVE_PAGE)
   ocelli_component(live    study/live/server)
 endif()
 if(OCELLI_WITH_OPENGL)
-  ocelli_component(opengl  oc_core/gl oc_core/window display_sim/gl display_sim/viewer study/screen)
+  ocelli_component(opengl  oc_core/gl oc_core/gl_rays oc_core/window display_sim/gl display_sim/viewer study/screen)
 endif()
 
 # The component of a folder, in `result`.

@@ -36,6 +36,7 @@ wire_host display_driver_wire/host_corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
 material scene/image_corpus $seconds
+shade shade/corpus $seconds
 END
 wait "$campaign" || status=1
 exit "$status"

@@ -60,6 +60,7 @@ run viewer_frames 60 "$here/bin/viewer_frames_bench" --json "$out/viewer_frames.
 run render 150 "$here/bin/gl_render_bench" --runs 4 --triangles 150000,1000000,4600000,10000000 --json "$out/render.json"
 run display 150 "$here/bin/gl_display_bench" --benchmark_out="$out/display.json" --benchmark_out_format=json \
   --benchmark_min_time=0.2
+run rays 90 "$here/bin/gl_rays_bench" --runs 5 --json "$out/rays.json"
 run multiperspective 60 "$here/bin/multiperspective_bench" --runs 4 --json "$out/multiperspective.json"
 run tour 60 "$here/bin/ocelli" view builtin:statues --offscreen "$here/tour.json" --gl egl -o "$out/tour"
 

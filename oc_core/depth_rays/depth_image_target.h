@@ -31,6 +31,7 @@ class DepthImageTarget final : public RayTarget {
 
   Box bounds() const override { return pyramid_.bounds(); }
   const SampleCells& cells() const { return *cells_; }
+  const SamplePyramid& pyramid() const { return pyramid_; }
   /// The most steps that one straight piece of a ray can take.
   size_t maxSteps() const { return pyramid_.maxSteps(); }
 

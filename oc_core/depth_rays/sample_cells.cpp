@@ -67,4 +67,19 @@ SampleCells sampleCells(const ReferenceImages& images) {
   return cells;
 }
 
+SampleCells triangleCells(const Mesh& mesh) {
+  // As wide as the groups that a pyramid makes of neighbours, so that each holds triangles that follow each other.
+  constexpr int kColumns = 4;
+  const size_t count = mesh.triangles.size();
+  const auto rows = static_cast<int>((count + kColumns - 1) / kColumns);
+  SampleCells cells{mesh, {}, std::vector<uint32_t>(static_cast<size_t>(rows) * kColumns + 1)};
+  for (size_t i = 0; i < cells.firstTriangle.size(); ++i) {
+    cells.firstTriangle[i] = static_cast<uint32_t>(std::min(i, count));
+  }
+  if (rows > 0) {
+    cells.grids.push_back({0, kColumns, rows, 0});
+  }
+  return cells;
+}
+
 }  // namespace ocelli

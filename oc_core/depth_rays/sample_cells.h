@@ -42,4 +42,7 @@ struct SampleCells {
 /// No image, and images without samples, give no triangle.
 SampleCells sampleCells(const ReferenceImages& images);
 
+/// A mesh in place of images, for what is met exactly: a cell a triangle, in their order.
+SampleCells triangleCells(const Mesh& mesh);
+
 }  // namespace ocelli

@@ -17,8 +17,6 @@ constexpr float kFar = std::numeric_limits<float>::max();
 constexpr float kRounding = 1e-6f;
 /// What boxes are grown by, of the largest coordinate.
 constexpr float kMarginShare = 2.5e-7f;
-/// Ranges are halved evenly, so that 2^31 cells have less than 10 levels; each leaves 15 children waiting.
-constexpr size_t kMaxWaiting = 16 * 16;
 /// Of the extent of a block: where a gap is wider, its two sides get nodes of their own.
 constexpr float kGapShare = 0.15f;
 
@@ -34,12 +32,6 @@ glm::vec3 inverseOf(const glm::vec3& step) {
   }
   return inverse;
 }
-
-/// Without initial values: a ray needs few of the array of them.
-struct Waiting {
-  float entry;
-  uint32_t reference;
-};
 
 }  // namespace
 
@@ -186,16 +178,34 @@ SamplePyramid::Child SamplePyramid::nodeOf(std::span<const Child> children) {
   return whole;
 }
 
+size_t SamplePyramid::depth() const {
+  std::vector<size_t> depths(nodes_.size());
+  size_t deepest = 0;
+  for (size_t i = 0; i < nodes_.size(); ++i) {
+    for (size_t k = 0; k < nodes_[i].count; ++k) {
+      const uint32_t child = nodes_[i].child[k];
+      OC_CHECK((child & kCellBit) != 0 || child < i, "nodes stand behind those below them");
+      depths[i] = std::max(depths[i], (child & kCellBit) != 0 ? 0 : depths[child]);
+    }
+    deepest = std::max(deepest, ++depths[i]);
+  }
+  return deepest;
+}
+
 std::optional<TriangleMeeting> SamplePyramid::meet(const StraightRay& ray, RayCost& cost) const {
   if (root_.box.empty()) {
     return std::nullopt;
   }
+  WaitingList waiting;
+  waiting[0] = {0, root_.reference};
+  return goOn(ray, waiting, 1, cost);
+}
+
+std::optional<TriangleMeeting> SamplePyramid::goOn(const StraightRay& ray, WaitingList& waiting, size_t count,
+                                                   RayCost& cost) const {
   const glm::vec3 inverse = inverseOf(ray.step);
   std::optional<TriangleMeeting> best;
   float reach = ray.reach * (1 + kRounding);
-  std::array<Waiting, kMaxWaiting> waiting;
-  size_t count = 0;
-  waiting[count++] = {0, root_.reference};
   while (count > 0) {
     const Waiting next = waiting[--count];
     if (next.entry > reach) {

@@ -17,6 +17,7 @@
 #include <span>
 #include <vector>
 
+#include "oc_core/depth_rays/ray_block.h"
 #include "oc_core/depth_rays/ray_cost.h"
 #include "oc_core/depth_rays/sample_cells.h"
 #include "oc_core/depth_rays/straight_ray.h"
@@ -32,11 +33,21 @@ class SamplePyramid {
   /// The first triangle that the ray meets. The ray has finite numbers and a direction. `cost` grows.
   std::optional<TriangleMeeting> meet(const StraightRay& ray, RayCost& cost) const;
 
+  /// The same for each ray of a block, which stands for fewer steps where they run close to each other: a triangle that
+  /// is met nearer than the reach of a ray takes the place of what `meeting` says, and shortens the reach.
+  void meetBlock(RayBlock& block, RayCost& cost) const;
+  /// The same, for blocks whose rays run far apart from each other, compared with samples: the nodes that are about as
+  /// wide as the block are found for all rays together, and each ray goes on from there by itself.
+  void meetWideBlock(RayBlock& block, RayCost& cost) const;
+
+  /// Cells that hold surfaces.
+  size_t filledCells() const { return filledCells_; }
   /// The most steps that a ray can take: no node is opened twice, and no cell is tested twice.
   size_t maxSteps() const { return nodes_.size() + filledCells_; }
   Box bounds() const { return bounds_; }
 
- private:
+  // How it lies in memory, for what walks it elsewhere than on the CPU (oc_core/gl_rays).
+
   static constexpr int kSide = 4;
   static constexpr size_t kChildren = kSide * kSide;
   /// What a child is: a node, or the cell of a pixel.
@@ -48,12 +59,36 @@ class SamplePyramid {
     std::array<uint32_t, kChildren> child;
     uint32_t count = 0;  ///< of children; the others are boxes that nothing meets
   };
+
+  /// Each stands behind the nodes below it.
+  std::span<const Node> nodes() const { return nodes_; }
+  /// What the walk begins with: a node or a cell; nothing where there is nothing to hit.
+  std::optional<uint32_t> root() const { return root_.box.empty() ? std::nullopt : std::optional(root_.reference); }
+  /// Nodes on the longest way down to a cell.
+  size_t depth() const;
+  /// The most children that wait at once in a walk that opens the nearest first: each opened node takes the place of
+  /// one and leaves kChildren.
+  size_t maxWaiting() const { return depth() * (kChildren - 1) + 1; }
+
+ private:
   struct Child {
     Box box;  ///< empty where there is none
     uint32_t reference = 0;
   };
   using Children = std::vector<Child>;
+  /// What a ray has still to look at. Without initial values: a ray needs few of an array of them.
+  struct Waiting {
+    float entry;
+    uint32_t reference;
+  };
+  /// Ranges are halved evenly, so that 2^31 cells have less than 10 levels; each leaves 15 children waiting.
+  static constexpr size_t kMaxWaiting = 16 * 16;
+  /// Nodes that the rays of a wide block begin at.
+  static constexpr size_t kMaxBegins = 40;
+  using WaitingList = std::array<Waiting, kMaxWaiting + kMaxBegins>;
 
+  /// Goes on with what waits, the nearest last.
+  std::optional<TriangleMeeting> goOn(const StraightRay& ray, WaitingList& waiting, size_t count, RayCost& cost) const;
   Children cellsOf(const SampleGrid& grid, float margin) const;
   /// One node, or several where gaps part them.
   void addBlock(std::span<Child> cells, Children& blocks);

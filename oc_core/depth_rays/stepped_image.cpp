@@ -4,13 +4,6 @@
 #include <cmath>
 
 namespace ocelli {
-namespace {
-
-/// A coarse piece that stays farther before or behind what both ends show than it moves itself cannot meet it, but
-/// where the surface does as much in between: some factor for that.
-constexpr double kClearly = 1.5;
-
-}  // namespace
 
 SteppedImage::SteppedImage(const ReferenceImage& image, const CameraMap& map, const SteppingOptions& options)
     : image_(image), map_(map), options_(options), pinhole_(image.reference()) {
@@ -20,6 +13,14 @@ SteppedImage::SteppedImage(const ReferenceImage& image, const CameraMap& map, co
         bounds_.add(*point);
       }
     }
+  }
+  if (!bounds_.empty()) {
+    // A ray crosses a plane of samples within bounds that have a depth, even where the plane itself has none.
+    constexpr float kMarginFootprints = 2;
+    const float farthest = glm::distance(pinhole_.eye(), bounds_.center()) + glm::length(bounds_.size()) / 2;
+    const float margin = kMarginFootprints * farthest / pinhole_.focalPixels();
+    bounds_.lower -= margin;
+    bounds_.upper += margin;
   }
 }
 
@@ -60,10 +61,6 @@ std::optional<SteppedImage::Meeting> SteppedImage::meetWithin(const StraightRay&
                                                               int halvings, RayCost& cost) const {
   const bool both = a.projects && b.projects;
   const double length = both ? glm::distance(a.place, b.place) : options_.coarsePixels * 2;
-  // The ends of a piece of a curve may be closer than the piece is long: the first pieces are always halved.
-  constexpr int kAlwaysHalved = 2;
-  // A piece neither end of which has an image may have one in between; it is given up at 1/32 of the ray.
-  constexpr int kUnseenHalvings = 5;
   const bool ends = halvings >= kMaxHalvings;
   if (!ends && (halvings < kAlwaysHalved || length > options_.coarsePixels)) {
     if (!a.projects && !b.projects && halvings >= kUnseenHalvings) {
@@ -124,14 +121,13 @@ std::optional<SteppedImage::Meeting> SteppedImage::crossing(const StraightRay& r
     return std::nullopt;
   }
   meeting.place = a.place + (b.place - a.place) * between;
-  meeting.opacity = opacityAt(meeting.place);
+  meeting.opacity =
+      opacityOf(static_cast<int>(std::floor(meeting.place.x)), static_cast<int>(std::floor(meeting.place.y)));
   return meeting;
 }
 
 /// From the points of a pixel and its neighbours to the right and below.
-double SteppedImage::opacityAt(const glm::dvec2& place) const {
-  const auto x = static_cast<int>(std::floor(place.x));
-  const auto y = static_cast<int>(std::floor(place.y));
+double SteppedImage::opacityOf(int x, int y) const {
   const auto point = [&](int column, int row) {
     return image_.t.contains(column, row) ? image_.pointOf(column, row, pinhole_) : std::nullopt;
   };

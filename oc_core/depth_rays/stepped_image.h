@@ -54,6 +54,23 @@ class SteppedImage {
   static constexpr int kMaxHalvings = 14;
   static constexpr size_t maxSteps() { return (size_t{2} << kMaxHalvings) - 1; }
 
+  // What a walk elsewhere than on the CPU needs (oc_core/gl_rays), which takes the same decisions.
+
+  /// The ends of a piece of a curve may be closer than the piece is long: the first pieces are always halved.
+  static constexpr int kAlwaysHalved = 2;
+  /// A piece neither end of which has an image may have one in between; it is given up at 1/32 of the ray.
+  static constexpr int kUnseenHalvings = 5;
+  /// A coarse piece that stays farther before or behind what both ends show than it moves itself cannot meet it, but
+  /// where the surface does as much in between: some factor for that.
+  static constexpr double kClearly = 1.5;
+  const ReferenceImage& image() const { return image_; }
+  const SteppingOptions& options() const { return options_; }
+  const Box& bounds() const { return bounds_; }
+  /// Of the reference view, pixels.
+  float focalPixels() const { return pinhole_.focalPixels(); }
+  /// The opacity of a hit that lies in a pixel.
+  double opacityOf(int x, int y) const;
+
  private:
   /// A point of the ray, and what the image shows there.
   struct Probe {
@@ -68,7 +85,6 @@ class SteppedImage {
   std::optional<Meeting> meetWithin(const StraightRay& ray, const Probe& a, const Probe& b, int halvings,
                                     RayCost& cost) const;
   std::optional<Meeting> crossing(const StraightRay& ray, const Probe& a, const Probe& b) const;
-  double opacityAt(const glm::dvec2& place) const;
 
   const ReferenceImage& image_;
   const CameraMap& map_;

@@ -11,15 +11,6 @@
 namespace ocelli {
 namespace {
 
-// As shaders/displaced.glsl numbers them.
-constexpr int kSpoc = 1;
-constexpr int kReversePinhole = 2;
-constexpr int kDdoc = 3;
-
-std::string modelDefine(int model) {
-  return "#define MODEL " + std::to_string(model) + "\n";
-}
-
 /// Compute shaders of the splitter, which share what they know of the camera.
 GlObject makeCompute(GlContext& context, int model, const char* name, std::string_view source,
                      const std::string& define) {
@@ -27,7 +18,7 @@ GlObject makeCompute(GlContext& context, int model, const char* name, std::strin
                      {{GL_COMPUTE_SHADER,
                        {shaders::kPinhole, shaders::kMesh, shaders::kDisplaced, shaders::kPiece, shaders::kSplitCounts,
                         shaders::kSplitCodes, source}}},
-                     modelDefine(model) + define);
+                     displacementDefine(model) + define);
 }
 
 SplitPrograms makePrograms(GlContext& context, int model) {
@@ -50,34 +41,10 @@ SplitPrograms makePrograms(GlContext& context, int model) {
                   {{GL_VERTEX_SHADER,
                     {shaders::kPinhole, shaders::kMesh, shaders::kDisplaced, shaders::kPiece, shaders::kLeavesVert}},
                    {GL_FRAGMENT_SHADER, {shaders::kFragment, shaders::kLeavesFrag}}},
-                  modelDefine(model))};
+                  displacementDefine(model))};
 }
 
 }  // namespace
-
-/// In the layout std140, as shaders/displaced.glsl has it.
-struct SubdivisionPass::Block {
-  glm::vec2 pole{0};
-  float displacedFrom = 0;
-  float inverseNear = 0;
-  float perInverseZ = 0;
-  float nearPixels = 0;
-  float farPixels = 0;
-  float sameImageDepth = 0;
-  float meetingDepth = 0;
-  float clipMargin = 0;
-  uint32_t bilinear = 0;
-  float longestEdge = 0;
-  float shortestEdge = 0;
-  float tornEdge = 0;
-  glm::vec2 unused{0};
-
-  Block(float longest, const SubdivisionOptions& options)
-      : clipMargin(longest + 2),
-        longestEdge(options.longestEdgePixels),
-        shortestEdge(options.shortestEdgePixels),
-        tornEdge(options.tornEdgePixels) {}
-};
 
 SubdivisionPass::Model::Model(GlContext& context, int number)
     : split(makePrograms(context, number)),
@@ -85,46 +52,30 @@ SubdivisionPass::Model::Model(GlContext& context, int number)
           makeProgram(context, "keep_undisplaced",
                       {{GL_COMPUTE_SHADER,
                         {shaders::kPinhole, shaders::kDisplaced, shaders::kFragment, shaders::kKeepUndisplacedComp}}},
-                      modelDefine(number))) {}
+                      displacementDefine(number))) {}
 
 SubdivisionPass::SubdivisionPass(GlContext& context)
     : context_(context),
       splitter_(context),
-      spoc_(context, kSpoc),
-      reversePinhole_(context, kReversePinhole),
-      ddoc_(context, kDdoc),
+      spoc_(context, kSpocModel),
+      reversePinhole_(context, kReversePinholeModel),
+      ddoc_(context, kDdocModel),
       vertexArray_(makeVertexArray(context)) {}
 
 GlFragments SubdivisionPass::draw(const SpocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                                   const SubdivisionOptions& options) const {
-  const SpocDistortion& d = camera.distortion();
-  Block block(camera.longestDisplacement(), options);
-  block.pole = d.pole;
-  block.displacedFrom = d.zNear;
-  block.inverseNear = 1 / d.zNear;
-  block.perInverseZ = 1 / (block.inverseNear - 1 / d.zFar);
-  block.nearPixels = d.nearPixels;
-  block.farPixels = d.farPixels;
-  return drawModel(spoc_, camera.reference(), block, seen, mesh);
+  return drawModel(spoc_, camera.reference(), displacementBlock(camera, options), seen, mesh);
 }
 
 GlFragments SubdivisionPass::draw(const ReversePinholeCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                                   const SubdivisionOptions& options) const {
-  Block block(camera.longestDisplacement(), options);
-  block.sameImageDepth = camera.sameImageDepth();
-  block.meetingDepth = camera.meetingDepth();
-  return drawModel(reversePinhole_, camera.reference(), block, seen, mesh);
+  return drawModel(reversePinhole_, camera.reference(), displacementBlock(camera, options), seen, mesh);
 }
 
 GlFragments SubdivisionPass::draw(const DdocCamera& camera, const GlFragments& seen, const GlMesh& mesh,
                                   const SubdivisionOptions& options) const {
-  static_assert(sizeof(DistortionSample) == 4 * sizeof(float), "a sample is a texel");
   const GladGLContext& gl = context_.gl();
-  Block block(camera.longestDisplacement(), options);
-  block.bilinear = camera.map().lookup() == DistortionMap::Lookup::kBilinear ? 1 : 0;
-  const GlObject map = makeTexture(context_, GL_RGBA32F, camera.width(), camera.height());
-  gl.TextureSubImage2D(map.id(), 0, 0, 0, camera.width(), camera.height(), GL_RGBA, GL_FLOAT,
-                       camera.map().samples().data());
+  const GlObject map = distortionTexture(context_, camera);
   const Image<uint32_t>& before = camera.displacedBefore();
   const GlObject displacedBefore = makeTexture(context_, GL_R32UI, before.width(), before.height());
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 4);
@@ -132,11 +83,12 @@ GlFragments SubdivisionPass::draw(const DdocCamera& camera, const GlFragments& s
                        before.data());
   gl.BindTextureUnit(1, map.id());
   gl.BindTextureUnit(2, displacedBefore.id());
-  return drawModel(ddoc_, camera.reference(), block, seen, mesh);
+  return drawModel(ddoc_, camera.reference(), displacementBlock(camera, options), seen, mesh);
 }
 
-GlFragments SubdivisionPass::drawModel(const Model& model, const PinholeCamera& reference, const Block& block,
-                                       const GlFragments& seen, const GlMesh& mesh) const {
+GlFragments SubdivisionPass::drawModel(const Model& model, const PinholeCamera& reference,
+                                       const DisplacementBlock& block, const GlFragments& seen,
+                                       const GlMesh& mesh) const {
   const GladGLContext& gl = context_.gl();
   const GlObject pinhole = pinholeUniforms(context_, reference);
   const GlObject displacement = makeBuffer(context_, sizeof(block), &block);

@@ -7,9 +7,7 @@
 // renderer, it is slower for scans and wrong for large triangles (docs/results.md, "On the GPU").
 #pragma once
 
-#include "oc_core/camera/ddoc_camera.h"
-#include "oc_core/camera/reverse_pinhole_camera.h"
-#include "oc_core/camera/spoc_camera.h"
+#include "oc_core/gl/displacement_uniforms.h"
 #include "oc_core/gl/gl_fragments.h"
 #include "oc_core/gl/gl_mesh.h"
 #include "oc_core/gl/piece_splitter.h"
@@ -37,10 +35,9 @@ class SubdivisionPass {
     SplitPrograms split;
     GlObject keepUndisplaced;
   };
-  struct Block;
 
-  GlFragments drawModel(const Model& model, const PinholeCamera& reference, const Block& block, const GlFragments& seen,
-                        const GlMesh& mesh) const;
+  GlFragments drawModel(const Model& model, const PinholeCamera& reference, const DisplacementBlock& block,
+                        const GlFragments& seen, const GlMesh& mesh) const;
 
   GlContext& context_;
   mutable PieceSplitter splitter_;

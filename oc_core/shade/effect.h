@@ -6,6 +6,7 @@
 // measurements of a way. What a picture's errors are is up to the effect: its columns, its maps, its legend.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
@@ -13,6 +14,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/depth_rays/depth_ray_caster.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/shade/shaded_scene.h"
 
@@ -88,6 +90,16 @@ class EffectStage {
   virtual std::vector<ShadeFact> facts(const PinholeCamera& camera) = 0;
 };
 
+/// An option that an effect has of its own: `--NAME VALUE`. Effects may share one.
+struct EffectOption {
+  const char* name;
+  const char* values;   ///< what it takes, in help
+  const char* initial;  ///< its value by default
+  const char* meaning;
+  /// Throws InputError for a value that it does not take.
+  void (*check)(const std::string& value);
+};
+
 struct StageInputs {
   std::shared_ptr<const ShadedScene> scene;
   glm::ivec2 referenceSize{720, 480};  ///< of reference images, pixels
@@ -96,6 +108,13 @@ struct StageInputs {
   int environmentHeight = 1024;  ///< rows of environment maps
   int lightSide = 32;            ///< rows of the samples of an area light, which has their square
   Progress progress = {};
+  /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn
+  /// then.
+  std::optional<PinholeCamera> picture = {};
+  /// Of Effect::options, by name; those that are missing have their initial value.
+  std::map<std::string, std::string> options = {};
+  /// Casts rays at depth images, for ways of which Effect::castsOnDevice() says so; nothing: the CPU does.
+  std::shared_ptr<const DepthRayCaster> caster = {};
 };
 
 struct Effect {
@@ -117,6 +136,12 @@ struct Effect {
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
   /// Whether it lights the scene: that is to be loaded with Shading::kNone, so that no other light is in its colours.
   bool lightsScene = false;
+  std::vector<EffectOption> options = {};
+  bool needsRoles = true;  ///< else it takes scenes of whose objects nothing says roles
+  /// Whether StageInputs::caster casts the rays of a way; nullptr for an effect without such ways.
+  bool (*castsOnDevice)(const std::string& way) = nullptr;
+  /// Of reference images, pixels, where the user gives none.
+  glm::ivec2 referenceSize{720, 480};
 };
 
 }  // namespace ocelli

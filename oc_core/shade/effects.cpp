@@ -1,13 +1,16 @@
 #include "oc_core/shade/effects.h"
 
 #include "oc_core/base/error.h"
+#include "oc_core/shade/ambient_effect.h"
+#include "oc_core/shade/relief_effect.h"
 #include "oc_core/shade/shadow_effect.h"
 #include "oc_core/shade/specular_effect.h"
 
 namespace ocelli {
 
 const std::vector<Effect>& shadeEffects() {
-  static const std::vector<Effect> effects{reflectionEffect(), refractionEffect(), shadowEffect()};
+  static const std::vector<Effect> effects{reflectionEffect(), refractionEffect(), reliefEffect(), ambientEffect(),
+                                           shadowEffect()};
   return effects;
 }
 

@@ -14,6 +14,8 @@ class EnvironmentMap {
 
   /// The linear colour in a direction of any length but 0, between the four pixels around it.
   glm::vec3 colorOf(const glm::vec3& direction) const;
+  /// Linear; level, as PanoramaCamera has it for a view along -z.
+  const Image<glm::vec3>& image() const { return image_; }
 
  private:
   PanoramaCamera camera_;

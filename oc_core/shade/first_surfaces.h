@@ -26,10 +26,10 @@ class FirstSurfaces {
   FirstSurfaces(const ShadedScene& scene, const std::vector<SpecularObject>& objects);
 
   FirstSurface along(const RayPath& ray) const;
+  /// The number of one of the objects.
+  size_t numberOf(const SpecularObject& object) const { return static_cast<size_t>(&object - objects_.data()); }
   /// Rays at one of the objects alone.
-  const RayScene& raysOf(const SpecularObject& object) const {
-    return *objectRays_[static_cast<size_t>(&object - objects_.data())];
-  }
+  const RayScene& raysOf(const SpecularObject& object) const { return *objectRays_[numberOf(object)]; }
 
  private:
   const std::vector<SpecularObject>& objects_;

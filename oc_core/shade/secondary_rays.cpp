@@ -13,34 +13,6 @@ constexpr int kMaxInnerReflections = 4;
 /// What a ray inside of glass begins before the surface that it comes from, of the size of the object.
 constexpr float kStepInside = 1e-5f;
 
-/// `goOn(surfaces, object, fragment, incoming)` is the ray from there.
-template <class GoOn>
-SecondaryRays secondaryRays(const FirstSurfaces& surfaces, const PinholeCamera& camera, const GoOn& goOn) {
-  SecondaryRays result{Image<glm::vec3>(camera.width(), camera.height()), {}};
-  std::vector<std::optional<SecondaryRay>> rayOf(result.base.size());
-  parallelFor(static_cast<size_t>(camera.height()), 4, [&](size_t begin, size_t end) {
-    for (size_t row = begin; row < end; ++row) {
-      const int y = static_cast<int>(row);
-      for (int x = 0; x < camera.width(); ++x) {
-        const RayPath path = camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-        const FirstSurface first = surfaces.along(path);
-        result.base(x, y) = first.color;
-        if (first.object != nullptr) {
-          SecondaryRay ray = goOn(surfaces, *first.object, first.fragment, glm::normalize(path.back() - path.front()));
-          ray.pixel = static_cast<uint32_t>(result.base.index(x, y));
-          rayOf[ray.pixel] = ray;
-        }
-      }
-    }
-  });
-  for (const std::optional<SecondaryRay>& ray : rayOf) {
-    if (ray) {
-      result.rays.push_back(*ray);
-    }
-  }
-  return result;
-}
-
 SecondaryRay throughGlass(const FirstSurfaces& surfaces, const SpecularObject& glass, const Fragment& entry,
                           const glm::vec3& incoming) {
   const auto index = static_cast<float>(glass.refractiveIndex);
@@ -58,26 +30,53 @@ SecondaryRay throughGlass(const FirstSurfaces& surfaces, const SpecularObject& g
     const glm::vec3 normal = normalAt(exit, glass.mesh, glass.normals, direction);
     const glm::vec3 out = glm::refract(direction, normal, index);
     if (out != glm::vec3(0)) {
-      return {place, glm::normalize(out), 0};
+      return {place, glm::normalize(out)};
     }
     direction = glm::normalize(glm::reflect(direction, normal));
   }
-  return {place, glm::normalize(direction), 0};
+  return {place, glm::normalize(direction)};
 }
 
 }  // namespace
 
+SecondaryRays raysGoingOn(const FirstSurfaces& surfaces, const PinholeCamera& camera, const GoOn& goOn) {
+  SecondaryRays result{Image<glm::vec3>(camera.width(), camera.height()), {}};
+  std::vector<std::optional<SecondaryRay>> rayOf(result.base.size());
+  parallelFor(static_cast<size_t>(camera.height()), 4, [&](size_t begin, size_t end) {
+    for (size_t row = begin; row < end; ++row) {
+      const int y = static_cast<int>(row);
+      for (int x = 0; x < camera.width(); ++x) {
+        const RayPath path = camera.rayPath({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+        const FirstSurface first = surfaces.along(path);
+        result.base(x, y) = first.color;
+        if (first.object != nullptr) {
+          SecondaryRay ray = goOn({*first.object, first.fragment, glm::normalize(path.back() - path.front()), {x, y}});
+          ray.pixel = static_cast<uint32_t>(result.base.index(x, y));
+          ray.sender = static_cast<uint32_t>(surfaces.numberOf(*first.object));
+          rayOf[ray.pixel] = ray;
+        }
+      }
+    }
+  });
+  for (const std::optional<SecondaryRay>& ray : rayOf) {
+    if (ray) {
+      result.rays.push_back(*ray);
+    }
+  }
+  return result;
+}
+
 SecondaryRays reflectedRays(const FirstSurfaces& surfaces, const PinholeCamera& camera) {
-  return secondaryRays(
-      surfaces, camera,
-      [](const FirstSurfaces&, const SpecularObject& mirror, const Fragment& fragment, const glm::vec3& incoming) {
-        const glm::vec3 normal = normalAt(fragment, mirror.mesh, mirror.normals, incoming);
-        return SecondaryRay{positionOf(fragment, mirror.mesh), glm::normalize(glm::reflect(incoming, normal)), 0};
-      });
+  return raysGoingOn(surfaces, camera, [](const SpecularHit& hit) {
+    const glm::vec3 normal = normalAt(hit.fragment, hit.object.mesh, hit.object.normals, hit.incoming);
+    return SecondaryRay{positionOf(hit.fragment, hit.object.mesh), glm::normalize(glm::reflect(hit.incoming, normal))};
+  });
 }
 
 SecondaryRays refractedRays(const FirstSurfaces& surfaces, const PinholeCamera& camera) {
-  return secondaryRays(surfaces, camera, throughGlass);
+  return raysGoingOn(surfaces, camera, [&](const SpecularHit& hit) {
+    return throughGlass(surfaces, hit.object, hit.fragment, hit.incoming);
+  });
 }
 
 }  // namespace ocelli

@@ -4,6 +4,7 @@
 // scene: the text leaves self-reflections out, too (section 3.5.2.4.1), so no comparison depends on it.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "oc_core/camera/pinhole_camera.h"
@@ -16,6 +17,7 @@ struct SecondaryRay {
   glm::vec3 origin{0};
   glm::vec3 direction{0};  ///< unit
   uint32_t pixel = 0;      ///< its index in the picture
+  uint32_t sender = 0;     ///< the number of the object that it comes from, among those that send rays
 };
 
 struct SecondaryRays {
@@ -23,6 +25,18 @@ struct SecondaryRays {
   Image<glm::vec3> base;
   std::vector<SecondaryRay> rays;  ///< by pixel
 };
+
+/// Where a view ray first meets one of the objects.
+struct SpecularHit {
+  const SpecularObject& object;
+  const Fragment& fragment;
+  glm::vec3 incoming{0};  ///< unit
+  glm::ivec2 pixel{0};
+};
+/// The ray from there: its pixel and sender need not be set. Called from many threads.
+using GoOn = std::function<SecondaryRay(const SpecularHit& hit)>;
+/// At each pixel that shows one of the objects.
+SecondaryRays raysGoingOn(const FirstSurfaces& surfaces, const PinholeCamera& camera, const GoOn& goOn);
 
 /// At each pixel that shows one of the objects, which mirror: the view ray reflected about the interpolated normal
 /// (first order).

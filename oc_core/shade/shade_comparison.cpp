@@ -1,19 +1,17 @@
 #include "oc_core/shade/shade_comparison.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <glm/common.hpp>
+#include <glm/geometric.hpp>
 
-#include "oc_core/base/parallel.h"
+#include "oc_core/base/check.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/image_quality.h"
 #include "oc_core/ocri/coverage.h"
 
 namespace ocelli {
 namespace {
-
-constexpr size_t kChunks = 256;
 
 /// The linear colours of the rays' pixels alone, as an image of one row.
 Image<Rgb8> colorsOfRays(const SecondaryRays& rays, const ShadedPicture& picture) {
@@ -28,9 +26,18 @@ glm::vec3 placeOf(const SecondaryRay& ray, float distance) {
   return ray.origin + ray.direction * distance;
 }
 
+/// What counts as near. Of things beside and behind the reference view, which no image of one plane holds, the distance
+/// stands for z.
+float reachAt(const PinholeCamera& reference, const glm::vec3& place) {
+  const float along = reference.cameraFromWorld(place).z;
+  const float distance = glm::distance(place, reference.eye());
+  const bool isAhead = along > 0.1f * distance;  // no reference view reaches farther aside
+  return isAhead ? nearReach(reference, place) : kNearFootprints * distance / reference.focalPixels();
+}
+
 HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit& seen, const PinholeCamera& reference) {
   if (seen.onCast) {
-    const float near = nearReach(reference, placeOf(ray, *seen.distance));
+    const float near = reachAt(reference, placeOf(ray, *seen.distance));
     if (!truth.distance || *seen.distance < *truth.distance - near) {
       return HitState::kFalse;
     }
@@ -41,8 +48,17 @@ HitState stateOf(const SecondaryRay& ray, const ProxyHit& truth, const ProxyHit&
   if (!seen.onCast) {
     return HitState::kMissing;
   }
-  const float near = nearReach(reference, placeOf(ray, *truth.distance));
+  const float near = reachAt(reference, placeOf(ray, *truth.distance));
   return std::abs(*seen.distance - *truth.distance) <= near ? HitState::kRight : HitState::kOff;
+}
+
+float footprintAt(const SecondaryRay& ray, float distance, const Yardsticks& yardsticks) {
+  return reachAt(yardsticks.senders[ray.sender], placeOf(ray, distance)) / kNearFootprints;
+}
+
+bool isNear(const SecondHit& truth, const std::optional<SecondHit>& seen, const Yardsticks& yardsticks) {
+  return seen &&
+         glm::distance(truth.position, seen->position) <= reachAt(yardsticks.ofMirror(truth.mirror), truth.position);
 }
 
 Rgb8 heat(double share) {
@@ -54,54 +70,38 @@ Rgb8 heat(double share) {
 
 }  // namespace
 
-ShadedPicture shade(const SecondaryRays& rays, const SceneProxy& proxy, int runs) {
-  ShadedPicture picture{
-      rays.base, std::vector<ProxyHit>(rays.rays.size()), std::vector<uint32_t>(rays.rays.size()), {}, 0};
-  for (int run = 0; run < runs; ++run) {
-    std::vector<RayCost> costs(kChunks);
-    const auto start = std::chrono::steady_clock::now();
-    parallelChunks(rays.rays.size(), kChunks, [&](size_t chunk, size_t begin, size_t end) {
-      for (size_t i = begin; i < end; ++i) {
-        const size_t before = costs[chunk].steps();
-        picture.hits[i] = proxy.hit(rays.rays[i], costs[chunk]);
-        picture.stepsOfRay[i] = static_cast<uint32_t>(costs[chunk].steps() - before);
-      }
-    });
-    const double taken = std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
-    picture.milliseconds = run == 0 ? taken : std::min(picture.milliseconds, taken);
-    picture.cost = {};
-    for (const RayCost& cost : costs) {
-      picture.cost += cost;
-    }
-  }
-  for (size_t i = 0; i < rays.rays.size(); ++i) {
-    picture.color[rays.rays[i].pixel] = picture.hits[i].color;
-  }
-  return picture;
-}
-
 std::vector<HitState> compareHits(const SecondaryRays& rays, const ShadedPicture& truth, const ShadedPicture& picture,
-                                  const PinholeCamera& reference) {
+                                  const Yardsticks& yardsticks) {
   std::vector<HitState> states(rays.rays.size());
   for (size_t i = 0; i < states.size(); ++i) {
-    states[i] = stateOf(rays.rays[i], truth.hits[i], picture.hits[i], reference);
+    states[i] = stateOf(rays.rays[i], truth.hits[i], picture.hits[i], yardsticks.senders[rays.rays[i].sender]);
   }
   return states;
 }
 
 ShadeFigures figuresOf(const BuiltProxy& built, const SecondaryRays& rays, const ShadedPicture& truth,
-                       const ShadedPicture& picture, const PinholeCamera& reference) {
+                       const ShadedPicture& picture, const Yardsticks& yardsticks) {
   ShadeFigures figures{.name = built.name};
   figures.rays = rays.rays.size();
-  figures.hasDepth = built.proxy->hasDepth();
-  const std::vector<HitState> states = compareHits(rays, truth, picture, reference);
+  figures.hasDepth = built.hasDepth;
+  const std::vector<HitState> states = compareHits(rays, truth, picture, yardsticks);
   for (size_t i = 0; i < states.size(); ++i) {
     const bool onCast = truth.hits[i].onCast;
     figures.castRays += onCast;
+    if (onCast) {
+      figures.footprint += static_cast<double>(footprintAt(rays.rays[i], *truth.hits[i].distance, yardsticks));
+    }
     figures.lost += onCast && states[i] != HitState::kRight;
     figures.missing += states[i] == HitState::kMissing;
     figures.falseHits += states[i] == HitState::kFalse;
     figures.maxSteps = std::max(figures.maxSteps, picture.stepsOfRay[i]);
+  }
+  figures.footprint /= std::max(static_cast<double>(figures.castRays), 1.0);
+  for (size_t i = 0; i < std::min(truth.seconds.size(), picture.seconds.size()); ++i) {
+    if (truth.seconds[i]) {
+      ++figures.secondRays;
+      figures.secondLost += !isNear(*truth.seconds[i], picture.seconds[i], yardsticks);
+    }
   }
   figures.psnrDecibels = psnrDecibels(meanSquaredError(colorsOfRays(rays, truth), colorsOfRays(rays, picture)));
   figures.cost = picture.cost;
@@ -111,6 +111,22 @@ ShadeFigures figuresOf(const BuiltProxy& built, const SecondaryRays& rays, const
   figures.structureMilliseconds = built.structureMilliseconds;
   figures.shadeMilliseconds = picture.milliseconds;
   return figures;
+}
+
+size_t differingRays(const SecondaryRays& rays, const ShadedPicture& a, const ShadedPicture& b) {
+  OC_CHECK(a.hits.size() == rays.rays.size() && b.hits.size() == rays.rays.size(), "pictures of these rays");
+  constexpr float kNear = 1e-4f;  // of the distance: a hundred roundings and more
+  constexpr float kGrey = 1.0f / 255;
+  size_t differing = 0;
+  for (size_t i = 0; i < rays.rays.size(); ++i) {
+    const ProxyHit& p = a.hits[i];
+    const ProxyHit& q = b.hits[i];
+    const glm::vec3 step = glm::abs(a.color[rays.rays[i].pixel] - b.color[rays.rays[i].pixel]);
+    differing += p.onCast != q.onCast || p.distance.has_value() != q.distance.has_value() ||
+                 (p.distance && std::abs(*p.distance - *q.distance) > kNear * *p.distance) ||
+                 std::max({step.x, step.y, step.z}) > kGrey;
+  }
+  return differing;
 }
 
 Image<Rgb8> hitErrorImage(const SecondaryRays& rays, const ShadedPicture& truth, const std::vector<HitState>& states) {

@@ -7,6 +7,7 @@
 #include <map>
 
 #include "oc_core/base/error.h"
+#include "oc_core/render/raycast.h"
 #include "oc_core/shade/vertex_normals.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/placement.h"
@@ -42,16 +43,33 @@ Mesh partOf(const GuidedScene& scene, uint32_t object) {
 Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const Progress& progress) {
   SceneOptions own = options;
   own.fit = true;
-  Mesh mesh = loadScene(object.source, own, progress);
-  transform(mesh,
-            glm::scale(placedAt(object.center, object.turnDegrees), glm::vec3(static_cast<float>(object.radius))));
-  return mesh;
+  const Mesh mesh = loadScene(object.source, own, progress);
+  Mesh placed;
+  for (const glm::mat4& place : placesOf(object)) {
+    append(placed, mesh, place);
+  }
+  return placed;
 }
 
-void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex) {
-  SpecularObject object{std::move(mesh), {}, refractiveIndex};
+void addSpecular(std::vector<SpecularObject>& objects, Mesh mesh, double refractiveIndex, bool isCast) {
+  SpecularObject object{std::move(mesh), {}, refractiveIndex, isCast};
   object.normals = vertexNormals(object.mesh);
   objects.push_back(std::move(object));
+}
+
+/// From the middle of what sends rays towards the cast objects, 90 degrees high. Nothing where they have one middle.
+std::optional<View> viewTowards(const Mesh& cast, const Box& senders) {
+  View view;
+  view.eye = senders.center();
+  view.target = boundsOf(cast).center();
+  const glm::vec3 way = view.target - view.eye;
+  if (!(glm::length(way) > 0)) {
+    return std::nullopt;
+  }
+  view.up = std::abs(way.y) > 0.95f * glm::length(way) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
+  view.zNear = 1e-3f * glm::length(way);
+  view.fovVerticalDegrees = 90;
+  return view;
 }
 
 }  // namespace
@@ -60,13 +78,13 @@ std::string rolesFileBeside(const std::string& source) {
   return fs::path(source).replace_extension(".roles.json").string();
 }
 
-std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile) {
+std::vector<RoledObject> rolesFor(const std::string& source, const std::string& rolesFile, bool needed) {
   if (!rolesFile.empty()) {
     return readObjectRoles(rolesFile);
   }
   if (isBuiltinScene(source)) {
     const std::vector<RoledObject>& roles = builtinRoles(source);
-    if (roles.empty()) {
+    if (roles.empty() && needed) {
       throw InputError("nothing says which objects of this scene mirror, refract or cast", source,
                        "give --roles FILE.json, or take builtin:mirror or builtin:lens");
     }
@@ -75,6 +93,9 @@ std::vector<RoledObject> rolesFor(const std::string& source, const std::string& 
   const std::string beside = rolesFileBeside(source);
   std::error_code ignored;
   if (!fs::exists(beside, ignored)) {
+    if (!needed) {
+      return {};
+    }
     throw InputError("nothing says which objects of this scene mirror, refract or cast", source,
                      "give --roles FILE.json, or put " + beside + " beside it");
   }
@@ -107,16 +128,23 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   }
   ShadedScene shaded;
   shaded.source = source;
+  shaded.whole.guides = scene.guides;
+  shaded.whole.worldFromScene = scene.worldFromScene;
+  uint32_t nextIdentity = roleOf.empty() ? 1 : roleOf.rbegin()->first + 1;
   std::array<std::vector<uint8_t>, 3> receives;
   const std::array<Mesh*, 3> parts{&shaded.cast, &shaded.billboards, &shaded.surroundings};
   for (auto& [role, mesh] : objects) {
     if (role.has(kShines)) {
       shaded.lights.push_back(role.light ? *role.light : areaLightOfPanel(mesh, source));
     }
+    append(shaded.whole.mesh, mesh);
+    const uint32_t identity = role.source.empty() && !role.light ? role.object : nextIdentity++;
+    shaded.whole.objectOfTriangle.resize(shaded.whole.mesh.triangles.size(), identity);
+    shaded.rolesOfTriangle.resize(shaded.whole.mesh.triangles.size(), role.roles);
     if (role.has(kMirrors)) {
-      addSpecular(shaded.mirrors, std::move(mesh), 1);
+      addSpecular(shaded.mirrors, std::move(mesh), 1, role.has(kCasts));
     } else if (role.has(kRefracts)) {
-      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex);
+      addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex, false);
     } else {
       const size_t part = role.has(kIsBillboard) ? 1 : role.has(kCasts) ? 0 : 2;
       append(*parts[part], mesh);
@@ -125,6 +153,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   }
   for (const std::vector<uint8_t>& each : receives) {
     shaded.receives.insert(shaded.receives.end(), each.begin(), each.end());
+  }
+  if (std::any_of(roles.begin(), roles.end(), [](const RoledObject& role) { return role.has(kIsRelief); })) {
+    shaded.tiled = std::make_shared<TiledScene>(loadTiledScene(source, roles, scene.worldFromScene, options, progress));
   }
   return shaded;
 }
@@ -146,19 +177,12 @@ View pictureView(const Box& senders) {
   return view;
 }
 
-View referenceView(const Mesh& cast, const Box& senders, int width, int height) {
-  View view;
-  view.eye = senders.center();
-  view.target = boundsOf(cast).center();
-  const glm::vec3 way = view.target - view.eye;
-  if (!(glm::length(way) > 0)) {
-    throw InputError("the objects that are cast stand around what mirrors or refracts", "the roles",
-                     "move them apart, or give objects on the other side the role \"billboard\"");
+std::optional<View> planeView(const Mesh& cast, const Box& senders, int width, int height) {
+  std::optional<View> view = viewTowards(cast, senders);
+  if (!view) {
+    return view;
   }
-  view.up = std::abs(way.y) > 0.95f * glm::length(way) ? glm::vec3(0, 0, 1) : glm::vec3(0, 1, 0);
-  view.zNear = 1e-3f * glm::length(way);
-  view.fovVerticalDegrees = 90;
-  const PinholeCamera wide(view, width, height);
+  const PinholeCamera wide(*view, width, height);
   constexpr double kMargin = 1.04;
   constexpr double kMaxTangent = 4;  // 152 degrees
   double tangent = 0;
@@ -166,14 +190,72 @@ View referenceView(const Mesh& cast, const Box& senders, int width, int height) 
     for (int corner = 0; corner < 3; ++corner) {
       const glm::dvec3 p(wide.cameraFromWorld(cast.positions[triangle[corner]]));
       const double aside = std::max(std::abs(p.y), std::abs(p.x) * height / width);
-      tangent = std::max(tangent, p.z > static_cast<double>(view.zNear) ? aside / p.z : 2 * kMaxTangent);
+      tangent = std::max(tangent, p.z > static_cast<double>(view->zNear) ? aside / p.z : 2 * kMaxTangent);
     }
   }
   if (tangent * kMargin > kMaxTangent) {
+    return std::nullopt;
+  }
+  view->fovVerticalDegrees = 2 * degreesFromRadians(std::atan(tangent * kMargin));
+  return view;
+}
+
+View referenceView(const Mesh& cast, const Box& senders, int width, int height, WhatLiesAround around) {
+  if (const std::optional<View> view = planeView(cast, senders, width, height)) {
+    return *view;
+  }
+  std::optional<View> view = viewTowards(cast, senders);
+  if (!view) {
+    throw InputError("the objects that are cast stand around what mirrors or refracts", "the roles",
+                     "move them apart, or give objects on the other side the role \"billboard\"");
+  }
+  if (around == WhatLiesAround::kIsAnError) {
     throw InputError("the objects that are cast reach around what mirrors or refracts: no image plane holds them",
                      "the roles", "give those beside and behind it another role, such as \"billboard\"");
   }
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(tangent * kMargin));
+  constexpr double kWideTangent = 1.2;  // 100 degrees
+  view->fovVerticalDegrees = 2 * degreesFromRadians(std::atan(kWideTangent));
+  return *view;
+}
+
+View aroundView(const Mesh& cast, const Box& senders) {
+  View view;
+  view.eye = senders.center();
+  view.target = view.eye + glm::vec3(0, 0, 1);
+  view.zNear = 1e-3f * glm::length(boundsOf(cast).size());
+  view.fovVerticalDegrees = 90;
+  return view;
+}
+
+View unhiddenView(const View& view, const ShadedScene& scene, const Box& senders) {
+  constexpr int kSteps = 5;
+  constexpr double kStepDegrees = 15;
+  Mesh others;
+  for (const Mesh* part : {&scene.cast, &scene.billboards, &scene.surroundings}) {
+    append(others, *part);
+  }
+  const RayScene rays(others);
+  std::vector<glm::vec3> points{senders.center()};
+  for (const glm::vec3& corner : cornersOf(senders)) {
+    points.push_back(glm::mix(senders.center(), corner, 0.5f));
+  }
+  const glm::vec3 away = view.eye - view.target;
+  const float level = glm::length(glm::vec2(away.x, away.z));
+  const glm::vec3 heading = level > 0 ? glm::vec3(away.x, 0, away.z) / level : glm::vec3(0, 0, 1);
+  for (int step = 0; step <= kSteps; ++step) {
+    const auto angle = static_cast<float>(radiansFromDegrees(kStepDegrees * step));
+    View raised = view;
+    if (step > 0) {
+      raised.eye = view.target + glm::length(away) * (heading * std::cos(angle) + glm::vec3(0, std::sin(angle), 0));
+    }
+    const auto hidden = std::count_if(points.begin(), points.end(), [&](const glm::vec3& point) {
+      return rays.hit({raised.eye, point}).has_value();
+    });
+    const auto count = static_cast<size_t>(hidden);
+    if (step == 0 ? count < points.size() : 2 * count <= points.size()) {
+      return raised;
+    }
+  }
   return view;
 }
 

@@ -5,6 +5,7 @@
 
 namespace ocelli {
 
+BuiltinScene barrelsScene();
 BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
@@ -14,7 +15,9 @@ BuiltinScene fenceScene();
 BuiltinScene lampScene();
 BuiltinScene lensScene();
 BuiltinScene mazeScene();
+BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
+BuiltinScene parkingScene();
 BuiltinScene pergolaScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();

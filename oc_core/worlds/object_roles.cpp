@@ -10,6 +10,7 @@ namespace ocelli {
 namespace {
 
 constexpr size_t kMaxObjects = 256;
+constexpr size_t kMaxPlaces = 4096;
 constexpr size_t kMaxSourceCharacters = 4096;
 constexpr int kMaxIdentity = 1'000'000;
 constexpr double kMaxPlace = 1000;
@@ -40,8 +41,11 @@ uint32_t readRoles(JsonFields& fields) {
   if ((roles & kMirrors) != 0 && (roles & kRefracts) != 0) {
     fields.fail("roles", "cannot be both mirror and refract");
   }
-  if ((roles & (kMirrors | kRefracts)) != 0 && (roles & (kCasts | kIsBillboard)) != 0) {
-    fields.fail("roles", "of what mirrors or refracts cannot be cast or billboard: no depth image stands for it");
+  if ((roles & kRefracts) != 0 && (roles & kCasts) != 0) {
+    fields.fail("roles", "of what refracts cannot be cast: no depth image stands for it");
+  }
+  if ((roles & (kMirrors | kRefracts)) != 0 && (roles & (kIsBillboard | kIsRelief)) != 0) {
+    fields.fail("roles", "of what mirrors or refracts cannot be billboard or relief: rays do not end there");
   }
   if ((roles & kShines) != 0 && roles != kShines) {
     fields.fail("roles", "of a light cannot be anything else");
@@ -97,6 +101,13 @@ RoledObject readObject(JsonFields& fields) {
   }
   object.radius = fields.number("radius", 1e-4, 1000, object.radius);
   object.turnDegrees = fields.number("turn_degrees", -360, 360, object.turnDegrees);
+  fields.forEach("places", fields.has("places") ? 1 : 0, kMaxPlaces, [&](JsonFields& each) {
+    const std::vector<double> center = each.numbers("center", 3, -1000, 1000);
+    object.places.push_back({center[0], center[1], center[2], each.number("turn_degrees", -360, 360, 0)});
+  });
+  if (!object.places.empty() && !object.has(kIsRelief)) {
+    fields.fail("places", "are of an object with the role \"relief\", whose one image is drawn at each of them");
+  }
   return object;
 }
 

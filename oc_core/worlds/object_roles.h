@@ -9,6 +9,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,15 +29,18 @@ inline constexpr uint32_t kRefracts = 2;
 inline constexpr uint32_t kCasts = 4;
 inline constexpr uint32_t kReceives = 8;
 inline constexpr uint32_t kIsBillboard = 16;
+inline constexpr uint32_t kIsRelief = 32;
 inline constexpr uint32_t kShines = 64;
 
 /// All there are, in the order of lists.
-inline constexpr std::array<ObjectRole, 6> kObjectRoles{{
-    {"mirror", "a perfect mirror: it shows what its reflected rays meet", kMirrors},
+inline constexpr std::array<ObjectRole, 7> kObjectRoles{{
+    {"mirror", "a perfect mirror: it shows what its reflected rays meet; if it is cast too, other rays go on from it",
+     kMirrors},
     {"refract", "clear glass: it shows what its refracted rays meet", kRefracts},
     {"cast", "what depth images stand for, where rays meet it", kCasts},
     {"receive", "shadows and ambient light are measured on it", kReceives},
     {"billboard", "of few triangles: rays meet it exactly, beside every depth image", kIsBillboard},
+    {"relief", "one image of it is made and drawn wherever it stands: relief tiles", kIsRelief},
     {"light", "a flat panel that is the light of soft shadows, or a light that comes to the scene", kShines},
 }};
 
@@ -50,6 +54,8 @@ struct RoledObject {
   glm::vec3 center{0};
   double radius = 0.3;
   double turnDegrees = 0;  ///< about the vertical, counter-clockwise seen from above
+  /// More copies of it, as centre and turn in degrees; then `center` and `turnDegrees` say nothing. Only of tiles.
+  std::vector<glm::dvec4> places = {};
   /// A light that comes; nothing for objects, also for a panel of the scene that is the light.
   std::optional<AreaLight> light = {};
 

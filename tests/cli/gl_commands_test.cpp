@@ -67,6 +67,32 @@ TEST(GlCommands, graphAndCurvedRayCamerasAreDrawnTheSame) {
   }
 }
 
+TEST(GlCommands, shadeCastsTheSameRays) {
+  const TemporaryFolder folder;
+  const std::string common = "shade builtin:mirror --size 90x60 --image-size 90x60 --environment-height 64 --by di -o ";
+  const std::string cpu = (folder / "cpu.png").string();
+  const std::string gl = (folder / "gl.png").string();
+  ASSERT_EQ(runProgram(common + cpu).exitCode, 0);
+  for (const char* provider : {"egl", "osmesa", "auto"}) {
+    const ProgramResult result = runProgram(common + gl + " --gl " + provider);
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    EXPECT_THAT(result.error, HasSubstr("with OpenGL on "));
+    const Image<Rgb8> expected = readPng(cpu);
+    const Image<Rgb8> got = readPng(gl);
+    size_t differing = 0;
+    for (size_t i = 0; i < expected.size(); ++i) {
+      differing += expected[i] != got[i];
+    }
+    EXPECT_LE(differing, expected.size() / 200);
+  }
+  const ProgramResult compared = runProgram(common + gl + " --compare --gl egl");
+  ASSERT_EQ(compared.exitCode, 0) << compared.error;
+  EXPECT_THAT(compared.output, HasSubstr("GL off %"));
+  const ProgramResult nothing = runProgram("shade builtin:mirror --by traced --compare --gl egl");
+  EXPECT_EQ(nothing.exitCode, 2);
+  EXPECT_THAT(nothing.error, AllOf(HasSubstr("no ray is cast with OpenGL"), HasSubstr("leave --gl out")));
+}
+
 TEST(GlCommands, sliceAndObserveTheSame) {
   const TemporaryFolder folder;
   const std::string processor = (folder / "processor.svol").string();

@@ -38,6 +38,16 @@ TEST(SteppedImage, meetsAPlaneWhereItIs) {
   }
 }
 
+// Its bounds have no depth of their own.
+TEST(SteppedImage, meetsAWallThatFacesTheView) {
+  const Stepped stepped("di", test::wall(0, 1));
+  const SteppedImage image(stepped.images[0], stepped.maps[0]);
+  RayCost cost;
+  const auto meeting = image.meet({{0.1f, 0, 5}, {0, 0, -10}, 1}, cost);
+  ASSERT_TRUE(meeting);
+  EXPECT_NEAR(meeting->share, 0.5, 1e-6);
+}
+
 // Most of what the exact way meets first, the text's way meets near there, through the curved projections of occlusion
 // cameras too; and the coarser the steps, the fewer there are.
 TEST(SteppedImage, findsMostOfTheFirstHits) {

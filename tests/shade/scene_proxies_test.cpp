@@ -19,7 +19,8 @@ struct Proxies {
 
   BuiltProxy build(const std::string& name) const {
     const Progress none;
-    return buildProxy(name, {scene, senders.center(), reference, {.sideRadii = 1}, 256, none});
+    const CastObjects cast = castObjects(scene, nullptr);
+    return buildProxy(specularWay(name), {scene, cast, senders.center(), reference, {.sideRadii = 1}, 256, none});
   }
 };
 
@@ -60,7 +61,7 @@ TEST(SceneProxies, depthImagesMeetTheBoxAndBillboardsWhereTheyAre) {
 TEST(SceneProxies, anEnvironmentMapTellsNoDistance) {
   const Proxies proxies;
   const BuiltProxy built = proxies.build("environment");
-  EXPECT_FALSE(built.proxy->hasDepth());
+  EXPECT_FALSE(built.hasDepth);
   RayCost cost;
   // It shows the box where it is from the mirror's middle.
   const ProxyHit box = built.proxy->hit({{9, 9, 9}, glm::normalize(glm::vec3(0.25f, 0.2f, 1.9f)), 0}, cost);
@@ -76,7 +77,7 @@ TEST(SceneProxies, aDepthImageIsNearerToTheTruthThanAnEnvironmentMap) {
   const ShadedPicture truth = shade(proxies.rays, *traced.proxy);
   const auto figures = [&](const std::string& name) {
     const BuiltProxy built = proxies.build(name);
-    return figuresOf(built, proxies.rays, truth, shade(proxies.rays, *built.proxy), proxies.reference);
+    return figuresOf(built, proxies.rays, truth, shade(proxies.rays, *built.proxy), {{proxies.reference}});
   };
   const ShadeFigures self = figures("traced");
   EXPECT_EQ(self.lost, 0u);

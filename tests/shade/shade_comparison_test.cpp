@@ -29,6 +29,26 @@ ProxyHit cast(float distance) {
   return {{}, distance, true};
 }
 
+TEST(ShadeComparison, countsRaysThatSeeSomethingElse) {
+  Rays r;
+  r.truth.color = r.picture.color = Image<glm::vec3>(8, 1);
+  const auto add = [&](const ProxyHit& p, const ProxyHit& q, size_t differing) {
+    r.truth.color[r.rays.rays.size()] = p.color;
+    r.picture.color[r.rays.rays.size()] = q.color;
+    r.add(p, q);
+    EXPECT_EQ(differingRays(r.rays, r.truth, r.picture), differing);
+    EXPECT_EQ(differingRays(r.rays, r.picture, r.truth), differing);
+  };
+  add(cast(10), cast(10), 0);
+  add(cast(10), cast(10.0009f), 0);
+  add(cast(10), cast(10.002f), 1);
+  add(cast(10), {{}, 10.0f, false}, 2);
+  add(cast(10), {}, 3);
+  add({glm::vec3(0.5f)}, {glm::vec3(0.5f, 0.5f, 0.503f)}, 3);
+  add({glm::vec3(0.5f)}, {glm::vec3(0.5f, 0.5f, 0.505f)}, 4);
+  add({}, {}, 4);
+}
+
 TEST(ShadeComparison, sortsFirstHits) {
   const float near = 1.5f * 10 / smallCamera().focalPixels();
   const ProxyHit nothing;
@@ -43,7 +63,7 @@ TEST(ShadeComparison, sortsFirstHits) {
   r.add(nothing, cast(10));
   r.add(billboard, billboard);
   r.truth.color = r.picture.color = Image<glm::vec3>(8, 1);
-  const std::vector<HitState> states = compareHits(r.rays, r.truth, r.picture, smallCamera());
+  const std::vector<HitState> states = compareHits(r.rays, r.truth, r.picture, {{smallCamera()}});
   using enum HitState;
   EXPECT_EQ(states, (std::vector{kRight, kOff, kMissing, kMissing, kFalse, kFalse, kFalse, kElsewhere}));
 
@@ -51,7 +71,7 @@ TEST(ShadeComparison, sortsFirstHits) {
     ProxyHit hit(const SecondaryRay&, RayCost&) const override { return {}; }
   };
   const BuiltProxy built{.name = "di", .proxy = std::make_unique<NoProxy>()};
-  const ShadeFigures figures = figuresOf(built, r.rays, r.truth, r.picture, smallCamera());
+  const ShadeFigures figures = figuresOf(built, r.rays, r.truth, r.picture, {{smallCamera()}});
   EXPECT_EQ(figures.castRays, 5u);
   EXPECT_EQ(figures.lost, 4u);
   EXPECT_EQ(figures.missing, 2u);
@@ -77,9 +97,9 @@ TEST(ShadeComparison, measuresThePixelsOfRaysAlone) {
     ProxyHit hit(const SecondaryRay&, RayCost&) const override { return {}; }
   };
   const BuiltProxy built{.name = "di", .proxy = std::make_unique<NoProxy>()};
-  EXPECT_TRUE(std::isinf(figuresOf(built, r.rays, r.truth, r.picture, smallCamera()).psnrDecibels));
+  EXPECT_TRUE(std::isinf(figuresOf(built, r.rays, r.truth, r.picture, {{smallCamera()}}).psnrDecibels));
   r.picture.color[0] = glm::vec3(1);
-  EXPECT_DOUBLE_EQ(figuresOf(built, r.rays, r.truth, r.picture, smallCamera()).psnrDecibels, 0);
+  EXPECT_DOUBLE_EQ(figuresOf(built, r.rays, r.truth, r.picture, {{smallCamera()}}).psnrDecibels, 0);
 }
 
 TEST(ShadeComparison, stepsShowFromDarkToBright) {

@@ -100,6 +100,23 @@ TEST(ReferenceView, holdsWhatIsCast) {
   EXPECT_LT(nearestToBorder, 4) << "and little else";
 }
 
+TEST(PlaneView, isNoneOfWhatLiesAround) {
+  Mesh around = test::wall(1, 1);
+  append(around, test::wall(-1, 1));
+  const auto viewFrom = [&](const glm::vec3& at) {
+    Box senders;
+    senders.add(at);
+    return planeView(around, senders, 90, 60);
+  };
+  EXPECT_FALSE(viewFrom({0, 0, 0}));
+  EXPECT_FALSE(viewFrom({0, 0, 0.1f}));
+  ASSERT_TRUE(viewFrom({0, 0, 3}));
+  Box senders;
+  senders.add({0, 0, 0.1f});
+  const PinholeCamera ahead(aroundView(around, senders), 90, 60);
+  EXPECT_TRUE(ahead.project({0, 0, 1})) << "what lies to the front";
+}
+
 TEST(ReferenceView, refusesWhatLiesAround) {
   Mesh around = test::wall(1, 1);
   append(around, test::wall(-1, 1));

@@ -19,6 +19,7 @@ const char* const kGoodRoles = R"({"objects": [
   {"object": 2, "roles": ["cast", "receive"]},
   {"source": "builtin:sphere", "roles": ["refract"], "refractive_index": 1.33, "center": [1, 2, 3], "radius": 0.5,
    "turn_degrees": 30},
+  {"source": "car.obj", "roles": ["relief"], "places": [{"center": [1, 0, 2]}, {"center": [3, 0, 2], "turn_degrees": 90}]},
   {"roles": ["light"], "light": {"center": [0, 3, 0], "target": [0, 0, 0], "size": [0.5, 0.25], "shape": "disc",
    "turn_degrees": 10}}]})";
 
@@ -37,7 +38,7 @@ std::string objectError(const std::string& object) {
 
 TEST(ObjectRoles, areRead) {
   const std::vector<RoledObject> objects = objectRolesFromJsonText(kGoodRoles, "roles.json");
-  ASSERT_EQ(objects.size(), 3u);
+  ASSERT_EQ(objects.size(), 4u);
   EXPECT_EQ(objects[0].object, 2u);
   EXPECT_EQ(objects[0].roles, kCasts | kReceives);
   EXPECT_EQ(objects[0].source, "");
@@ -47,14 +48,19 @@ TEST(ObjectRoles, areRead) {
   EXPECT_EQ(objects[1].center, glm::vec3(1, 2, 3));
   EXPECT_EQ(objects[1].radius, 0.5);
   EXPECT_EQ(objects[1].turnDegrees, 30);
+  EXPECT_TRUE(objects[1].places.empty());
+  EXPECT_EQ(objects[2].roles, kIsRelief);
+  ASSERT_EQ(objects[2].places.size(), 2u);
+  EXPECT_EQ(objects[2].places[0], glm::dvec4(1, 0, 2, 0));
+  EXPECT_EQ(objects[2].places[1], glm::dvec4(3, 0, 2, 90));
   EXPECT_FALSE(objects[1].light);
-  EXPECT_EQ(objects[2].roles, kShines);
-  ASSERT_TRUE(objects[2].light);
-  EXPECT_EQ(objects[2].light->center, glm::vec3(0, 3, 0));
-  EXPECT_LT(glm::distance(objects[2].light->direction(), {0, -1, 0}), 1e-6f);
-  EXPECT_EQ(objects[2].light->width, 0.5f);
-  EXPECT_EQ(objects[2].light->height, 0.25f);
-  EXPECT_TRUE(objects[2].light->isDisc);
+  EXPECT_EQ(objects[3].roles, kShines);
+  ASSERT_TRUE(objects[3].light);
+  EXPECT_EQ(objects[3].light->center, glm::vec3(0, 3, 0));
+  EXPECT_LT(glm::distance(objects[3].light->direction(), {0, -1, 0}), 1e-6f);
+  EXPECT_EQ(objects[3].light->width, 0.5f);
+  EXPECT_EQ(objects[3].light->height, 0.25f);
+  EXPECT_TRUE(objects[3].light->isDisc);
 }
 
 TEST(ObjectRoles, agreeWithTheirSchema) {
@@ -77,7 +83,9 @@ TEST(ObjectRoles, mistakesAreNamed) {
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["miror"]})"), HasSubstr("mirror, refract, cast"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast", "cast"]})"), HasSubstr("twice"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "refract"]})"), HasSubstr("both mirror and refract"));
-  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "cast"]})"), HasSubstr("cannot be cast"));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["refract", "cast"]})"), HasSubstr("cannot be cast"));
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "billboard"]})"), HasSubstr("cannot be billboard"));
+  EXPECT_EQ(objectError(R"({"object": 1, "roles": ["mirror", "cast"]})"), "");
   EXPECT_THAT(objectError(R"({"roles": ["cast"]})"), HasSubstr("must be given, and not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "source": "x", "roles": ["cast"]})"), HasSubstr("not both"));
   EXPECT_THAT(objectError(R"({"object": 1, "roles": ["cast"]}, {"object": 1, "roles": ["cast"]})"),
@@ -96,6 +104,11 @@ TEST(ObjectRoles, mistakesAreNamed) {
   EXPECT_NE(objectError(R"({"object": 1, "roles": ["refract"], "refractive_index": 0.9})"), "");
   EXPECT_NE(objectError(R"({"source": "x", "roles": ["cast"], "radius": 0})"), "");
   EXPECT_NE(objectError(R"({"object": 1, "roles": ["cast"], "color": 3})"), "");
+  EXPECT_THAT(objectError(R"({"object": 1, "roles": ["mirror", "relief"]})"), HasSubstr("billboard or relief"));
+  EXPECT_THAT(objectError(R"({"source": "x", "roles": ["cast"], "places": [{"center": [0, 0, 0]}]})"),
+              HasSubstr("role \"relief\""));
+  EXPECT_NE(objectError(R"({"source": "x", "roles": ["relief"], "places": []})"), "");
+  EXPECT_NE(objectError(R"({"source": "x", "roles": ["relief"], "places": [{"turn_degrees": 3}]})"), "");
 }
 
 TEST(ObjectRoles, builtinScenesHaveTheirs) {

@@ -48,6 +48,17 @@ dvec2 linePoint(int row, double position) {
   return isParallel != 0 ? dvec2(position, row + 0.5LF) : epipole + rows[row].direction * radiusAt(row, position);
 }
 
+// The row's coordinate of a point of the base image.
+float rowCoordinate(vec2 q) {
+  if (isParallel != 0) {
+    return q.y;
+  }
+  vec2 d = vec2(dvec2(q) - epipole);
+  const float kTurn = 6.28318530718;
+  float halfTurn = angleStep * float(rowCount) / 2.0;
+  float angle = atan(d.y, d.x) - firstAngle - halfTurn;
+  return (angle - kTurn * round(angle / kTurn) + halfTurn) / angleStep;
+}
 double cellBegin(int cell) {
   return double(cell) - 0.51LF;
 }

@@ -50,16 +50,6 @@ LineTriangle lineTriangle(uint source) {
   return made;
 }
 
-float rowCoordinate(vec2 q) {
-  if (isParallel != 0) {
-    return q.y;
-  }
-  vec2 d = vec2(dvec2(q) - epipole);
-  const float kTurn = 6.28318530718;
-  float halfTurn = angleStep * float(rowCount) / 2.0;
-  float angle = atan(d.y, d.x) - firstAngle - halfTurn;
-  return (angle - kTurn * round(angle / kTurn) + halfTurn) / angleStep;
-}
 float rowStep(float from, float to) {
   float step = to - from;
   float bend = float(rowCount);
