@@ -36,6 +36,7 @@ struct ShadeChoice {
   std::string imageSize;
   std::string cell;
   int environmentHeight = 1024;
+  int lightSamples = 1024;
   std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
   int runs = 1;
   bool compares = false;
@@ -73,6 +74,15 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
+/// The rows of a square of so many samples.
+int lightSideFrom(int samples) {
+  int side = 8;
+  while (side * side < samples) {
+    side += 8;
+  }
+  return side;
+}
+
 /// Throws InputError for options that the effect does not have, and for values that they do not take.
 std::map<std::string, std::string> givenOptions(const ShadeChoice& choice, const Effect& effect) {
   std::map<std::string, std::string> given;
@@ -105,11 +115,13 @@ class ShadeRun {
     for (const std::string& way : choice.by) {
       effect_.checkWay(way);
     }
+    SceneOptions sceneOptions = choice.scene.options;
+    sceneOptions.shading = effect_.lightsScene ? Shading::kNone : sceneOptions.shading;
     const std::map<std::string, std::string> options = givenOptions(choice, effect_);
     const std::shared_ptr<const DepthRayCaster> caster = openCaster();
     const auto scene = std::make_shared<const ShadedScene>(
         loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
-                        choice.scene.options, context.progress()));
+                        sceneOptions, context.progress()));
     effect_.requireObjects(*scene);
     camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
                     size.height);
@@ -118,6 +130,7 @@ class ShadeRun {
       inputs.cellSide = cellSideFromText(choice.cell, "--cell");
     }
     inputs.environmentHeight = choice.environmentHeight;
+    inputs.lightSide = lightSideFrom(choice.lightSamples);
     inputs.progress = context.progress();
     inputs.picture = camera_;
     inputs.options = options;
@@ -276,6 +289,11 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
       .add_option("--environment-height", choice->environmentHeight,
                   "Rows of environment maps, which have twice as many columns")
       ->check(CLI::Range(2, 16384))
+      ->type_name("N");
+  command
+      .add_option("--light-samples", choice->lightSamples,
+                  "Samples of an area light that decide how much of it is seen: 64, 256, 576 or 1024")
+      ->check(CLI::IsMember({64, 256, 576, 1024}))
       ->type_name("N");
   addEffectOptions(command, *choice);
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");

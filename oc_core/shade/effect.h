@@ -106,6 +106,7 @@ struct StageInputs {
   std::optional<float> cellSide =
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
+  int lightSide = 32;            ///< rows of the samples of an area light, which has their square
   Progress progress = {};
   /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn
   /// then.
@@ -133,6 +134,8 @@ struct Effect {
   View (*defaultView)(const ShadedScene& scene);
   /// `inputs.scene` has what requireObjects() asks for.
   std::unique_ptr<EffectStage> (*stage)(const StageInputs& inputs);
+  /// Whether it lights the scene: that is to be loaded with Shading::kNone, so that no other light is in its colours.
+  bool lightsScene = false;
   std::vector<EffectOption> options = {};
   /// The ways that lists offer, without "traced", which all have; null: the cameras that checkWay() takes.
   std::vector<std::string> (*waysToOffer)() = nullptr;

@@ -4,12 +4,14 @@
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/shade/ambient_effect.h"
 #include "oc_core/shade/relief_effect.h"
+#include "oc_core/shade/shadow_effect.h"
 #include "oc_core/shade/specular_effect.h"
 
 namespace ocelli {
 
 const std::vector<Effect>& shadeEffects() {
-  static const std::vector<Effect> effects{reflectionEffect(), refractionEffect(), reliefEffect(), ambientEffect()};
+  static const std::vector<Effect> effects{reflectionEffect(), refractionEffect(), reliefEffect(), ambientEffect(),
+                                           shadowEffect()};
   return effects;
 }
 

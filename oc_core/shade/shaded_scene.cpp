@@ -1,6 +1,7 @@
 #include "oc_core/shade/shaded_scene.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <map>
@@ -117,7 +118,9 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   }
   std::vector<std::pair<RoledObject, Mesh>> objects;
   for (const RoledObject& role : roles) {
-    if (!role.source.empty()) {
+    if (role.light) {
+      objects.emplace_back(role, panelOf(*role.light));
+    } else if (!role.source.empty()) {
       objects.emplace_back(role, loadedObject(role, options, progress));
     } else if (const auto found = roleOf.find(role.object); found != roleOf.end()) {
       found->second = role;
@@ -135,9 +138,14 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
   shaded.whole.guides = scene.guides;
   shaded.whole.worldFromScene = scene.worldFromScene;
   uint32_t nextIdentity = roleOf.empty() ? 1 : roleOf.rbegin()->first + 1;
+  std::array<std::vector<uint8_t>, 3> receives;
+  const std::array<Mesh*, 3> parts{&shaded.cast, &shaded.billboards, &shaded.surroundings};
   for (auto& [role, mesh] : objects) {
+    if (role.has(kShines)) {
+      shaded.lights.push_back(role.light ? *role.light : areaLightOfPanel(mesh, source));
+    }
     append(shaded.whole.mesh, mesh);
-    const uint32_t identity = role.source.empty() ? role.object : nextIdentity++;
+    const uint32_t identity = role.source.empty() && !role.light ? role.object : nextIdentity++;
     shaded.whole.objectOfTriangle.resize(shaded.whole.mesh.triangles.size(), identity);
     shaded.rolesOfTriangle.resize(shaded.whole.mesh.triangles.size(), role.roles);
     if (role.has(kMirrors)) {
@@ -145,8 +153,13 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
     } else if (role.has(kRefracts)) {
       addSpecular(shaded.lenses, std::move(mesh), role.refractiveIndex, false);
     } else {
-      append(role.has(kIsBillboard) ? shaded.billboards : role.has(kCasts) ? shaded.cast : shaded.surroundings, mesh);
+      const size_t part = role.has(kIsBillboard) ? 1 : role.has(kCasts) ? 0 : 2;
+      append(*parts[part], mesh);
+      receives[part].resize(parts[part]->triangles.size(), role.has(kReceives) ? 1 : 0);
     }
+  }
+  for (const std::vector<uint8_t>& each : receives) {
+    shaded.receives.insert(shaded.receives.end(), each.begin(), each.end());
   }
   if (std::any_of(roles.begin(), roles.end(), [](const RoledObject& role) { return role.has(kIsRelief); })) {
     shaded.tiled = std::make_shared<TiledScene>(loadTiledScene(source, roles, scene.worldFromScene, options, progress));

@@ -28,6 +28,11 @@ struct ShadedScene {
   Mesh cast;          ///< what depth images stand for, but for mirrors among it
   Mesh billboards;    ///< what rays meet exactly, whatever stands for the rest
   Mesh surroundings;  ///< the rest, which is met through an environment map alone
+  /// Of each triangle of `cast`, then of `billboards`, then of `surroundings`: whether its object has the role
+  /// `receive`.
+  std::vector<uint8_t> receives = {};
+  /// Their panels are parts of `surroundings`.
+  std::vector<AreaLight> lights = {};
   /// All objects together, with the guides of the scene: for light from all sides, and for constructors of cameras.
   /// Objects that come to the scene have identities above its own.
   GuidedScene whole = {};

@@ -28,7 +28,7 @@ Scene unlitScene(const std::string& source, const SceneOptions& options, const P
 
 bool isRelief(const std::vector<RoledObject>& roles, uint32_t object) {
   for (const RoledObject& role : roles) {
-    if (role.source.empty() && role.object == object) {
+    if (role.source.empty() && !role.light && role.object == object) {
       return role.has(kIsRelief);
     }
   }

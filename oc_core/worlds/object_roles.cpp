@@ -13,6 +13,7 @@ constexpr size_t kMaxObjects = 256;
 constexpr size_t kMaxPlaces = 4096;
 constexpr size_t kMaxSourceCharacters = 4096;
 constexpr int kMaxIdentity = 1'000'000;
+constexpr double kMaxPlace = 1000;
 
 uint32_t readRoles(JsonFields& fields) {
   uint32_t roles = 0;
@@ -46,17 +47,49 @@ uint32_t readRoles(JsonFields& fields) {
   if ((roles & (kMirrors | kRefracts)) != 0 && (roles & (kIsBillboard | kIsRelief)) != 0) {
     fields.fail("roles", "of what mirrors or refracts cannot be billboard or relief: rays do not end there");
   }
+  if ((roles & kShines) != 0 && roles != kShines) {
+    fields.fail("roles", "of a light cannot be anything else");
+  }
   return roles;
+}
+
+glm::vec3 readPlace(JsonFields& fields, const std::string& name) {
+  const std::vector<double> place = fields.numbers(name, 3, -kMaxPlace, kMaxPlace);
+  return {place[0], place[1], place[2]};
+}
+
+AreaLight readLight(JsonFields fields) {
+  const glm::vec3 center = readPlace(fields, "center");
+  const glm::vec3 target = readPlace(fields, "target");
+  const std::vector<double> size = fields.numbers("size", 2, 0, kMaxPlace);
+  const std::string shape = fields.choice("shape", {"rectangle", "disc"}, "rectangle");
+  const double turnDegrees = fields.number("turn_degrees", -360, 360, 0);
+  fields.rejectUnknown();
+  if (center == target) {
+    fields.fail("target", "is the center of the light, so it shines nowhere");
+  }
+  return areaLightTowards(center, target, static_cast<float>(size[0]), static_cast<float>(size[1]), shape == "disc",
+                          turnDegrees, fields.where());
 }
 
 RoledObject readObject(JsonFields& fields) {
   RoledObject object;
   object.roles = readRoles(fields);
+  if (fields.has("light")) {
+    if (object.roles != kShines) {
+      fields.fail("light", "is only for what has the role \"light\"");
+    }
+    object.light = readLight(fields.inner("light"));
+    return object;
+  }
   object.refractiveIndex = fields.number("refractive_index", 1, 4, object.refractiveIndex);
   const bool isOfScene = fields.has("object");
   const bool comes = fields.has("source");
   if (isOfScene == comes) {
     fields.fail("object", "or \"source\" must be given, and not both");
+  }
+  if (object.roles == kShines && !isOfScene) {
+    fields.fail("source", "cannot be a light: give \"object\" for a panel of the scene, or \"light\"");
   }
   if (isOfScene) {
     object.object = static_cast<uint32_t>(fields.integer("object", 0, kMaxIdentity));
@@ -64,8 +97,7 @@ RoledObject readObject(JsonFields& fields) {
   }
   object.source = fields.shortText("source", kMaxSourceCharacters);
   if (fields.has("center")) {
-    const std::vector<double> center = fields.numbers("center", 3, -1000, 1000);
-    object.center = glm::vec3(center[0], center[1], center[2]);
+    object.center = readPlace(fields, "center");
   }
   object.radius = fields.number("radius", 1e-4, 1000, object.radius);
   object.turnDegrees = fields.number("turn_degrees", -360, 360, object.turnDegrees);
@@ -89,7 +121,7 @@ std::vector<RoledObject> objectRolesFromJsonText(const std::string& text, const 
     std::set<uint32_t> known;
     fields.forEach("objects", 1, kMaxObjects, [&](JsonFields& each) {
       objects.push_back(readObject(each));
-      if (objects.back().source.empty() && !known.insert(objects.back().object).second) {
+      if (objects.back().source.empty() && !objects.back().light && !known.insert(objects.back().object).second) {
         each.fail("object", "is the same as that of an object before");
       }
     });

@@ -10,8 +10,11 @@
 #include <filesystem>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "oc_core/scene/area_light.h"
 
 namespace ocelli {
 
@@ -27,9 +30,10 @@ inline constexpr uint32_t kCasts = 4;
 inline constexpr uint32_t kReceives = 8;
 inline constexpr uint32_t kIsBillboard = 16;
 inline constexpr uint32_t kIsRelief = 32;
+inline constexpr uint32_t kShines = 64;
 
 /// All there are, in the order of lists.
-inline constexpr std::array<ObjectRole, 6> kObjectRoles{{
+inline constexpr std::array<ObjectRole, 7> kObjectRoles{{
     {"mirror", "a perfect mirror: it shows what its reflected rays meet; if it is cast too, other rays go on from it",
      kMirrors},
     {"refract", "clear glass: it shows what its refracted rays meet", kRefracts},
@@ -37,6 +41,7 @@ inline constexpr std::array<ObjectRole, 6> kObjectRoles{{
     {"receive", "shadows and ambient light are measured on it", kReceives},
     {"billboard", "of few triangles: rays meet it exactly, beside every depth image", kIsBillboard},
     {"relief", "one image of it is made and drawn wherever it stands: relief tiles", kIsRelief},
+    {"light", "a flat panel that is the light of soft shadows, or a light that comes to the scene", kShines},
 }};
 
 /// An object of a scene, or one that comes to it.
@@ -51,6 +56,8 @@ struct RoledObject {
   double turnDegrees = 0;  ///< about the vertical, counter-clockwise seen from above
   /// More copies of it, as centre and turn in degrees; then `center` and `turnDegrees` say nothing. Only of tiles.
   std::vector<glm::dvec4> places = {};
+  /// A light that comes; nothing for objects, also for a panel of the scene that is the light.
+  std::optional<AreaLight> light = {};
 
   bool has(uint32_t role) const { return (roles & role) != 0; }
 };

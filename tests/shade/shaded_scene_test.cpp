@@ -45,6 +45,29 @@ TEST(ShadedScene, takesObjectsThatComeToAScene) {
   EXPECT_NEAR(ball.size().y, 1, 1e-5f);
 }
 
+TEST(ShadedScene, hasTheLightOfItsPanel) {
+  const ShadedScene scene = loadShadedScene("builtin:lamp", rolesFor("builtin:lamp", ""));
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_FALSE(scene.lights[0].isDisc);
+  EXPECT_GT(scene.lights[0].width, 0.1f);
+  EXPECT_NEAR(scene.lights[0].width, scene.lights[0].height, 1e-4f);
+  EXPECT_LT(scene.lights[0].direction().y, -0.3f);
+  EXPECT_EQ(scene.surroundings.triangles.size(), 2u) << "its panel";
+  const size_t others = scene.cast.triangles.size() + scene.billboards.triangles.size();
+  ASSERT_EQ(scene.receives.size(), others + 2);
+  EXPECT_EQ(std::count(scene.receives.begin(), scene.receives.end(), 1), static_cast<std::ptrdiff_t>(others));
+}
+
+TEST(ShadedScene, takesLightsThatComeToAScene) {
+  const AreaLight light = areaLightTowards({0, 3, 1}, {0, 0, 0}, 1, 1, true, 0, "test");
+  const ShadedScene scene = loadShadedScene(
+      "builtin:teapot", {{.object = 0, .roles = kCasts | kReceives}, {.roles = kShines, .light = light}});
+  ASSERT_EQ(scene.lights.size(), 1u);
+  EXPECT_EQ(scene.lights[0].center, light.center);
+  EXPECT_TRUE(scene.lights[0].isDisc);
+  EXPECT_FALSE(scene.surroundings.empty());
+}
+
 TEST(ShadedScene, saysWhatRolesLack) {
   const auto load = [](const std::vector<RoledObject>& roles) { loadShadedScene("builtin:teapot", roles); };
   EXPECT_THAT([&] { load({{.object = 3, .roles = kCasts}}); }, ThrowsMessage<InputError>(HasSubstr("has no object 3")));
