@@ -123,12 +123,30 @@ PlanSide sideFromText(const std::string& text) {
   return text == "top" ? PlanSide::kTop : text == "front" ? PlanSide::kFront : PlanSide::kRight;
 }
 
+/// The names of cameras that have something to show.
+std::string shownCameras() {
+  std::string names;
+  for (const CameraName& camera : cameraNames()) {
+    if (cameraChoice(camera.name).kind->layout) {
+      names += std::string(camera.name) + ", ";
+    }
+  }
+  for (const CameraConstructor& constructor : cameraConstructors()) {
+    names += std::string(constructor.name) + ", ";
+  }
+  return names + "or a file of one";
+}
+
 /// Of a camera that builds reference images: where it has how many samples, over what it sees.
 void showRates(const ShowChoice& choice, const CommandContext& context) {
-  const CameraChoice camera = cameraChoice(choice.camera.camera);
+  const std::string& name = choice.camera.camera;
+  if (!name.ends_with(".json") && !findRepresentation(name)) {
+    throw InputError("there is no camera \"" + name + "\"", "--camera", "use " + shownCameras());
+  }
+  const CameraChoice camera = cameraChoice(name);
   if (!camera.kind->layout) {
     throw InputError("camera \"" + camera.name + "\" has no regions of detail and no frusta to show",
-                     "--camera " + choice.camera.camera, "show gpc, or a graph or curved ray camera");
+                     "--camera " + name, "use " + shownCameras());
   }
   const PinholeCamera reference = referenceOf(choice.camera);
   const GpcCamera shown(reference, camera.kind->layout(camera));

@@ -36,7 +36,6 @@ struct ShadeChoice {
   std::string imageSize;
   std::string cell;
   int environmentHeight = 1024;
-  int lightSamples = 1024;
   std::map<std::string, std::string> options;  ///< of effects, by name; empty where not given
   int runs = 1;
   bool compares = false;
@@ -72,15 +71,6 @@ void checkOutputs(const ShadeChoice& choice) {
     }
     checkWritable(fs::path(choice.page) / "index.html");
   }
-}
-
-/// The rows of a square of so many samples.
-int lightSideFrom(int samples) {
-  int side = 8;
-  while (side * side < samples) {
-    side += 8;
-  }
-  return side;
 }
 
 /// Throws InputError for options that the effect does not have, and for values that they do not take.
@@ -130,7 +120,6 @@ class ShadeRun {
       inputs.cellSide = cellSideFromText(choice.cell, "--cell");
     }
     inputs.environmentHeight = choice.environmentHeight;
-    inputs.lightSide = lightSideFrom(choice.lightSamples);
     inputs.progress = context.progress();
     inputs.picture = camera_;
     inputs.options = options;
@@ -262,7 +251,7 @@ void addEffectOptions(CLI::App& command, ShadeChoice& choice) {
 
 void addShadeCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand(
-      "shade", "Draw reflections, refractions and relief tiles by reference images, and compare them with traced ones");
+      "shade", "Draw reflections, shadows and other effects by reference images, and compare them with traced ones");
   const auto choice = std::make_shared<ShadeChoice>();
   addSceneOptions(command, choice->scene, context);
   addRolesOption(command, choice->roles);
@@ -290,11 +279,6 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                   "Rows of environment maps, which have twice as many columns")
       ->check(CLI::Range(2, 16384))
       ->type_name("N");
-  command
-      .add_option("--light-samples", choice->lightSamples,
-                  "Samples of an area light that decide how much of it is seen: 64, 256, 576 or 1024")
-      ->check(CLI::IsMember({64, 256, 576, 1024}))
-      ->type_name("N");
   addEffectOptions(command, *choice);
   command.add_flag("--compare", choice->compares, "Compare with the traced picture and print a table");
   command.add_option("--runs", choice->runs, "How often the rays are timed; the best counts")
@@ -312,6 +296,7 @@ void addShadeCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli shade builtin:mirror,mesh=bunny.obj --by environment,di,ddoc,cell --compare --page mirror\n"
                  "  ocelli shade builtin:lens --effect refraction --by di,cell --json lens.json\n"
                  "  ocelli shade dragon.obj --effect ambient --by horizon,graph,corners-8 --radius 0.4 --page ambient\n"
+                 "  ocelli shade builtin:lamp --effect shadow --by outlines,eoc-hv,backprojection --page lamp\n"
                  "  ocelli shade builtin:parking --effect relief --by height-field,spoc,cell --page parking\n"
                  "  ocelli shade bunny.obj --roles around.roles.json --by spoc -o bunny.png",
                  [choice, context] {

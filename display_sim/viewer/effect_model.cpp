@@ -56,6 +56,7 @@ struct EffectModel::Made {
   EffectWanted stageOf;
   EffectWanted wayOf;
   std::shared_ptr<const ShadedScene> scene;
+  bool lightsScene = false;  ///< as its effect does (Effect::lightsScene)
   std::unique_ptr<EffectStage> stage;
   std::unique_ptr<EffectWay> way;  ///< null for the traced one
   std::unique_ptr<EffectWay> traced;
@@ -80,14 +81,17 @@ void EffectModel::clear() {
 void EffectModel::build(const EffectWanted& wanted, const Progress& progress) {
   *made_->progress = progress;
   requireRoles(wanted);
-  if (!made_->scene || !made_->sceneOf.hasSameScene(wanted)) {
+  const bool lightsScene = !wanted.effect.empty() && shadeEffect(wanted.effect).lightsScene;
+  if (!made_->scene || !made_->sceneOf.hasSameScene(wanted) || made_->lightsScene != lightsScene) {
     made_->clearStage();
     made_->scene.reset();
     SceneOptions options = wanted.sceneOptions;
+    options.shading = lightsScene ? Shading::kNone : options.shading;
     options.warn = {};  // whoever loads the scene for the other panes tells it
     made_->scene = std::make_shared<const ShadedScene>(
         loadShadedScene(wanted.source, rolesFor(wanted.source, wanted.rolesFile, false), options, progress));
     made_->sceneOf = wanted;
+    made_->lightsScene = lightsScene;
   }
   const Effect& effect = wanted.effect.empty() ? firstEffectOf(*made_->scene) : shadeEffect(wanted.effect);
   if (!wanted.effect.empty()) {

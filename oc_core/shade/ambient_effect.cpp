@@ -141,10 +141,7 @@ const std::vector<EffectOption>& ambientOptions() {
 }
 
 AmbientSettings ambientSettings(const StageInputs& inputs) {
-  const auto given = [&](const char* name) {
-    const auto found = inputs.options.find(name);
-    return found == inputs.options.end() ? std::string(kByItself) : found->second;
-  };
+  const auto given = [&](const char* name) { return optionValue(inputs, ambientOptions(), name); };
   AmbientSettings settings;
   settings.radius = radiusFrom(given("radius"));
   settings.splitShare = splitFrom(given("split"));

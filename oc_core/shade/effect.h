@@ -106,7 +106,6 @@ struct StageInputs {
   std::optional<float> cellSide =
       {};                        ///< of the viewpoints that they are made for, world units; by default the effect's
   int environmentHeight = 1024;  ///< rows of environment maps
-  int lightSide = 32;            ///< rows of the samples of an area light, which has their square
   Progress progress = {};
   /// The camera of the picture, where it is known beforehand: what is built may be fitted to it, whatever is drawn
   /// then.
@@ -116,6 +115,12 @@ struct StageInputs {
   /// Casts rays at depth images, for ways of which Effect::castsOnDevice() says so; nothing: the CPU does.
   std::shared_ptr<const DepthRayCaster> caster = {};
 };
+
+/// What was given for an option of the effect, or its initial value. OC_CHECKs that `options` has the name.
+std::string optionValue(const StageInputs& inputs, const std::vector<EffectOption>& options, const char* name);
+
+/// The names of all cameras that have reference images, in the order of lists: ways that effects have in common.
+std::vector<std::string> camerasWithImages();
 
 struct Effect {
   const char* name;         ///< on the command line

@@ -367,12 +367,8 @@ Effect reliefEffect() {
     }
   };
   effect.waysToOffer = [] {
-    std::vector<std::string> names{"height-field", "layered-4"};
-    for (const CameraName& camera : cameraNames()) {
-      if (cameraChoice(camera.name).hasImages()) {
-        names.emplace_back(camera.name);
-      }
-    }
+    std::vector<std::string> names = camerasWithImages();
+    names.insert(names.begin(), {"height-field", "layered-4"});
     return names;
   };
   effect.requireObjects = [](const ShadedScene& scene) {

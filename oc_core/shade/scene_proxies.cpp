@@ -412,12 +412,8 @@ void checkProxyName(const std::string& text) {
 }
 
 std::vector<std::string> proxyNames() {
-  std::vector<std::string> names{kEnvironment};
-  for (const CameraName& camera : cameraNames()) {
-    if (cameraChoice(camera.name).hasImages()) {
-      names.emplace_back(camera.name);
-    }
-  }
+  std::vector<std::string> names = camerasWithImages();
+  names.insert(names.begin(), kEnvironment);
   return names;
 }
 

@@ -42,10 +42,30 @@ class ShadowWay final : public EffectWay {
   BuiltShadow built_;
 };
 
+constexpr const char* kLightSamples = "light-samples";
+
+/// Rows of the samples of the light, which has their square.
+int lightSideFrom(const std::string& text) {
+  for (const int side : {8, 16, 24, 32}) {
+    if (text == std::to_string(side * side)) {
+      return side;
+    }
+  }
+  throw InputError("\"" + text + "\" is no number of samples", "--light-samples", "give 64, 256, 576 or 1024");
+}
+
+const std::vector<EffectOption>& shadowOptions() {
+  static const std::vector<EffectOption> options{{kLightSamples, "64|256|576|1024", "1024",
+                                                  "Samples of the light that decide how much of it is seen",
+                                                  [](const std::string& value) { lightSideFrom(value); }}};
+  return options;
+}
+
 class ShadowStage final : public EffectStage {
  public:
   explicit ShadowStage(const StageInputs& inputs)
       : inputs_(inputs),
+        lightSide_(lightSideFrom(optionValue(inputs, shadowOptions(), kLightSamples))),
         scene_(std::make_shared<ShadowScene>(inputs.scene)),
         reference_(lightView(light(), inputs.scene->cast, inputs.referenceSize.x, inputs.referenceSize.y,
                              inputs.scene->source),
@@ -80,7 +100,7 @@ class ShadowStage final : public EffectStage {
     prepareTruth(camera, 1);
     const ShadowFigures figures = shadowFigures(truth_->pixels, truth_->found.share, truth_->found);
     const glm::ivec2 size = inputs_.referenceSize;
-    const int samples = inputs_.lightSide * inputs_.lightSide;
+    const int samples = lightSide_ * lightSide_;
     return {{"reference_view", jsonText(reference_.view())},
             {"light_size", fmt::format("[{}, {}]", light().width, light().height),
              fmt::format("The light is a {} of {:.3g} x {:.3g} units.", light().isDisc ? "disc" : "rectangle",
@@ -118,7 +138,7 @@ class ShadowStage final : public EffectStage {
   }
 
   BuiltShadow built(const std::string& way) const {
-    return buildShadow(way, {*inputs_.scene, reference_, cell_, inputs_.lightSide, inputs_.progress});
+    return buildShadow(way, {*inputs_.scene, reference_, cell_, lightSide_, inputs_.progress});
   }
 
   std::pair<LightVisibility, double> timed(const BuiltShadow& way, int runs) const {
@@ -155,6 +175,7 @@ class ShadowStage final : public EffectStage {
   }
 
   StageInputs inputs_;
+  int lightSide_;
   std::shared_ptr<const ShadowScene> scene_;
   PinholeCamera reference_;
   ViewCell cell_;
@@ -229,6 +250,8 @@ Effect shadowEffect() {
     return std::make_unique<ShadowStage>(inputs);
   };
   effect.lightsScene = true;
+  effect.options = shadowOptions();
+  effect.waysToOffer = shadowNames;
   return effect;
 }
 

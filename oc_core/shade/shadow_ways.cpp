@@ -170,6 +170,18 @@ void checkShadowName(const std::string& name) {
   }
 }
 
+std::vector<std::string> shadowNames() {
+  std::vector<std::string> names;
+  for (const NamedShadow& way : kNamedShadows) {
+    if (std::string_view(way.name) != kTraced) {
+      names.emplace_back(way.name);
+    }
+  }
+  const std::vector<std::string> cameras = camerasWithImages();
+  names.insert(names.end(), cameras.begin(), cameras.end());
+  return names;
+}
+
 BuiltShadow buildShadow(const std::string& name, const ShadowInputs& in) {
   BuiltShadow built;
   const auto named = std::find_if(std::begin(kNamedShadows), std::end(kNamedShadows),

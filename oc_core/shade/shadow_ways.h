@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <string>
+#include <vector>
 
 #include "oc_core/base/progress.h"
 #include "oc_core/ocri/view_cell.h"
@@ -36,6 +37,9 @@ BuiltShadow buildShadow(const std::string& name, const ShadowInputs& inputs);
 
 /// Throws as buildShadow() does for a name that it does not take.
 void checkShadowName(const std::string& name);
+
+/// The names that buildShadow() takes, without "traced", its numbers and files of cameras.
+std::vector<std::string> shadowNames();
 
 /// What hides light: what casts, and billboards.
 Mesh shadowOccluders(const ShadedScene& scene);

@@ -55,16 +55,6 @@ const std::vector<EffectOption>& specularOptions() {
   return options;
 }
 
-std::string optionOf(const StageInputs& inputs, const char* name) {
-  for (const EffectOption& option : specularOptions()) {
-    const auto given = inputs.options.find(name);
-    if (std::string(name) == option.name) {
-      return given != inputs.options.end() ? given->second : option.initial;
-    }
-  }
-  OC_CHECK(false, "an option without a row");
-}
-
 /// What is different between the effects of this file.
 struct Specular {
   const std::vector<SpecularObject>& (*senders)(const ShadedScene& scene);
@@ -127,8 +117,8 @@ class SpecularStage final : public EffectStage {
       : inputs_(inputs),
         scene_(std::make_shared<SpecularScene>(inputs.scene, specular,
                                                FirstSurfaces(*inputs.scene, specular.senders(*inputs.scene)))),
-        order_(orderFrom(optionOf(inputs, kOrder))),
-        fitsRays_(fitsRays(optionOf(inputs, kReference))),
+        order_(orderFrom(optionValue(inputs, specularOptions(), kOrder))),
+        fitsRays_(fitsRays(optionValue(inputs, specularOptions(), kReference))),
         views_(viewsFor(fitsRays_ && inputs.picture ? scene_->raysOf(*inputs.picture) : SecondaryRays{})),
         mirrorViews_(mirrorViews()) {}
 

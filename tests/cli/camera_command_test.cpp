@@ -140,9 +140,9 @@ TEST_F(CameraCommand, filesSayTheSizeOfTheirImages) {
 TEST_F(CameraCommand, errorsSayWhatToDo) {
   const std::string png = " -o " + path("x.png");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
-           {"camera show builtin:box --camera nothing", "no constructor of cameras \"nothing\""},
+           {"camera show builtin:box --camera nothing", "no camera \"nothing\"\n  try: use gpc, graph, curved"},
            {"camera show builtin:box --camera /no/such.json", "/no/such.json"},
-           {"camera show builtin:box --camera ddoc", "use graph, curved"},
+           {"camera show builtin:box --camera ddoc", "use gpc, graph, curved"},
            {"camera show builtin:box --camera graph", "--camera FILE.json"},
            {"camera show builtin:box --cut nan --camera " + path("cross.json"), "--cut"},
            {"camera edit builtin:box --edits /tmp --camera " + path("cross.json") + " -o " + path("e.json"), "/tmp"},

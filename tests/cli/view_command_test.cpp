@@ -89,8 +89,9 @@ TEST(ViewCommand, theEffectPaneShowsWhatShadeDraws) {
            folder, "--effect reflection --by di");
   ASSERT_EQ(result.exitCode, 0) << result.error;
   const Image<Rgb8> turned = readPng(folder / "frames/turned.png");
-  const std::string shade = "shade builtin:mirror --by di --reference middle --image-size 90x60 --size " + std::to_string(turned.width()) +
-                            "x" + std::to_string(turned.height()) + " -o " + inQuotes(folder / "shade.png");
+  const std::string shade = "shade builtin:mirror --by di --reference middle --image-size 90x60 --size " +
+                            std::to_string(turned.width()) + "x" + std::to_string(turned.height()) + " -o " +
+                            inQuotes(folder / "shade.png");
   ASSERT_EQ(runProgram(shade).exitCode, 0);
   EXPECT_EQ(readPng(folder / "shade.png"), readPng(folder / "frames/home.png"));
   ASSERT_EQ(runProgram(shade + " --view " + inQuotes(folder / "frames/ocelli-view-001.json")).exitCode, 0);

@@ -110,7 +110,7 @@ TEST(RimCells, areOfOneImageThatDisplacesAPinholes) {
   const Mesh mesh = test::thingsBeforeWall();
   test::forEachSampledScene(mesh, smallCamera(), [](const std::string& name, const ReferenceImages& images) {
     const bool isOne = name == "di" || name == "di-wide" || name.starts_with("ddoc") || name == "spoc" ||
-                       name == "rppc" || name == "cell";
+                       name == "rppc" || name == "gpc" || name == "cell";
     EXPECT_EQ(canHaveRims(images), isOne) << name;
   });
 }
