@@ -5,7 +5,7 @@
 #include <iterator>
 #include <numeric>
 
-#include "oc_core/pack/disjoint_sets.h"
+#include "oc_core/base/disjoint_sets.h"
 
 namespace ocelli {
 namespace {

@@ -6,7 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
-#include "oc_core/pack/disjoint_sets.h"
+#include "oc_core/base/disjoint_sets.h"
 #include "oc_core/pack/sphere.h"
 
 namespace ocelli {

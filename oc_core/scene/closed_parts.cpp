@@ -5,41 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <glm/geometric.hpp>
-#include <numeric>
 
 #include "oc_core/base/conventions.h"
+#include "oc_core/base/disjoint_sets.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
-
-/// Disjoint sets of vertices.
-class VertexSets {
- public:
-  explicit VertexSets(size_t count) : parent_(count) { std::iota(parent_.begin(), parent_.end(), 0u); }
-
-  uint32_t find(uint32_t vertex) {
-    while (parent_[vertex] != vertex) {
-      parent_[vertex] = parent_[parent_[vertex]];
-      vertex = parent_[vertex];
-    }
-    return vertex;
-  }
-  void unite(uint32_t a, uint32_t b) {
-    a = find(a);
-    b = find(b);
-    parent_[std::max(a, b)] = std::min(a, b);
-  }
-  /// Makes every find() a single step. A parent is never the higher of two vertices, so one pass does it.
-  void flatten() {
-    for (uint32_t& parent : parent_) {
-      parent = parent_[parent];
-    }
-  }
-
- private:
-  std::vector<uint32_t> parent_;
-};
 
 /// `times` more triangles run along it in this direction than in the other.
 struct BorderEdge {
@@ -111,7 +83,7 @@ std::vector<BorderEdge> unmatchedEdges(const Mesh& mesh) {
 
 /// Joins the vertices of the edges that lie at the same place: each edge names the first of them. Adds them to the same
 /// set.
-void weld(std::vector<BorderEdge>& edges, const Mesh& mesh, VertexSets& sets) {
+void weld(std::vector<BorderEdge>& edges, const Mesh& mesh, DisjointSets& sets) {
   if (edges.empty()) {
     return;
   }
@@ -132,7 +104,7 @@ void weld(std::vector<BorderEdge>& edges, const Mesh& mesh, VertexSets& sets) {
     if (places[i] == known) {
       first[known++] = vertices[i];
     }
-    sets.unite(first[places[i]], vertices[i]);
+    sets.join(first[places[i]], vertices[i]);
   }
   for (size_t i = 0; i < edges.size(); ++i) {
     edges[i].from = first[places[2 * i]];
@@ -153,10 +125,10 @@ std::vector<Closure> closureOfTriangles(const Mesh& mesh, double largestHole) {
     return {};
   }
   const size_t vertexCount = mesh.positions.size();
-  VertexSets sets(vertexCount);
+  DisjointSets sets(vertexCount);
   for (const glm::uvec3& t : mesh.triangles) {
-    sets.unite(t.x, t.y);
-    sets.unite(t.y, t.z);
+    sets.join(t.x, t.y);
+    sets.join(t.y, t.z);
   }
   std::vector<BorderEdge> border = unmatchedEdges(mesh);
   weld(border, mesh, sets);
@@ -165,7 +137,7 @@ std::vector<Closure> closureOfTriangles(const Mesh& mesh, double largestHole) {
 
   std::vector<Part> parts(vertexCount);  // by the set's lowest vertex
   for (const glm::uvec3& t : mesh.triangles) {
-    const uint32_t part = sets.find(t.x);
+    const uint32_t part = sets.least(t.x);
     const glm::dvec3 origin(mesh.positions[part]);
     const glm::dvec3 a = glm::dvec3(mesh.positions[t.x]) - origin;
     const glm::dvec3 b = glm::dvec3(mesh.positions[t.y]) - origin;
@@ -174,24 +146,24 @@ std::vector<Closure> closureOfTriangles(const Mesh& mesh, double largestHole) {
     parts[part].volume += glm::dot(a, glm::cross(b, c));
   }
   // Borders are loops of edges. One of length L surrounds no more than a circle does: L^2 / 4 pi.
-  VertexSets loops(vertexCount);
+  DisjointSets loops(vertexCount);
   for (const BorderEdge& edge : border) {
-    loops.unite(edge.from, edge.to);
+    loops.join(edge.from, edge.to);
   }
   std::vector<double> loopLengths(vertexCount);
   for (const BorderEdge& edge : border) {
-    loopLengths[loops.find(edge.from)] +=
+    loopLengths[loops.least(edge.from)] +=
         edge.times * glm::distance(glm::dvec3(mesh.positions[edge.from]), glm::dvec3(mesh.positions[edge.to]));
   }
   for (size_t loop = 0; loop < vertexCount; ++loop) {
     if (loopLengths[loop] > 0) {
-      parts[sets.find(static_cast<uint32_t>(loop))].holes += loopLengths[loop] * loopLengths[loop] / (4 * kPi);
+      parts[sets.least(static_cast<uint32_t>(loop))].holes += loopLengths[loop] * loopLengths[loop] / (4 * kPi);
     }
   }
 
   std::vector<Closure> closures(mesh.triangles.size());
   for (size_t i = 0; i < closures.size(); ++i) {
-    const Part& part = parts[sets.find(mesh.triangles[i].x)];
+    const Part& part = parts[sets.least(mesh.triangles[i].x)];
     if (part.holes < largestHole * part.area && part.volume != 0) {
       closures[i] = part.volume > 0 ? Closure::kFacesOut : Closure::kFacesIn;
     }

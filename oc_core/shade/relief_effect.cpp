@@ -323,23 +323,14 @@ class ReliefStage final : public EffectStage {
 /// others; as wide as the tiles are from there.
 View tilesView(const ShadedScene& scene) {
   constexpr float kDistance = 3.2f;  // radii of the tiles
-  constexpr double kProportion = 1.5;
-  constexpr double kRoomAround = 1.04;
+  constexpr double kProportions = 1.5;
   const Box box = boundsOf(scene.tiled->flatTiles());
   const float radius = std::max(glm::length(box.size()) / 2, 1e-6f);
   View view;
   view.target = box.center();
   view.eye = view.target + glm::normalize(glm::vec3(0.45f, 0, 1)) * (kDistance * radius);
   view.zNear = 0.01f * radius;
-  view.fovVerticalDegrees = 30;
-  const PinholeCamera camera(view, 16, 16);
-  double tangent = 0;
-  for (const glm::vec3& corner : cornersOf(box)) {
-    const glm::dvec3 p(camera.cameraFromWorld(corner));
-    tangent = std::max({tangent, std::abs(p.y) / p.z, std::abs(p.x) / p.z / kProportion});
-  }
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(kRoomAround * tangent));
-  return view;
+  return viewAround(view, box, kProportions);
 }
 
 }  // namespace

@@ -174,6 +174,19 @@ void requireCast(const ShadedScene& scene) {
   }
 }
 
+View viewAround(View view, const Box& box, double proportions) {
+  constexpr double kRoomAround = 1.04;
+  constexpr double kMinTangent = 1e-3;  // of a box that is a point
+  const PinholeCamera camera(view, 16, 16);
+  double tangent = kMinTangent;
+  for (const glm::vec3& corner : cornersOf(box)) {
+    const glm::dvec3 p(camera.cameraFromWorld(corner));
+    tangent = std::max(tangent, std::max(std::abs(p.y), std::abs(p.x) / proportions) / p.z);
+  }
+  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(std::min(tangent * kRoomAround, 1.0)));
+  return view;
+}
+
 View pictureView(const Box& senders) {
   constexpr double kMargin = 1.05;
   View view;

@@ -56,6 +56,10 @@ ShadedScene loadShadedScene(const std::string& source, const std::vector<RoledOb
 /// Throws InputError where nothing has the role `cast`.
 void requireCast(const ShadedScene& scene);
 
+/// The view with the least vertical field that holds the box in pictures of these proportions (width / height), with
+/// some room around; at most 90 degrees. The box lies before its eye.
+View viewAround(View view, const Box& box, double proportions);
+
 /// The default view of a picture: from where the default view of other commands looks, towards what sends the rays,
 /// and as wide as the sphere around that.
 View pictureView(const Box& senders);

@@ -210,21 +210,12 @@ View shadowView(const ShadedScene& scene) {
     }
   }
   constexpr double kElevationDegrees = 25;
-  constexpr double kMargin = 1.04;
   View view;
   view.target = box.center();
   const auto elevation = static_cast<float>(radiansFromDegrees(kElevationDegrees));
   view.eye =
       view.target + glm::vec3(0, std::sin(elevation), std::cos(elevation)) * static_cast<float>(kDefaultEyeDistance);
-  view.fovVerticalDegrees = 90;
-  const PinholeCamera wide(view, kDefaultWidth, kDefaultHeight);
-  double tangent = 1e-3;
-  for (const glm::vec3& corner : cornersOf(box)) {
-    const glm::dvec3 p(wide.cameraFromWorld(corner));
-    tangent = std::max(tangent, std::max(std::abs(p.y), std::abs(p.x) * kDefaultHeight / kDefaultWidth) / p.z);
-  }
-  view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(std::min(tangent * kMargin, 1.0)));
-  return view;
+  return viewAround(view, box, static_cast<double>(kDefaultWidth) / kDefaultHeight);
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 #include <numeric>
 #include <utility>
 
+#include "oc_core/base/disjoint_sets.h"
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -68,27 +69,6 @@ struct Side {
   bool ascends = true;  ///< whether it runs from the vertex with the lower number
 };
 
-/// Triangles in one plane share it: where no edge is between two, they must face every point alike.
-class SharedPlanes {
- public:
-  explicit SharedPlanes(size_t triangles) : plane_(triangles) { std::iota(plane_.begin(), plane_.end(), 0u); }
-  uint32_t of(uint32_t triangle) {
-    while (plane_[triangle] != triangle) {
-      plane_[triangle] = plane_[plane_[triangle]];
-      triangle = plane_[triangle];
-    }
-    return triangle;
-  }
-  void unite(uint32_t a, uint32_t b) {
-    const uint32_t first = of(a);
-    const uint32_t second = of(b);
-    plane_[std::max(first, second)] = std::min(first, second);
-  }
-
- private:
-  std::vector<uint32_t> plane_;
-};
-
 }  // namespace
 
 int weightOf(const OccluderEdge& edge, const std::vector<glm::vec4>& planes, const glm::vec3& point) {
@@ -133,7 +113,8 @@ OccluderEdges occluderEdges(const Mesh& occluders, const LightFrame& frame) {
   std::vector<uint32_t> next(first.begin(), first.end() - 1);
   forSides([&](uint32_t vertex, const Side& side) { sides[next[vertex]++] = side; });
 
-  SharedPlanes shared(result.mesh.triangles.size());
+  // Triangles in one plane share it: where no edge is between two, they must face every point alike.
+  DisjointSets shared(result.mesh.triangles.size());
   for (uint32_t vertex = 0; vertex < positions.size(); ++vertex) {
     const auto begin = sides.begin() + first[vertex];
     const auto end = sides.begin() + first[vertex + 1];
@@ -153,7 +134,7 @@ OccluderEdges occluderEdges(const Mesh& occluders, const LightFrame& frame) {
       const glm::vec3 p(result.planes[edge.plane]);
       const glm::vec3 q(result.planes[edge.other]);
       if (edge.otherSign < 0 && glm::dot(p, q) > 0 && glm::length(glm::cross(p, q)) < kSinFlat) {
-        shared.unite(edge.plane, edge.other);
+        shared.join(edge.plane, edge.other);
       } else {
         result.folds.push_back(edge);
       }
@@ -161,11 +142,11 @@ OccluderEdges occluderEdges(const Mesh& occluders, const LightFrame& frame) {
     }
   }
   for (OccluderEdge& rim : result.rims) {
-    rim.plane = shared.of(rim.plane);
+    rim.plane = shared.least(rim.plane);
   }
   for (OccluderEdge& fold : result.folds) {
-    fold.plane = shared.of(fold.plane);
-    fold.other = shared.of(fold.other);
+    fold.plane = shared.least(fold.plane);
+    fold.other = shared.least(fold.other);
   }
   std::erase_if(result.folds, [](const OccluderEdge& e) { return e.plane == e.other && e.otherSign < 0; });
   return result;

@@ -29,6 +29,14 @@ class DisjointSets {
     parents_[std::max(a, b)] = std::min(a, b);
   }
 
+  /// Makes every least() that follows a single step, until sets are joined again. A parent is never the higher of two
+  /// numbers, so one pass does it.
+  void flatten() {
+    for (uint32_t& parent : parents_) {
+      parent = parents_[parent];
+    }
+  }
+
  private:
   std::vector<uint32_t> parents_;
 };
