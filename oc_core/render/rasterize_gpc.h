@@ -5,7 +5,8 @@
 // edges stay straight, and triangles are filled as ever. In a transition each pixel of a conservative footprint looks
 // up its place in the pinhole's image and evaluates the triangle's edges there: exact, without subdivision. Only
 // triangles so small that their image has straight edges, but for 1/32 pixel, are filled as such. Each pixel belongs to
-// one of these, by its centre, and within each neighbouring triangles leave no gap.
+// one of these, by its centre, and within each neighbouring triangles leave no gap. In transitions both triangles
+// at an edge draw the pixels within a chord of it: the nearer one shows, as ever, and of two as near the first.
 #pragma once
 
 #include "oc_core/camera/gpc_camera.h"

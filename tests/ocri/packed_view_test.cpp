@@ -164,6 +164,17 @@ std::string errorOf(const std::function<void()>& work) {
   return "";
 }
 
+/// Where the samples of a general pinhole bend, both triangles at an edge draw the pixels on it (rasterize_gpc.h):
+/// which of them shows depends on their order. Their samples are a chord apart at most, and so are nearly the same.
+bool isOfANeighbour(const ReferenceImage& a, const ReferenceImage& b, size_t i) {
+  constexpr float kChordPixels = 1.0f / 32;
+  constexpr float kNearColor = 0.01f;  // of the random colours of these scenes, a chord apart
+  const glm::vec3 color = glm::abs(a.color[i] - b.color[i]);
+  return a.camera == "gpc" && a.holds(i) && b.holds(i) && std::abs(a.t[i] - b.t[i]) <= 1e-6f * a.t[i] &&
+         glm::distance(a.displacement[i], b.displacement[i]) <= kChordPixels &&
+         std::max({color.r, color.g, color.b}) <= kNearColor;
+}
+
 /// Samples that are not bit by bit the same; all of them where the images have other sizes. Of colours, those that
 /// differ by more than a step of 1/65535: a packed scene rounds them to such steps.
 size_t otherSamples(const ReferenceImages& wanted, const ReferenceImages& got) {
@@ -182,7 +193,7 @@ size_t otherSamples(const ReferenceImages& wanted, const ReferenceImages& got) {
         isSame = a.t[i] == b.t[i] && std::max({color.r, color.g, color.b}) <= 1.0f / 65535 &&
                  (a.isPlaced() ? a.position[i] == b.position[i] : a.displacement[i] == b.displacement[i]);
       }
-      others += isSame ? 0 : 1;
+      others += isSame || isOfANeighbour(a, b, i) ? 0 : 1;
     }
   }
   return others;
