@@ -100,6 +100,14 @@ class Session:
         if not self.says(text, PATIENCE):
             fail(f'the console never said "{text}"')
 
+    def wait_for_page(self, state):
+        """Until the page has told that state, which it is asked for once a second."""
+        end = time.monotonic() + PATIENCE
+        while not any(each["state"] == state for each in list(self.statuses)):
+            if time.monotonic() > end:
+                fail(f'the page never told the state "{state}"')
+            time.sleep(0.1)
+
     def do_until(self, action, text):
         """Again and again: before the choices are shown, answers count for nothing."""
         end = time.monotonic() + PATIENCE
@@ -222,7 +230,7 @@ def run(session, subject):
     session.wait_for("before practice")
     session.type("pause a moment, please")
     session.wait_for("(paused)")
-    time.sleep(0.3)
+    session.wait_for_page("paused")
     session.type("resume")
     session.wait_for("before practice")
     for name in ("practice", "trial 1 of 6", "trial 2 of 6"):
