@@ -45,7 +45,7 @@ ImageBox grownBox(const ImageBox& box, float by) {
 constexpr float kBoxSlack = 1.0f / 256;
 
 /// How far the straight edge of a small triangle may lie beside its image, pixels.
-constexpr double kChordPixels = 1.0 / 32;
+constexpr double kChordPixels = 1.0 / 64;
 
 /// How long the edges of a triangle may be whose image has straight edges, but for kChordPixels: squares of pixels, for
 /// equal steps of f from the inner edge of a transition to its outer one.

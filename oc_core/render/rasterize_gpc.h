@@ -4,7 +4,7 @@
 // Around the regions the image is the pinhole's, and inside of a region it is that of a pinhole that zooms: straight
 // edges stay straight, and triangles are filled as ever. In a transition each pixel of a conservative footprint looks
 // up its place in the pinhole's image and evaluates the triangle's edges there: exact, without subdivision. Only
-// triangles so small that their image has straight edges, but for 1/32 pixel, are filled as such. Each pixel belongs to
+// triangles so small that their image has straight edges, but for 1/64 pixel, are filled as such. Each pixel belongs to
 // one of these, by its centre, and within each neighbouring triangles leave no gap. In transitions both triangles
 // at an edge draw the pixels within a chord of it: the nearer one shows, as ever, and of two as near the first.
 #pragma once

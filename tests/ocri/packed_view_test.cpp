@@ -167,7 +167,7 @@ std::string errorOf(const std::function<void()>& work) {
 /// Where the samples of a general pinhole bend, both triangles at an edge draw the pixels on it (rasterize_gpc.h):
 /// which of them shows depends on their order. Their samples are a chord apart at most, and so are nearly the same.
 bool isOfANeighbour(const ReferenceImage& a, const ReferenceImage& b, size_t i) {
-  constexpr float kChordPixels = 1.0f / 32;
+  constexpr float kChordPixels = 1.0f / 64;
   constexpr float kNearColor = 0.01f;  // of the random colours of these scenes, a chord apart
   const glm::vec3 color = glm::abs(a.color[i] - b.color[i]);
   return a.camera == "gpc" && a.holds(i) && b.holds(i) && std::abs(a.t[i] - b.t[i]) <= 1e-6f * a.t[i] &&
