@@ -23,6 +23,9 @@ namespace ocelli {
 class PlainGeometry {
  public:
   explicit PlainGeometry(const Mesh& mesh) : labels_(mesh), rays_(labels_.mesh()) {}
+  /// It stays where it is: rays refer to its mesh.
+  PlainGeometry(const PlainGeometry&) = delete;
+  PlainGeometry& operator=(const PlainGeometry&) = delete;
 
   const SurfaceLabels& labels() const { return labels_; }
   const RayScene& rays() const { return rays_; }

@@ -24,6 +24,9 @@ class FirstSurfaces {
   /// `objects` send rays on: scene.mirrors or scene.lenses; those of the other kind are seen as they are. The scene
   /// must outlive this.
   FirstSurfaces(const ShadedScene& scene, const std::vector<SpecularObject>& objects);
+  /// It stays where it is: rays refer to its meshes.
+  FirstSurfaces(const FirstSurfaces&) = delete;
+  FirstSurfaces& operator=(const FirstSurfaces&) = delete;
 
   FirstSurface along(const RayPath& ray) const;
   /// The number of one of the objects.

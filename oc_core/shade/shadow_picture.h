@@ -27,6 +27,9 @@ class ShadowSurfaces {
  public:
   /// The scene has a light, and must outlive this.
   explicit ShadowSurfaces(const ShadedScene& scene);
+  /// It stays where it is: rays refer to its mesh.
+  ShadowSurfaces(const ShadowSurfaces&) = delete;
+  ShadowSurfaces& operator=(const ShadowSurfaces&) = delete;
 
   ShadowPixels seenBy(const PinholeCamera& camera) const;
 

@@ -68,6 +68,9 @@ const Specular kRefraction{[](const ShadedScene& scene) -> const std::vector<Spe
 
 /// The scene, and what its pictures show first.
 struct SpecularScene {
+  SpecularScene(std::shared_ptr<const ShadedScene> shaded, const Specular& of)
+      : scene(std::move(shaded)), specular(of), surfaces(*scene, of.senders(*scene)) {}
+
   std::shared_ptr<const ShadedScene> scene;
   const Specular& specular;
   FirstSurfaces surfaces;
@@ -115,8 +118,7 @@ class SpecularStage final : public EffectStage {
  public:
   SpecularStage(const StageInputs& inputs, const Specular& specular)
       : inputs_(inputs),
-        scene_(std::make_shared<SpecularScene>(inputs.scene, specular,
-                                               FirstSurfaces(*inputs.scene, specular.senders(*inputs.scene)))),
+        scene_(std::make_shared<SpecularScene>(inputs.scene, specular)),
         order_(orderFrom(optionValue(inputs, specularOptions(), kOrder))),
         fitsRays_(fitsRays(optionValue(inputs, specularOptions(), kReference))),
         views_(viewsFor(fitsRays_ && inputs.picture ? scene_->raysOf(*inputs.picture) : SecondaryRays{})),
