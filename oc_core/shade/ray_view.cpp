@@ -62,7 +62,8 @@ class OccupiedGrid {
       near = std::max(near, std::min(a, b));
       far = std::min(far, std::max(a, b));
     }
-    if (!(near < far)) {
+    // Also of a ray whose coordinates are no numbers, which std::max() passes over.
+    if (!(near < far) || !std::isfinite(glm::dot(ray.origin, ray.direction))) {
       return std::nullopt;
     }
     const double step = 0.5 * static_cast<double>(std::min({cellSize_.x, cellSize_.y, cellSize_.z}));

@@ -46,7 +46,8 @@ const AreaLight& lightOf(const ShadowInputs& in) {
 BuiltShadow tracedBy(int rays, const ShadowInputs& in) {
   BuiltShadow built;
   const auto start = ShadowClock::now();
-  built.visibility = std::make_unique<TracedVisibility>(shadowOccluders(in.scene), lightOf(in), rays);
+  built.occluders = std::make_shared<const Mesh>(shadowOccluders(in.scene));
+  built.visibility = std::make_unique<TracedVisibility>(*built.occluders, lightOf(in), rays);
   built.structureMilliseconds = sinceShadowStart(start);
   return built;
 }

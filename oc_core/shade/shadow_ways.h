@@ -25,6 +25,7 @@ struct ShadowInputs {
 
 struct BuiltShadow {
   std::string name;
+  std::shared_ptr<const Mesh> occluders = {};  ///< of rays, which refer to it
   std::unique_ptr<AreaVisibility> visibility = {};
   double buildMilliseconds = 0;      ///< of images
   double structureMilliseconds = 0;  ///< of edges and their hierarchy, and of acceleration structures

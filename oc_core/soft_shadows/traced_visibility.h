@@ -11,8 +11,8 @@ class TracedVisibility final : public AreaVisibility {
  public:
   static constexpr int kMaxRays = 4096;
 
-  /// `rays` a receiver, which lie in strata of equal area: rounded down to a product of two numbers that differ as
-  /// little as the sides of the light allow.
+  /// The occluders must outlive it. `rays` a receiver, which lie in strata of equal area: rounded down to a product of
+  /// two numbers that differ as little as the sides of the light allow.
   TracedVisibility(const Mesh& occluders, const AreaLight& light, int rays, const ReceiverLift& lift = {});
 
   LightVisibility of(std::span<const ShadowReceiver> receivers) const override;
