@@ -2,7 +2,7 @@
 // by piece, by subdivision, and along its rays against a standing acceleration structure. As Table 5.1, for scenes of
 // growing triangle counts.
 //
-// Times are processor time, summed over threads, the best of --runs, taken in turn for all: other work on the machine
+// Times are CPU time, summed over threads, the best of --runs, taken in turn for all: other work on the machine
 // hardly counts. The view decides how much of the scene lies in the transition, where a triangle costs most.
 #include <cstdio>
 #include <functional>

@@ -128,7 +128,7 @@ nlohmann::json measureObject(const ReliefBenchChoice& choice, const std::string&
       const ReliefPicture picture = renderers[way]->draw(camera, how);
       const Image<ReliefState> states = reliefStates(truth, picture, geometry.rays(), camera);
       totals[way].figures += reliefFigures(truth, picture, states);
-      totals[way].milliseconds += picture.processorMilliseconds;
+      totals[way].milliseconds += picture.cpuMilliseconds;
       totals[way].cost += picture.cost;
       totals[way].rays += picture.rays;
       if (saves) {

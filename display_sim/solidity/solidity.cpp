@@ -10,6 +10,7 @@
 #include "display_sim/solidity/voxel_visibility.h"
 #include "oc_core/evaluation/flip.h"
 #include "oc_core/evaluation/image_quality.h"
+#include "oc_core/image/image_error.h"
 
 namespace ocelli {
 namespace {

@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "display_sim/viewer/viewer_colors.h"
-#include "oc_core/evaluation/image_quality.h"
+#include "oc_core/image/image_error.h"
 
 namespace ocelli {
 

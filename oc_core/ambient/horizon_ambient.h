@@ -43,7 +43,7 @@ class HorizonImage {
 struct HorizonWalk {
   int directions = 16;  ///< half planes a point; at least 1
   int steps = 16;       ///< samples that are looked at along each; they lie closer together near the point. At least 1
-  uint64_t seed = 1;    ///< of the turns of the directions, by pixel
+  uint64_t seed = 1;    ///< of the azimuths of the directions, by pixel
 };
 
 struct HorizonLight {

@@ -62,10 +62,10 @@ glm::dmat2 GpcMap::jacobian(const glm::dvec2& image) const {
 }
 
 double GpcMap::rateAt(const glm::dvec2& image) const {
-  return 1 / stretches(jacobian(image)).x;
+  return 1 / singularValues(jacobian(image)).x;
 }
 
-glm::dvec2 stretches(const glm::dmat2& m) {
+glm::dvec2 singularValues(const glm::dmat2& m) {
   // Of a matrix [a c; b d]: half the sum and half the difference of the squared singular values.
   const double a = m[0].x;
   const double b = m[0].y;

@@ -103,6 +103,6 @@ class GpcMap {
 
 /// How far apart two neighbouring samples may lie, and how near, as a step of unit length becomes: the singular values
 /// of a Jacobian, the greater first.
-glm::dvec2 stretches(const glm::dmat2& jacobian);
+glm::dvec2 singularValues(const glm::dmat2& jacobian);
 
 }  // namespace ocelli

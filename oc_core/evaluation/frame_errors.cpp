@@ -4,6 +4,7 @@
 
 #include "oc_core/evaluation/flip.h"
 #include "oc_core/evaluation/image_quality.h"
+#include "oc_core/image/image_error.h"
 #include "oc_core/render/rasterize.h"
 
 namespace ocelli {

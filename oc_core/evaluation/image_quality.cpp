@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <cstdint>
-#include <limits>
 
 #include "oc_core/evaluation/separable_filter.h"
 
@@ -43,22 +42,6 @@ Image<float> product(const Image<float>& a, const Image<float>& b) {
 }
 
 }  // namespace
-
-double meanSquaredError(const Image<Rgb8>& a, const Image<Rgb8>& b) {
-  checkSameSize(a, b);
-  uint64_t sum = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    for (int channel = 0; channel < 3; ++channel) {
-      const int difference = a[i][channel] - b[i][channel];
-      sum += static_cast<uint64_t>(difference * difference);
-    }
-  }
-  return static_cast<double>(sum) / (255.0 * 255.0 * 3.0 * static_cast<double>(a.size()));
-}
-
-double psnrDecibels(double meanSquaredError) {
-  return meanSquaredError > 0 ? -10 * std::log10(meanSquaredError) : std::numeric_limits<double>::infinity();
-}
 
 double ssim(const Image<Rgb8>& a, const Image<Rgb8>& b) {
   checkSameSize(a, b);

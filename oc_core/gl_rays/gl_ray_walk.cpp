@@ -39,10 +39,10 @@ GlObject uploadNodes(GlContext& context, const SamplePyramid& pyramid) {
   return makeBuffer(context, items);
 }
 
-/// Turns of the walk's loop. Software renderers end a shader after 65535 turns of its loops, all together, and say
-/// nothing: so it is given up before. A turn puts a node's children or tests a cell's triangles; neighbours share the
-/// count, so each turn may take both.
-uint32_t turnsOf(const GlContext& context, const SampleCells& cells) {
+/// Iterations of the loop of the walk. Software renderers end a shader after 65535 iterations of its loops, all
+/// together, and say nothing: so it is given up before. An iteration puts a node's children or tests a cell's
+/// triangles; neighbours share the count, so each iteration may take both.
+uint32_t iterationsFor(const GlContext& context, const SampleCells& cells) {
   if (!context.info().isSoftware) {
     return 0xffffffffu;
   }
@@ -50,11 +50,11 @@ uint32_t turnsOf(const GlContext& context, const SampleCells& cells) {
   for (size_t i = 0; i < cells.cellCount(); ++i) {
     most = std::max(most, cells.firstTriangle[i + 1] - cells.firstTriangle[i]);
   }
-  constexpr uint32_t kTurns = 65535;
+  constexpr uint32_t kMaxSoftwareIterations = 65535;
   // To count children, to enter four groups of them, to put them; the last look of each loop may count, too.
   constexpr uint32_t kOfNode = 5 + 4 * 4 + (kChildren + 1);
   const uint32_t ofCell = most + 1;
-  return kTurns / (1 + kOfNode + ofCell);
+  return kMaxSoftwareIterations / (1 + kOfNode + ofCell);
 }
 
 }  // namespace
@@ -72,7 +72,7 @@ void GlRayWalk::setTarget(const SampleCells& cells, const SamplePyramid& pyramid
   nodes_ = uploadNodes(*context_, pyramid);
   firstTriangle_ = makeBuffer(*context_, cells.firstTriangle);
   root_ = pyramid.root().value_or(kNoChild);
-  maxTurns_ = turnsOf(*context_, cells);
+  maxIterations_ = iterationsFor(*context_, cells);
   maxSteps_ = pyramid.maxSteps();
   makeProgramFor(pyramid.maxWaiting());
 }
@@ -96,7 +96,7 @@ GlRayHits GlRayWalk::walk(const GlRays& rays) const {
                  makeTexture(*context_, GL_RGBA32UI, rays.width(), rays.height())};
   gl.UseProgram(program_.id());
   gl.Uniform1ui(0, root_);
-  gl.Uniform1ui(1, maxTurns_);
+  gl.Uniform1ui(1, maxIterations_);
   bindMesh(*context_, mesh_);
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, mesh_.colors().id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, nodes_.id());

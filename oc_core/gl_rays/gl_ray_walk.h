@@ -16,8 +16,8 @@ namespace ocelli {
 struct GlRayHits {
   /// The distance from the origin in world units, the triangle, and the weights of its second and third vertex;
   /// Fragment::kNoTriangle where the ray hits nothing. kUnansweredDistance with it where the walk was given up, as it
-  /// must be on software renderers (they end a shader after 65535 turns of its loops) for rays that run along a surface
-  /// through more than a thousand cells.
+  /// must be on software renderers (they end a shader after 65535 iterations of its loops) for rays that run along a
+  /// surface through more than a thousand cells.
   GlFragments fragments;
   GlObject colors;  ///< GL_RGBA32F: linear, alpha 1; 0 where nothing is hit
   GlObject costs;   ///< GL_RGBA32UI: nodes, cells, boxes and triangles, as RayCost has them
@@ -51,7 +51,7 @@ class GlRayWalk {
   GlObject nodes_;
   GlObject firstTriangle_;
   uint32_t root_ = 0;
-  uint32_t maxTurns_ = 0;
+  uint32_t maxIterations_ = 0;
   size_t maxSteps_ = 0;
   size_t maxWaiting_ = 0;  ///< that the program has room for
   GlObject program_;

@@ -17,11 +17,11 @@
 namespace ocelli {
 namespace {
 
-/// Software renderers end a shader after 65535 turns of its loops, all together, and say nothing.
-constexpr uint32_t kSoftwareTurns = 65000;
+/// Software renderers end a shader after 65535 iterations of its loops, all together, and say nothing.
+constexpr uint32_t kSoftwareIterations = 65000;
 
-uint32_t turnsWithin(const GlContext& context, uint32_t ofProjection) {
-  return context.info().isSoftware ? kSoftwareTurns / (1 + ofProjection) : 0xffffffffu;
+uint32_t iterationsWithin(const GlContext& context, uint32_t ofProjection) {
+  return context.info().isSoftware ? kSoftwareIterations / (1 + ofProjection) : 0xffffffffu;
 }
 
 std::string steppingDefines() {
@@ -55,7 +55,7 @@ GlSteppedImage::GlSteppedImage(GlContext& context, const SteppedImage& image)
       bounds_(image.bounds()),
       options_(image.options()),
       focalPixels_(image.focalPixels()),
-      maxTurns_(turnsWithin(context, 0)),
+      maxIterations_(iterationsWithin(context, 0)),
       samples_(makeTexture(context, GL_RG32F, image.image().width(), image.image().height())),
       colors_(makeTexture(context, GL_RGBA32F, image.image().width(), image.image().height())),
       imageWidth_(image.image().width()) {
@@ -104,8 +104,8 @@ GlSteppedImage::GlSteppedImage(GlContext& context, const SteppedImage& image, co
 GlSteppedImage::GlSteppedImage(GlContext& context, const SteppedImage& image, const EpipolarCamera& camera)
     : GlSteppedImage(context, image) {
   OC_CHECK(camera.width() == imageWidth_, "the image is one of the camera");
-  constexpr uint32_t kSearch = 33;  // turns to find an edge of a row
-  maxTurns_ = turnsWithin(context, kSearch + longestList(camera) + 1);
+  constexpr uint32_t kSearch = 33;  // iterations to find an edge of a row
+  maxIterations_ = iterationsWithin(context, kSearch + longestList(camera) + 1);
   epipolar_.emplace(context, camera);
   program_ = steppedProgram(
       context, {shaders::kPinhole, shaders::kEpipolarLines, shaders::kEpipolarDisocclusions, shaders::kEpipolarProject},
@@ -132,7 +132,7 @@ GlSteppedHits GlSteppedImage::walk(const GlRays& rays) const {
   gl.Uniform1f(3, static_cast<float>(options_.finePixels));
   gl.Uniform1f(4, static_cast<float>(options_.joinFootprints));
   gl.Uniform1f(5, focalPixels_);
-  gl.Uniform1ui(6, maxTurns_);
+  gl.Uniform1ui(6, maxIterations_);
   if (epipolar_) {
     gl.Uniform1i(8, imageWidth_);
     epipolar_->bind(*context_);

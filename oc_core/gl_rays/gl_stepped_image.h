@@ -42,7 +42,7 @@ class GlSteppedImage {
   Box bounds_;
   SteppingOptions options_;
   float focalPixels_;
-  uint32_t maxTurns_;
+  uint32_t maxIterations_;
   GlObject samples_;
   GlObject colors_;
   GlObject pinhole_;

@@ -203,7 +203,7 @@ RateSummary summarizeRates(const GpcCamera& camera) {
     for (int x = 0; x < camera.width(); ++x) {
       const glm::dvec2 pixel = glm::dvec2(x, y) + 0.5;
       if (const GpcZone* zone = camera.map().zoneAt(pixel)) {
-        summary.leastAnywhere = std::min(summary.leastAnywhere, 1 / stretches(zone->jacobian(pixel)).x);
+        summary.leastAnywhere = std::min(summary.leastAnywhere, 1 / singularValues(zone->jacobian(pixel)).x);
         (zone->distance(pixel) <= 1 ? inRegions : inTransitions) += 1;
       }
     }

@@ -186,7 +186,7 @@ void lookUp(const PinholeSource& source, const PinholeCamera& camera, ResampledV
         continue;
       }
       const glm::dmat2 steps = source.steps(*middle, ray, rays.du, rays.dv);
-      rates.add(stretches(steps).y);
+      rates.add(singularValues(steps).y);
       const auto taps = [](const glm::dvec2& step) {
         return std::clamp(static_cast<int>(std::ceil(glm::length(step) - kRateRounding)), 1, kMaxTaps);
       };

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/image/color.h"
+#include "oc_core/image/image_error.h"
 #include "oc_core/ocri/coverage.h"
 
 namespace ocelli {
@@ -66,10 +66,8 @@ double ReliefFigures::wrongShare() const {
 }
 
 double ReliefFigures::psnrDecibels() const {
-  if (squaredError == 0 || comparedPixels == 0) {
-    return std::numeric_limits<double>::infinity();
-  }
-  return 10 * std::log10(255.0 * 255 * 3 * static_cast<double>(comparedPixels) / squaredError);
+  const double values = 255.0 * 255 * 3 * static_cast<double>(comparedPixels);
+  return ocelli::psnrDecibels(comparedPixels > 0 ? squaredError / values : 0);
 }
 
 ReliefFigures& ReliefFigures::operator+=(const ReliefFigures& more) {

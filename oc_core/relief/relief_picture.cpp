@@ -276,7 +276,7 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, const ReliefDraw
     std::vector<RayCost> costs(strips);
     std::vector<size_t> counts(strips);
     const auto start = std::chrono::steady_clock::now();
-    const std::clock_t processor = std::clock();
+    const std::clock_t begun = std::clock();
     const std::vector<SeenTile> seen = seenTiles(*tiles_, camera);
     parallelFor(strips, 1, [&](size_t begin, size_t end) {
       for (size_t s = begin; s < end; ++s) {
@@ -290,9 +290,9 @@ ReliefPicture ReliefRenderer::draw(const PinholeCamera& camera, const ReliefDraw
       }
     });
     const double taken = millisecondsSince(start);
-    const double used = 1000.0 * static_cast<double>(std::clock() - processor) / CLOCKS_PER_SEC;
+    const double used = 1000.0 * static_cast<double>(std::clock() - begun) / CLOCKS_PER_SEC;
     picture.milliseconds = run == 0 ? taken : std::min(picture.milliseconds, taken);
-    picture.processorMilliseconds = run == 0 ? used : std::min(picture.processorMilliseconds, used);
+    picture.cpuMilliseconds = run == 0 ? used : std::min(picture.cpuMilliseconds, used);
     picture.cost = {};
     picture.rays = 0;
     for (size_t s = 0; s < strips; ++s) {

@@ -40,18 +40,18 @@ struct ReliefPicture {
   static constexpr int32_t kNothing = -1;   ///< the background
   static constexpr int32_t kGeometry = -2;  ///< what is no tile
 
-  Image<int32_t> shown;              ///< the number of the tile, or one of those above
-  Image<uint32_t> triangle;          ///< of what is no tile; of no meaning elsewhere
-  Image<float> z;                    ///< along the view direction; 0 where nothing is shown
-  Image<glm::vec3> point;            ///< in the world; of no meaning there
-  Image<glm::vec3> color;            ///< linear, with light and shadow
-  Image<uint8_t> inShadow;           ///< 1 where the sun does not reach what faces it
-  RayCost cost;                      ///< of rays from the eye
-  size_t rays = 0;                   ///< pixels of boxes, summed over tiles: those rays
-  double geometryMilliseconds = 0;   ///< of the eye rays to what is no tile
-  double milliseconds = 0;           ///< of tiles, from the eye: boxes, intersections, depth
-  double processorMilliseconds = 0;  ///< the same, of the CPU time of this process, all threads together
-  double shadowMilliseconds = 0;     ///< of the rays to the sun
+  Image<int32_t> shown;             ///< the number of the tile, or one of those above
+  Image<uint32_t> triangle;         ///< of what is no tile; of no meaning elsewhere
+  Image<float> z;                   ///< along the view direction; 0 where nothing is shown
+  Image<glm::vec3> point;           ///< in the world; of no meaning there
+  Image<glm::vec3> color;           ///< linear, with light and shadow
+  Image<uint8_t> inShadow;          ///< 1 where the sun does not reach what faces it
+  RayCost cost;                     ///< of rays from the eye
+  size_t rays = 0;                  ///< pixels of boxes, summed over tiles: those rays
+  double geometryMilliseconds = 0;  ///< of the eye rays to what is no tile
+  double milliseconds = 0;          ///< of tiles, from the eye: boxes, intersections, depth
+  double cpuMilliseconds = 0;       ///< the same, of the CPU time of this process, all threads together
+  double shadowMilliseconds = 0;    ///< of the rays to the sun
 };
 
 struct ReliefDrawing {

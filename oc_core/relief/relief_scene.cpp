@@ -64,7 +64,7 @@ ReliefScene::ReliefScene(Objects objects, std::vector<ReliefTile> tiles)
     : objects_(std::move(objects)), tiles_(std::move(tiles)) {
   std::vector<size_t> met;
   for (size_t i = 0; i < tiles_.size(); ++i) {
-    OC_CHECK(tiles_[i].object < objects_.size(), "a tile of an object that there is none of");
+    OC_CHECK(tiles_[i].object < objects_.size(), "each tile names one of the objects");
     if (!isInvertible(tiles_[i].worldFromTile)) {
       throw InputError("relief tile " + std::to_string(i + 1) +
                            " is placed without an extent, or by numbers that are "

@@ -196,7 +196,7 @@ class GpcTriangles {
   struct PixelSample {
     float u = 0;
     float v = 0;
-    float stretch = 0;  ///< 0 for pixels out of transitions
+    float spacing = 0;  ///< 0 for pixels out of transitions
   };
 
   static constexpr int kTile = 16;
@@ -204,7 +204,7 @@ class GpcTriangles {
   /// What the samples of a tile's pixels lie in.
   struct TileBounds {
     ImageBox box{glm::vec2(1e30f), glm::vec2(-1e30f)};
-    float stretch = 0;
+    float spacing = 0;
   };
 
   /// A triangle as the pinhole sees it: from its first corner, and how far from each edge a pixel belongs to it.
@@ -227,9 +227,9 @@ class GpcTriangles {
       const auto greatest = [&](const glm::dvec2& slope) {
         return std::max(slope.x * lower.x, slope.x * upper.x) + std::max(slope.y * lower.y, slope.y * upper.y);
       };
-      const auto stretch = static_cast<double>(tile.stretch);
-      return tile.box.lower.x > tile.box.upper.x || 1 + greatest(-forB - forC) < onEdge.x * stretch ||
-             greatest(forB) < onEdge.y * stretch || greatest(forC) < onEdge.z * stretch;
+      const auto spacing = static_cast<double>(tile.spacing);
+      return tile.box.lower.x > tile.box.upper.x || 1 + greatest(-forB - forC) < onEdge.x * spacing ||
+             greatest(forB) < onEdge.y * spacing || greatest(forC) < onEdge.z * spacing;
     }
   };
 
@@ -380,8 +380,8 @@ class GpcTriangles {
         const double shareB = (px * ac.y - py * ac.x) * perArea;
         const double shareC = (ab.x * py - ab.y * px) * perArea;
         const double shareA = 1 - shareB - shareC;
-        const auto stretch = static_cast<double>(sample.stretch);
-        if (shareA < onEdge.x * stretch || shareB < onEdge.y * stretch || shareC < onEdge.z * stretch) {
+        const auto spacing = static_cast<double>(sample.spacing);
+        if (shareA < onEdge.x * spacing || shareB < onEdge.y * spacing || shareC < onEdge.z * spacing) {
           continue;
         }
         const glm::dvec3 shares = glm::max(glm::dvec3(shareA, shareB, shareC), 0.0);
@@ -417,11 +417,11 @@ class GpcTriangles {
       for (int y = static_cast<int>(begin) * kTile; y < std::min(static_cast<int>(end) * kTile, height_); ++y) {
         for (int x = 0; x < width_; ++x) {
           const PixelSample& sample = samples_(x, y);
-          if (sample.stretch > 0) {
+          if (sample.spacing > 0) {
             TileBounds& tile = tiles_(x / kTile, y / kTile);
             tile.box = {glm::min(tile.box.lower, glm::vec2(sample.u, sample.v)),
                         glm::max(tile.box.upper, glm::vec2(sample.u, sample.v))};
-            tile.stretch = std::max(tile.stretch, sample.stretch);
+            tile.spacing = std::max(tile.spacing, sample.spacing);
           }
         }
       }

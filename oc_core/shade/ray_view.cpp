@@ -136,8 +136,8 @@ std::optional<glm::dvec3> meetingPoint(const std::vector<RayPiece>& pieces) {
     moment += across * piece.origin;
   }
   const auto count = static_cast<double>(pieces.size());
-  constexpr double kLeastDeterminant = 1e-9;
-  if (!(std::abs(glm::determinant(sum / count)) > kLeastDeterminant)) {
+  constexpr double kMinDeterminant = 1e-9;
+  if (!(std::abs(glm::determinant(sum / count)) > kMinDeterminant)) {
     return std::nullopt;
   }
   return glm::inverse(sum) * moment;
@@ -145,8 +145,8 @@ std::optional<glm::dvec3> meetingPoint(const std::vector<RayPiece>& pieces) {
 
 /// The view from `view.eye` that holds all points, the nearest of them at zNear; nothing where none does.
 std::optional<View> viewHolding(const std::vector<glm::vec3>& points, View view, int width, int height) {
-  constexpr int kRounds = 4;            // of turning towards the middle of them
-  constexpr float kLeastCosine = 0.2f;  // what stands farther aside is behind, or nearly
+  constexpr int kRounds = 4;          // of turning towards the middle of them
+  constexpr float kMinCosine = 0.2f;  // what stands farther aside is behind, or nearly
   const float aspect = static_cast<float>(height) / static_cast<float>(width);
   for (int round = 0; round < kRounds; ++round) {
     view.fovVerticalDegrees = 90;
@@ -162,7 +162,7 @@ std::optional<View> viewHolding(const std::vector<glm::vec3>& points, View view,
     float nearest = std::numeric_limits<float>::max();
     for (const glm::vec3& point : points) {
       const glm::vec3 p = wide.cameraFromWorld(point);
-      if (!(p.z > kLeastCosine * glm::length(p))) {
+      if (!(p.z > kMinCosine * glm::length(p))) {
         return std::nullopt;
       }
       const glm::vec2 q = glm::vec2(p) / p.z;
@@ -233,8 +233,8 @@ std::optional<RayView> viewOfRays(std::span<const SecondaryRay> rays, const Mesh
       // What stands before all that the rays may meet would hide it, seen from any viewpoint of the cell: it stands
       // behind the mirror, or in its place.
       constexpr float kBefore = 0.98f;
-      constexpr float kLeastShare = 1e-3f;
-      found.view.zNear = std::max(kBefore * held->zNear - found.cellSide / 2, kLeastShare * held->zNear);
+      constexpr float kMinShare = 1e-3f;
+      found.view.zNear = std::max(kBefore * held->zNear - found.cellSide / 2, kMinShare * held->zNear);
       return found;
     }
   }

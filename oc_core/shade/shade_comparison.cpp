@@ -7,7 +7,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/evaluation/error_image.h"
-#include "oc_core/evaluation/image_quality.h"
+#include "oc_core/image/image_error.h"
 #include "oc_core/ocri/coverage.h"
 
 namespace ocelli {

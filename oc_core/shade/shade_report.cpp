@@ -4,23 +4,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string_view>
 
+#include "oc_core/base/csv.h"
 #include "oc_core/base/json_fields.h"
 
 namespace ocelli {
 namespace {
-
-std::string inCsv(std::string_view text) {
-  if (text.find_first_of(",\"\r\n") == std::string_view::npos) {
-    return std::string(text);
-  }
-  std::string quoted = "\"";
-  for (const char c : text) {
-    quoted.append(c == '"' ? 2 : 1, c);
-  }
-  return quoted + "\"";
-}
 
 nlohmann::ordered_json numberOrNull(const std::optional<double>& value) {
   if (!value || !std::isfinite(*value)) {
@@ -100,7 +89,7 @@ std::string shadeCsv(const ShadeReport& report) {
   }
   text += "\n";
   for (const ShadedWay& way : report.ways) {
-    text += inCsv(way.name);
+    text += csvText(way.name);
     for (const std::optional<double>& figure : way.figures) {
       text += figure ? fmt::format(",{}", *figure) : ",";
     }

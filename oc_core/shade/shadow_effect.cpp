@@ -71,7 +71,7 @@ class ShadowStage final : public EffectStage {
                              inputs.scene->source),
                    inputs.referenceSize.x, inputs.referenceSize.y) {
     cell_.shape = ViewCell::Shape::kSphere;
-    cell_.sideRadii = inputs.cellSide.value_or(std::max(diameter(), kLeastCell));
+    cell_.sideRadii = inputs.cellSide.value_or(std::max(diameter(), kMinCellSide));
   }
 
   std::unique_ptr<EffectWay> build(const std::string& way) const override {
@@ -120,7 +120,7 @@ class ShadowStage final : public EffectStage {
 
  private:
   /// Builders need some cell, also for a light that is a point.
-  static constexpr float kLeastCell = 1e-3f;
+  static constexpr float kMinCellSide = 1e-3f;
 
   struct Truth {
     View view;

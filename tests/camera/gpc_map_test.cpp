@@ -115,7 +115,7 @@ TEST(GpcMap, ratesByHand) {
   EXPECT_NEAR(map.rateAt({400, 1e-9}), 1.0 / 3, 1e-9);
   // At a corner the shear comes in, and the rate is lower in some direction.
   EXPECT_LT(map.rateAt({1e-9, 2e-9}), 1.0 / 3);
-  const glm::dvec2 both = stretches(glm::dmat2(3, 0, 0, 2));
+  const glm::dvec2 both = singularValues(glm::dmat2(3, 0, 0, 2));
   EXPECT_DOUBLE_EQ(both.x, 3);
   EXPECT_DOUBLE_EQ(both.y, 2);
 }

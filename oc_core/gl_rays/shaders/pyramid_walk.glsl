@@ -13,7 +13,7 @@ layout(std430, binding = 3) readonly buffer Nodes { PyramidNode nodes[]; };
 layout(std430, binding = 4) readonly buffer FirstTriangles { uint firstTriangle[]; };
 
 layout(location = 0) uniform uint root;  // kNoChild where there is nothing to hit
-layout(location = 1) uniform uint maxTurns;
+layout(location = 1) uniform uint maxIterations;
 
 const uint kNoChild = 0xffffffffu;
 const uint kCellBit = 0x80000000u;
@@ -76,7 +76,7 @@ uint countOf(uint node) {
   return count.x + count.y + count.z + count.w;
 }
 
-// Whether the walk came to its end: it is given up after `maxTurns` turns of its loop. `cost` grows by nodes, cells,
+// Whether the walk came to its end: it is given up after `maxIterations` iterations of its loop. `cost` grows by nodes, cells,
 // boxes and triangles.
 bool walkPyramid(StraightRay ray, inout Meeting best, inout uvec4 cost) {
   if (root == kNoChild) {
@@ -87,8 +87,8 @@ bool walkPyramid(StraightRay ray, inout Meeting best, inout uvec4 cost) {
   int count = 1;
   waitingEntry[0] = 0.0;
   waiting[0] = root;
-  for (uint turn = 0u; count > 0; ++turn) {
-    if (turn == maxTurns) {
+  for (uint iteration = 0u; count > 0; ++iteration) {
+    if (iteration == maxIterations) {
       return false;
     }
     --count;

@@ -16,7 +16,7 @@ layout(location = 2) uniform float coarsePixels;
 layout(location = 3) uniform float finePixels;
 layout(location = 4) uniform float joinFootprints;
 layout(location = 5) uniform float focalOfReference;
-layout(location = 6) uniform uint maxTurns;
+layout(location = 6) uniform uint maxIterations;
 
 const float kUnanswered = -1.0;  // kUnansweredDistance of gl_ray_walk.h
 
@@ -115,14 +115,14 @@ bool partWithin(StraightRay ray, out Part part) {
 Probe ends[MAX_HALVINGS + 1];
 int halvings[MAX_HALVINGS + 1];
 
-// Whether the walk came to its end: it is given up after `maxTurns` turns of its loop.
+// Whether the walk came to its end: it is given up after `maxIterations` iterations of its loop.
 bool walkSteps(StraightRay ray, Part part, inout Crossing found, inout uvec4 cost) {
   Probe a = probeAt(ray, part, 0u);
   ends[0] = probeAt(ray, part, 1u << MAX_HALVINGS);
   halvings[0] = 0;
   int count = 1;
-  for (uint turn = 0u; count > 0; ++turn) {
-    if (turn == maxTurns) {
+  for (uint iteration = 0u; count > 0; ++iteration) {
+    if (iteration == maxIterations) {
       return false;
     }
     Probe b = ends[count - 1];
