@@ -224,7 +224,7 @@ Effect shadowEffect() {
   Effect effect{};
   effect.name = "shadow";
   effect.title = "Soft shadows";
-  effect.description = "the soft shadows that objects with the role \"cast\" throw under a light, at first order";
+  effect.description = "the soft shadows that objects with the role \"cast\" throw under a light";
   effect.ways =
       "traced (1,024 rays), traced-N, outlines (of the geometry), pcss, backprojection (of a plain shadow map), or the "
       "outlines of the reference images of a camera: a name or a JSON file";
