@@ -10,6 +10,7 @@ BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
 BuiltinScene crowdScene();
+BuiltinScene dnaScene();
 BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene lampScene();
