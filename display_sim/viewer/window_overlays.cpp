@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "display_sim/viewer/gui_pieces.h"
+#include "display_sim/viewer/lens_keys.h"
 
 namespace ocelli {
 namespace {
@@ -68,6 +69,16 @@ void drawKeyHelp(const std::string& group, float keyWidth) {
   for (const KeyBinding& binding : keyBindings()) {
     if (binding.group == group && *binding.keys != '\0') {
       helpRow(binding.keys, binding.text);
+    }
+  }
+  ImGui::EndTable();
+}
+
+void drawLensHelp(float keyWidth) {
+  beginHelpGroup("In the pane of lenses (6), before all else", keyWidth);
+  for (const LensKey& each : lensKeys()) {
+    if (*each.keys != '\0') {
+      helpRow(each.keys, each.text);
     }
   }
   ImGui::EndTable();
@@ -141,6 +152,9 @@ void drawHelp(const PanelDrawing& drawing) {
     ImGui::TableNextColumn();
     for (size_t i = inFirst; i < groups.size(); ++i) {
       drawKeyHelp(groups[i], keyWidth);
+    }
+    if (hasLenses(drawing.state)) {
+      drawLensHelp(keyWidth);
     }
     ImGui::EndTable();
   }
