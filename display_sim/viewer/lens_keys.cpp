@@ -156,6 +156,16 @@ const std::vector<LensKey>& lensKeys() {
   return keys;
 }
 
+const std::vector<PointerBinding>& lensPointerBindings() {
+  static const std::vector<PointerBinding> bindings{
+      {"Click", "add a lens"},
+      {"Drag", "a lens: move; its corner: size"},
+      {"Drag the dashes", "width of the transition"},
+      {"Wheel over it", "its zoom"},
+  };
+  return bindings;
+}
+
 LensKeyOutcome applyLensKey(ViewerState& state, const KeyEvent& event) {
   if (state.active != Pane::kLenses || !hasLenses(state) || !event.pressed || event.modifiers.alt || state.help) {
     return kElsewhere;

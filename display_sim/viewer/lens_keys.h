@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "display_sim/viewer/viewer_keys.h"
 #include "display_sim/viewer/viewer_state.h"
 #include "oc_core/base/input_event.h"
 
@@ -26,6 +27,9 @@ struct LensKey {
 };
 
 const std::vector<LensKey>& lensKeys();
+
+/// What the pointer does in it (lens_pointer.h), for the help.
+const std::vector<PointerBinding>& lensPointerBindings();
 
 /// Where the lens pane is active. Lenses stay valid; locked ones stay as they are.
 LensKeyOutcome applyLensKey(ViewerState& state, const KeyEvent& event);

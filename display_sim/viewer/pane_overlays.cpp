@@ -175,7 +175,7 @@ std::vector<LegendEntry> rateLegend(const ViewerState& state) {
   for (const double share : {1.0, 0.5, 0.0}) {
     const double rate = range.least * std::pow(range.greatest / range.least, share);
     const Rgb8 color = rateColor(rate, range);
-    entries.push_back({{color.x, color.y, color.z}, fmt::format("{:.2f} samples for each of a pinhole", rate)});
+    entries.push_back({{color.x, color.y, color.z}, fmt::format("{:.2f} samples for each one of a pinhole", rate)});
   }
   return entries;
 }

@@ -76,6 +76,9 @@ void drawKeyHelp(const std::string& group, float keyWidth) {
 
 void drawLensHelp(float keyWidth) {
   beginHelpGroup("In the pane of lenses (6), before all else", keyWidth);
+  for (const PointerBinding& binding : lensPointerBindings()) {
+    helpRow(binding.what, binding.text);
+  }
   for (const LensKey& each : lensKeys()) {
     if (*each.keys != '\0') {
       helpRow(each.keys, each.text);
@@ -146,15 +149,15 @@ void drawHelp(const PanelDrawing& drawing) {
     const size_t inFirst = groups.size() / 2;
     ImGui::TableNextColumn();
     drawPointerHelp(keyWidth);
+    if (hasLenses(drawing.state)) {
+      drawLensHelp(keyWidth);
+    }
     for (size_t i = 0; i < inFirst; ++i) {
       drawKeyHelp(groups[i], keyWidth);
     }
     ImGui::TableNextColumn();
     for (size_t i = inFirst; i < groups.size(); ++i) {
       drawKeyHelp(groups[i], keyWidth);
-    }
-    if (hasLenses(drawing.state)) {
-      drawLensHelp(keyWidth);
     }
     ImGui::EndTable();
   }
