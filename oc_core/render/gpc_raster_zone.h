@@ -1,0 +1,131 @@
+// What filling triangles needs of one zone of a general pinhole camera (gpc_map.h): the image points of many vertices
+// at once, in single precision; where the samples of a pixel lie in the pinhole's image, from tables of columns and
+// rows; and how long the edges of triangles may be that are filled as if they were straight.
+//
+// The inverse of the profile is begun from a table and takes one Newton step. Its error is measured where the table is
+// made, in every interval of it, and the table is as fine as it takes: at most kMaxErrorPixels. Zones for which no
+// table is fine enough use the profile itself.
+//
+// r depends on one coordinate alone: beside the region on the column of a pixel, above and below on its row. So W + H
+// values of the profile give the samples of all W x H pixels, exactly.
+#pragma once
+
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "oc_core/camera/gpc_camera.h"
+#include "oc_core/render/visibility_buffer.h"
+
+namespace ocelli {
+
+/// Vertices that are placed together, pixels. Unused entries hold anything.
+struct GpcRun {
+  static constexpr size_t kSize = 128;
+
+  alignas(64) std::array<float, kSize> u{};  ///< in the pinhole's image
+  alignas(64) std::array<float, kSize> v{};
+  alignas(64) std::array<float, kSize> x{};  ///< in the camera's image
+  alignas(64) std::array<float, kSize> y{};
+  alignas(64) std::array<float, kSize> straightSquared{};
+  alignas(64) std::array<uint32_t, kSize> part{};
+};
+
+class GpcRasterZone {
+ public:
+  /// What a part number says: kParts * zone + 0 in the inner rectangle, + 1 to 4 in a side of its transition.
+  static constexpr uint32_t kParts = 5;
+  static constexpr uint32_t kAround = ~uint32_t{0};  ///< in no zone
+  static constexpr bool isInTransition(uint32_t part) { return part != kAround && part % kParts != 0; }
+
+  /// Of image points of vertices; the grid of filling has 1/256.
+  static constexpr double kMaxErrorPixels = 1.0 / 1024;
+  /// How far the straight edge of a small triangle may lie beside its image.
+  static constexpr double kChordPixels = 1.0 / 64;
+  /// What boxes are grown by for rounding.
+  static constexpr float kBoxSlack = 1.0f / 256;
+
+  /// `zone` must outlive it.
+  GpcRasterZone(const GpcZone& zone, uint32_t index, const glm::ivec2& size);
+
+  const GpcZone& zone() const { return *zone_; }
+  const PixelBounds& innerPixels() const { return innerPixels_; }
+  const PixelBounds& outerPixels() const { return outerPixels_; }
+  bool isInner(int x, int y) const { return isWithin(innerPixels_, x, y); }
+  bool isOuter(int x, int y) const { return isWithin(outerPixels_, x, y); }
+  /// The rectangles in the pinhole's image, grown by the slack.
+  const ImageBox& innerBox() const { return innerBox_; }
+  const ImageBox& outerBox() const { return outerBox_; }
+  /// Whether the inverse of the profile comes from a table.
+  bool isTabulated() const { return !nodes_.empty(); }
+
+  /// Gives the points of a run that lie in the zone their place, part and longest straight edge, squared; the others an
+  /// edge no longer than to the zone.
+  void place(GpcRun& run) const;
+  /// Where the inner rectangle shows a point.
+  glm::vec2 zoomed(float u, float v) const {
+    return {(u - center_.x) * zoom_ + center_.x, (v - center_.y) * zoom_ + center_.y};
+  }
+
+  /// Around the images of all points in a box of the pinhole's image: never too small, and hardly too large.
+  ImageBox imageBox(const ImageBox& pinhole) const;
+
+  /// Where the sample of a pixel of the outer rectangle lies in the pinhole's image, and how far a step of a pixel
+  /// leads there. Exact, but for double precision.
+  struct Line {
+    double r = 0;        ///< distance from the centre, half extents
+    double offset = 0;   ///< of pixel centres from the region's
+    double scale = 0;    ///< f(r) / r
+    double spacing = 0;  ///< the greater of that and f'(r)
+  };
+  const Line& column(int x) const { return columns_[static_cast<size_t>(x - outerPixels_.x0)]; }
+  const Line& row(int y) const { return rows_[static_cast<size_t>(y - outerPixels_.y0)]; }
+  struct SampleBounds {
+    glm::dvec2 lower{0};  ///< of samples, in the pinhole's image
+    glm::dvec2 upper{0};
+    double spacing = 0;  ///< the greatest
+  };
+  /// Of the samples of some pixels, which are not empty.
+  SampleBounds samplesOf(const PixelBounds& pixels) const;
+
+ private:
+  static bool isWithin(const PixelBounds& rect, int x, int y) {
+    return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1;
+  }
+  void tabulateInverse();
+  bool tabulateInverse(size_t steps);
+  void limitEdges();
+  double bendAt(double f) const;
+  std::vector<Line> lines(int first, int last, int axis) const;
+  template <size_t kCount>
+  void magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification,
+               std::array<float, kCount>& straightSquared) const;
+
+  /// The inverse less 1 over an interval of f: at its beginning, and its change.
+  struct Node {
+    float s = 0;
+    float change = 0;
+    float straightSquared = 0;
+  };
+
+  const GpcZone* zone_;
+  uint32_t firstPart_;
+  PixelBounds innerPixels_;
+  PixelBounds outerPixels_;
+  ImageBox innerBox_;
+  ImageBox outerBox_;
+  glm::vec2 center_;
+  glm::vec2 perHalf_;
+  float zoom_;
+  float inner_;            ///< f at the inner edge
+  float outer_;            ///< at the outer edge
+  float c1_, c2_, c3_;     ///< of the profile
+  float compression_ = 0;  ///< intervals are shorter near the inner edge, where a zoom's inverse bends most
+  float steps_ = 0;
+  std::vector<Node> nodes_;  ///< one for each interval
+  std::vector<Line> columns_;
+  std::vector<Line> rows_;
+};
+
+}  // namespace ocelli
