@@ -51,6 +51,8 @@ GpcRasterZone::GpcRasterZone(const GpcZone& zone, uint32_t index, const glm::ive
       rows_(lines(outerPixels_.y0, outerPixels_.y1, 1)) {
   tabulateInverse();
   limitEdges();
+  const double longest = std::min(zone.half().x, zone.half().y) * (zone.profile().outer() - 1) / 8;
+  longestSquared_ = isTabulated() ? static_cast<float>(longest * longest) : 0;
 }
 
 std::vector<GpcRasterZone::Line> GpcRasterZone::lines(int first, int last, int axis) const {
@@ -147,7 +149,6 @@ double GpcRasterZone::bendAt(double f) const {
 
 void GpcRasterZone::limitEdges() {
   constexpr size_t kSteps = 48;
-  constexpr double kMargin = 1.5;  // between the places that were looked at
   const double inner = 1 / zone_->profile().zoom();
   const double step = (zone_->profile().outer() - inner) / (kSteps - 1);
   std::array<double, kSteps> bends{};
@@ -166,7 +167,7 @@ void GpcRasterZone::limitEdges() {
     for (size_t k = std::max<size_t>(stepAt(i), 1) - 1; k < std::min(stepAt(i + 1) + 3, kSteps); ++k) {
       around = std::max(around, bends[k]);
     }
-    nodes_[i].straightSquared = static_cast<float>(8 * kChordPixels / (kMargin * around + 1e-9));
+    nodes_[i].straightSquared = static_cast<float>(8 * kChordPixels / (kBendMargin * around + 1e-9));
   }
 }
 
@@ -232,11 +233,45 @@ void GpcRasterZone::place(GpcRun& run) const {
     run.x[i] = isWithin ? x : run.x[i];
     run.y[i] = isWithin ? y : run.y[i];
     run.straightSquared[i] = isWithin ? straightSquared[i] : away;
-    const uint32_t beside = du > 0 ? 1 : 2;
-    const uint32_t above = dv > 0 ? 3 : 4;
-    const uint32_t side = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y ? beside : above;
+    const uint32_t sideways = du > 0 ? 1 : 2;
+    const uint32_t updown = dv > 0 ? 3 : 4;
+    const bool isBeside = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y;
+    const uint32_t side = isBeside ? sideways : updown;
     const uint32_t part = firstPart_ + (f[i] <= inner_ ? 0 : side);
     run.part[i] = isWithin ? part : run.part[i];
+  }
+  bend(run, f, magnification);
+}
+
+/// A point moves along its line to the centre by m(f) = r / f. Let E be a step of the image, E_a its component along
+/// the axis of the side, and E_t the other one. While the pinhole's point moves on a straight line by what E is the
+/// image of, the image has the second derivative (R E_a^2, S E_a E_t + Q E_a^2) with R = r'' f'^2 / h, S = 2 m' f' / (m
+/// h), and Q = d_t f'^2 (m'' - 2 m'^2 / m) / h^2, where h is the half extent along the axis, d_t the point's distance
+/// from the centre along the other one, and derivatives are by f, but for f'(r).
+void GpcRasterZone::bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
+                         const std::array<float, GpcRun::kSize>& magnification) const {
+  for (size_t i = 0; i < GpcRun::kSize; ++i) {
+    const float du = run.u[i] - center_.x;
+    const float dv = run.v[i] - center_.y;
+    const float m = magnification[i];
+    const float s = m * f[i] - 1;
+    const float slope = c1_ + s * (2 * c2_ + s * (3 * c3_));
+    const float perSlope = 1 / slope;
+    const float perF = 1 / f[i];
+    const float bend = -(2 * c2_ + s * (6 * c3_)) * perSlope;  // r'' f'^2
+    const float m1 = (perSlope - m) * perF;
+    const float m2 = (bend * perSlope * perSlope - 2 * m1) * perF;
+    const float turn = 2 * m1 / m;
+    const bool isBent = (f[i] > inner_) & (f[i] < outer_);
+    const bool isBeside = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y;
+    const float perHalf = isBeside ? perHalf_.x : perHalf_.y;
+    const float off = isBeside ? dv : du;
+    const float along = bend * perHalf;
+    const float mixed = turn * slope * perHalf;
+    const float across = slope * slope * (m2 - turn * m1) * (perHalf * perHalf) * off;
+    run.along[i] = isBent ? along : run.along[i];
+    run.mixed[i] = isBent ? mixed : run.mixed[i];
+    run.across[i] = isBent ? across : run.across[i];
   }
 }
 

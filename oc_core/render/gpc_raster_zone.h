@@ -20,6 +20,13 @@
 
 namespace ocelli {
 
+/// How the image of a straight edge bends at a point of a transition: isStraightBend() says how these count.
+struct GpcBend {
+  float along = 0;
+  float mixed = 0;
+  float across = 0;
+};
+
 /// Vertices that are placed together, pixels. Unused entries hold anything.
 struct GpcRun {
   static constexpr size_t kSize = 128;
@@ -29,20 +36,26 @@ struct GpcRun {
   alignas(64) std::array<float, kSize> x{};  ///< in the camera's image
   alignas(64) std::array<float, kSize> y{};
   alignas(64) std::array<float, kSize> straightSquared{};
+  alignas(64) std::array<float, kSize> along{};  ///< GpcBend
+  alignas(64) std::array<float, kSize> mixed{};
+  alignas(64) std::array<float, kSize> across{};
   alignas(64) std::array<uint32_t, kSize> part{};
 };
 
 class GpcRasterZone {
  public:
-  /// What a part number says: kParts * zone + 0 in the inner rectangle, + 1 to 4 in a side of its transition.
-  static constexpr uint32_t kParts = 5;
+  /// What a part number says: kParts * zone + 0 in the inner rectangle, + 1 to 4 in a side of its transition: right,
+  /// left, below, above.
+  static constexpr uint32_t kParts = 8;
   static constexpr uint32_t kAround = ~uint32_t{0};  ///< in no zone
   static constexpr bool isInTransition(uint32_t part) { return part != kAround && part % kParts != 0; }
+  static constexpr bool isBeside(uint32_t part) { return part % kParts <= 2; }
 
   /// Of image points of vertices; the grid of filling has 1/256.
   static constexpr double kMaxErrorPixels = 1.0 / 1024;
   /// How far the straight edge of a small triangle may lie beside its image.
   static constexpr double kChordPixels = 1.0 / 64;
+  static constexpr double kBendMargin = 1.5;  ///< for bends between the places that were looked at
   /// What boxes are grown by for rounding.
   static constexpr float kBoxSlack = 1.0f / 256;
 
@@ -57,6 +70,8 @@ class GpcRasterZone {
   /// The rectangles in the pinhole's image, grown by the slack.
   const ImageBox& innerBox() const { return innerBox_; }
   const ImageBox& outerBox() const { return outerBox_; }
+  /// The longest edge, squared, whose bend is told by those at its ends (GpcVertices::isStraight).
+  float longestSquared() const { return longestSquared_; }
   /// Whether the inverse of the profile comes from a table.
   bool isTabulated() const { return !nodes_.empty(); }
 
@@ -97,6 +112,8 @@ class GpcRasterZone {
   bool tabulateInverse(size_t steps);
   void limitEdges();
   double bendAt(double f) const;
+  void bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
+            const std::array<float, GpcRun::kSize>& magnification) const;
   std::vector<Line> lines(int first, int last, int axis) const;
   template <size_t kCount>
   void magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification,
@@ -123,6 +140,7 @@ class GpcRasterZone {
   float c1_, c2_, c3_;     ///< of the profile
   float compression_ = 0;  ///< intervals are shorter near the inner edge, where a zoom's inverse bends most
   float steps_ = 0;
+  float longestSquared_ = 0;
   std::vector<Node> nodes_;  ///< one for each interval
   std::vector<Line> columns_;
   std::vector<Line> rows_;

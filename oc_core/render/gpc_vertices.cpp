@@ -11,20 +11,23 @@ GpcVertices::GpcVertices(std::span<const GpcRasterZone> zones, const ProjectedMe
     : zones_(zones),
       lowest_(-kClipMargin),
       highest_(glm::vec2(projected.camera().width(), projected.camera().height()) + kClipMargin),
-      vertices_(projected.mesh().positions.size()) {
+      vertices_(projected.mesh().positions.size()),
+      bends_(vertices_.size()) {
   const std::span<const ProjectedVertex> points = projected.vertices();
   const std::span<GpcVertex> placed(vertices_);
+  const std::span<GpcBend> bends(bends_);
   const size_t runs = (points.size() + GpcRun::kSize - 1) / GpcRun::kSize;
   parallelFor(runs, 32, [&](size_t firstRun, size_t lastRun) {
     for (size_t run = firstRun; run < lastRun; ++run) {
       const size_t first = run * GpcRun::kSize;
       const size_t count = std::min(GpcRun::kSize, points.size() - first);
-      place(points.subspan(first, count), placed.subspan(first, count));
+      place(points.subspan(first, count), placed.subspan(first, count), bends.subspan(first, count));
     }
   });
 }
 
-void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVertex> placed) const {
+void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVertex> placed,
+                        std::span<GpcBend> bends) const {
   GpcRun run;
   constexpr float kFar = 1e30f;
   glm::vec2 lower(kFar);
@@ -66,6 +69,7 @@ void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVe
                  isKnown ? CentreCell::at(run.x[i], run.y[i]) : CentreCell::unknown(),
                  isKnown ? run.straightSquared[i] : -1,
                  run.part[i]};
+    bends[i] = {run.along[i], run.mixed[i], run.across[i]};
   }
 }
 

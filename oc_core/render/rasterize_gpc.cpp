@@ -26,14 +26,15 @@ struct GpcTriangle {
   RasterVertex a;
   RasterVertex b;
   RasterVertex c;
-  std::array<GpcVertex, 3> placed;
+  std::array<bool, 3>
+      isChord;   ///< whether the edge opposite of a corner may be filled as a straight one in a transition
   ImageBox box;  ///< in the pinhole's image
 };
 
 /// A triangle where samples bend: from its first corner, and how far from each edge a pixel belongs to it.
 class TransitionTriangle {
  public:
-  TransitionTriangle(const GpcTriangle& triangle, bool hasStraightNeighbours)
+  explicit TransitionTriangle(const GpcTriangle& triangle)
       : triangle_(triangle),
         pa_(triangle.a.u, triangle.a.v),
         ab_(glm::dvec2(triangle.b.u, triangle.b.v) - pa_),
@@ -44,12 +45,11 @@ class TransitionTriangle {
     // Triangles that share an edge evaluate it at the same places. Only one that is straight for a small neighbour may
     // lie a chord beside: pixels so near to it belong to both.
     constexpr double kRounding = 1e-6;
-    const auto& [a, b, c] = triangle.placed;
-    const auto outside = [&](const GpcVertex& from, const GpcVertex& to, const glm::dvec2& along) {
-      const bool isChord = hasStraightNeighbours && GpcRasterZone::isInTransition(from.part) && isStraight(from, to);
+    const auto outside = [&](bool isChord, const glm::dvec2& along) {
       return -std::abs(perArea_) * glm::length(along) * (isChord ? GpcRasterZone::kChordPixels : kRounding);
     };
-    onEdge_ = {outside(b, c, ac_ - ab_), outside(c, a, ac_), outside(a, b, ab_)};
+    onEdge_ = {outside(triangle.isChord[0], ac_ - ab_), outside(triangle.isChord[1], ac_),
+               outside(triangle.isChord[2], ab_)};
   }
 
   bool isEmpty() const { return isEmpty_; }
@@ -128,12 +128,16 @@ class GpcTriangles {
     const GpcVertex& a = vertices_[t.x];
     const GpcVertex& b = vertices_[t.y];
     const GpcVertex& c = vertices_[t.z];
-    if (hasStraightEdges_ && isStraight(a, b) && isStraight(b, c) && isStraight(c, a)) {
-      if (!CentreCell::missCentres(a.cell, b.cell, c.cell)) {
-        buffer.draw(triangle, {a.x, a.y, a.inverseZ, 0, 0}, {b.x, b.y, b.inverseZ, 1, 0}, {c.x, c.y, c.inverseZ, 0, 1});
-      }
+    if (hasStraightEdges_ && isShort(a, b) && isShort(b, c) && isShort(c, a)) {
+      drawStraight(buffer, triangle, a, b, c);
     } else if (std::min({a.straightSquared, b.straightSquared, c.straightSquared}) >= 0) {
-      drawWhole(buffer, triangle, t, {a, b, c});
+      const std::array<bool, 3> isChord =
+          chords({a, b, c}, {vertices_.bend(t.x), vertices_.bend(t.y), vertices_.bend(t.z)});
+      if (isChord[0] && isChord[1] && isChord[2]) {
+        drawStraight(buffer, triangle, a, b, c);
+      } else {
+        drawWhole(buffer, triangle, t, isChord);
+      }
     } else {
       triangles_.forEachPartAnywhere(triangle, [&](const RasterVertex& p, const RasterVertex& q,
                                                    const RasterVertex& r) { drawClipped(buffer, triangle, p, q, r); });
@@ -141,6 +145,25 @@ class GpcTriangles {
   }
 
  private:
+  static void drawStraight(VisibilityBuffer& buffer, uint32_t triangle, const GpcVertex& a, const GpcVertex& b,
+                           const GpcVertex& c) {
+    if (!CentreCell::missCentres(a.cell, b.cell, c.cell)) {
+      buffer.draw(triangle, {a.x, a.y, a.inverseZ, 0, 0}, {b.x, b.y, b.inverseZ, 1, 0}, {c.x, c.y, c.inverseZ, 0, 1});
+    }
+  }
+
+  /// Which edges, each opposite of a corner, are filled as straight ones in a transition.
+  std::array<bool, 3> chords(const std::array<GpcVertex, 3>& v, const std::array<GpcBend, 3>& bends) const {
+    std::array<bool, 3> result{};
+    for (size_t i = 0; i < 3; ++i) {
+      const size_t j = (i + 1) % 3;
+      const size_t k = (i + 2) % 3;
+      result[i] = hasStraightEdges_ && GpcRasterZone::isInTransition(v[j].part) &&
+                  vertices_.isStraight(v[j], bends[j], v[k], bends[k]);
+    }
+    return result;
+  }
+
   static constexpr int kTile = 16;
 
   size_t index(int x, int y) const {
@@ -148,7 +171,7 @@ class GpcTriangles {
   }
 
   void drawWhole(VisibilityBuffer& buffer, uint32_t triangle, const glm::uvec3& t,
-                 const std::array<GpcVertex, 3>& placed) const {
+                 const std::array<bool, 3>& isChord) const {
     const ProjectedVertex& a = projected_.vertex(t.x);
     const ProjectedVertex& b = projected_.vertex(t.y);
     const ProjectedVertex& c = projected_.vertex(t.z);
@@ -156,16 +179,17 @@ class GpcTriangles {
                {{a.u, a.v, a.inverseZ, 0, 0},
                 {b.u, b.v, b.inverseZ, 1, 0},
                 {c.u, c.v, c.inverseZ, 0, 1},
-                placed,
+                isChord,
                 boxOf(a, b, c)});
   }
   void drawClipped(VisibilityBuffer& buffer, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
                    const RasterVertex& c) const {
-    GpcTriangle part{a, b, c, {}, boxOf(a, b, c)};
     const std::array<ProjectedVertex, 3> corners{
         {{a.u, a.v, a.inverseZ}, {b.u, b.v, b.inverseZ}, {c.u, c.v, c.inverseZ}}};
-    vertices_.place(corners, part.placed);
-    drawPieces(buffer, triangle, part);
+    std::array<GpcVertex, 3> placed;
+    std::array<GpcBend, 3> bends;
+    vertices_.place(corners, placed, bends);
+    drawPieces(buffer, triangle, {a, b, c, chords(placed, bends), boxOf(a, b, c)});
   }
 
   template <class Vertex>
@@ -232,7 +256,7 @@ class GpcTriangles {
     if (within.x0 >= within.x1 || within.y0 >= within.y1) {
       return;
     }
-    const TransitionTriangle bent(part, hasStraightEdges_);
+    const TransitionTriangle bent(part);
     if (bent.isEmpty()) {
       return;
     }
