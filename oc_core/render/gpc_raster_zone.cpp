@@ -5,8 +5,6 @@
 namespace ocelli {
 namespace {
 
-constexpr float kAnyLength = 1e30f;
-
 /// Pixels whose centres lie within `half` of a place on an axis; both ends included.
 struct GpcPixels {
   int first;
@@ -50,9 +48,13 @@ GpcRasterZone::GpcRasterZone(const GpcZone& zone, uint32_t index, const glm::ive
       columns_(lines(outerPixels_.x0, outerPixels_.x1, 0)),
       rows_(lines(outerPixels_.y0, outerPixels_.y1, 1)) {
   tabulateInverse();
-  limitEdges();
+  for (const std::vector<Line>* each : {&columns_, &rows_}) {
+    for (const Line& line : *each) {
+      greatestSpacing_ = std::max(greatestSpacing_, line.spacing);
+    }
+  }
   const double longest = std::min(zone.half().x, zone.half().y) * (zone.profile().outer() - 1) / 8;
-  longestSquared_ = isTabulated() ? static_cast<float>(longest * longest) : 0;
+  longestSquared_ = static_cast<float>(longest * longest);
 }
 
 std::vector<GpcRasterZone::Line> GpcRasterZone::lines(int first, int last, int axis) const {
@@ -93,7 +95,7 @@ bool GpcRasterZone::tabulateInverse(size_t steps) {
     s[i] = profile.inverse(inner + t * width * compression / (width * (1 - t) + compression)) - 1;
   }
   for (size_t i = 0; i < steps; ++i) {
-    nodes_[i] = {static_cast<float>(s[i]), static_cast<float>(s[i + 1] - s[i]), 0};
+    nodes_[i] = {static_cast<float>(s[i]), static_cast<float>(s[i + 1] - s[i])};
   }
   constexpr size_t kPlaces = 4;
   for (size_t i = 0; i < steps; ++i) {
@@ -105,8 +107,7 @@ bool GpcRasterZone::tabulateInverse(size_t steps) {
       r[k] = exact + (static_cast<double>(f[k]) - profile.sampled(exact)) / profile.slope(exact);
     }
     std::array<float, kPlaces> magnification{};
-    std::array<float, kPlaces> unused{};
-    magnify(f, magnification, unused);
+    magnify(f, magnification);
     for (size_t k = 0; k < kPlaces; ++k) {
       const double error = std::abs(static_cast<double>(magnification[k]) * static_cast<double>(f[k]) - r[k]);
       if (!(error * glm::length(zone_->half()) <= kMaxErrorPixels)) {
@@ -118,66 +119,11 @@ bool GpcRasterZone::tabulateInverse(size_t steps) {
   return true;
 }
 
-/// A chord of length L in the image lies at most L^2 / 8 times this beside its curve. Over one half of a side of the
-/// transition; the other sides are its mirror images, but for the axis.
-double GpcRasterZone::bendAt(double f) const {
-  constexpr int kAcross = 6;
-  const GpcProfile& profile = zone_->profile();
-  const double r = profile.inverse(f);
-  const auto& c = profile.coefficients();
-  // m = r / f and its derivatives by f.
-  const double perSlope = 1 / profile.slope(r);
-  const double m = r / f;
-  const double m1 = (perSlope - m) / f;
-  const double m2 = (-(2 * c[2] + 6 * c[3] * (r - 1)) * perSlope * perSlope * perSlope - 2 * m1) / f;
-  double greatest = 0;
-  for (int k = 0; k < kAcross; ++k) {
-    for (const int axis : {0, 1}) {
-      glm::dvec2 d(f * k / (kAcross - 1));
-      d[axis] = f;
-      d *= zone_->half();
-      for (const glm::dvec2 direction : {glm::dvec2(1, 0), glm::dvec2(0, 1), glm::dvec2(1, 1), glm::dvec2(1, -1)}) {
-        const glm::dvec2 step = zone_->half() * direction;
-        const glm::dvec2 slope = step * m + d * (m1 * direction[axis]);
-        const glm::dvec2 bend = step * (2 * m1 * direction[axis]) + d * (m2 * direction[axis] * direction[axis]);
-        greatest = std::max(greatest, glm::length(bend) / (slope.x * slope.x + slope.y * slope.y));
-      }
-    }
-  }
-  return greatest;
-}
-
-void GpcRasterZone::limitEdges() {
-  constexpr size_t kSteps = 48;
-  const double inner = 1 / zone_->profile().zoom();
-  const double step = (zone_->profile().outer() - inner) / (kSteps - 1);
-  std::array<double, kSteps> bends{};
-  for (size_t i = 0; i < kSteps; ++i) {
-    bends[i] = bendAt(inner + step * static_cast<double>(i));
-  }
-  const double width = zone_->profile().outer() - inner;
-  const auto compression = static_cast<double>(compression_);
-  const auto stepAt = [&](size_t node) {
-    const double t = static_cast<double>(node) / static_cast<double>(nodes_.size());
-    const double f = t * width * compression / (width * (1 - t) + compression);
-    return static_cast<size_t>(std::clamp(f / step, 0.0, kSteps - 1.0));
-  };
-  for (size_t i = 0; i < nodes_.size(); ++i) {
-    double around = 0;
-    for (size_t k = std::max<size_t>(stepAt(i), 1) - 1; k < std::min(stepAt(i + 1) + 3, kSteps); ++k) {
-      around = std::max(around, bends[k]);
-    }
-    nodes_[i].straightSquared = static_cast<float>(8 * kChordPixels / (kBendMargin * around + 1e-9));
-  }
-}
-
 template <size_t kCount>
-void GpcRasterZone::magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification,
-                            std::array<float, kCount>& straightSquared) const {
+void GpcRasterZone::magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification) const {
   if (!isTabulated()) {
     for (size_t i = 0; i < kCount; ++i) {
       magnification[i] = static_cast<float>(zone_->magnification(static_cast<double>(f[i])));
-      straightSquared[i] = f[i] <= inner_ ? kAnyLength : 0;
     }
     return;
   }
@@ -196,7 +142,6 @@ void GpcRasterZone::magnify(const std::array<float, kCount>& f, std::array<float
   for (size_t i = 0; i < kCount; ++i) {
     const Node& held = nodes_[static_cast<size_t>(node[i])];
     at[i] = held.s + held.change * at[i];
-    straightSquared[i] = held.straightSquared;
   }
   for (size_t i = 0; i < kCount; ++i) {
     const float bounded = std::min(std::max(f[i], inner_), outer_);
@@ -206,7 +151,6 @@ void GpcRasterZone::magnify(const std::array<float, kCount>& f, std::array<float
     const float r = 1 + (s - error / slope);
     const float within = f[i] >= outer_ ? 1.0f : r / bounded;
     magnification[i] = f[i] <= inner_ ? zoom_ : within;
-    straightSquared[i] = f[i] <= inner_ ? kAnyLength : straightSquared[i];
   }
 }
 
@@ -216,23 +160,15 @@ void GpcRasterZone::place(GpcRun& run) const {
     f[i] = std::max(std::abs(run.u[i] - center_.x) * perHalf_.x, std::abs(run.v[i] - center_.y) * perHalf_.y);
   }
   std::array<float, GpcRun::kSize> magnification{};
-  std::array<float, GpcRun::kSize> straightSquared{};
-  magnify(f, magnification, straightSquared);
+  magnify(f, magnification);
   for (size_t i = 0; i < GpcRun::kSize; ++i) {
     const float du = run.u[i] - center_.x;
     const float dv = run.v[i] - center_.y;
     const bool isWithin = f[i] < outer_;
-    // Beyond: the distance from the outer rectangle.
-    const float beyondX = std::max(outerBox_.lower.x - run.u[i], run.u[i] - outerBox_.upper.x);
-    const float beyondY = std::max(outerBox_.lower.y - run.v[i], run.v[i] - outerBox_.upper.y);
-    const float farX = std::max(beyondX, 0.0f);
-    const float farY = std::max(beyondY, 0.0f);
-    const float away = std::min(run.straightSquared[i], farX * farX + farY * farY);
     const float x = du * magnification[i] + center_.x;
     const float y = dv * magnification[i] + center_.y;
     run.x[i] = isWithin ? x : run.x[i];
     run.y[i] = isWithin ? y : run.y[i];
-    run.straightSquared[i] = isWithin ? straightSquared[i] : away;
     const uint32_t sideways = du > 0 ? 1 : 2;
     const uint32_t updown = dv > 0 ? 3 : 4;
     const bool isBeside = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y;
@@ -250,6 +186,9 @@ void GpcRasterZone::place(GpcRun& run) const {
 /// from the centre along the other one, and derivatives are by f, but for f'(r).
 void GpcRasterZone::bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
                          const std::array<float, GpcRun::kSize>& magnification) const {
+  constexpr float kPer = 1 / kMaxBend;
+  constexpr float kNoDistance = 1e-9f;
+  const float perLongest = 1 / longestSquared_;
   for (size_t i = 0; i < GpcRun::kSize; ++i) {
     const float du = run.u[i] - center_.x;
     const float dv = run.v[i] - center_.y;
@@ -262,16 +201,30 @@ void GpcRasterZone::bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
     const float m1 = (perSlope - m) * perF;
     const float m2 = (bend * perSlope * perSlope - 2 * m1) * perF;
     const float turn = 2 * m1 / m;
-    const bool isBent = (f[i] > inner_) & (f[i] < outer_);
     const bool isBeside = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y;
     const float perHalf = isBeside ? perHalf_.x : perHalf_.y;
     const float off = isBeside ? dv : du;
-    const float along = bend * perHalf;
-    const float mixed = turn * slope * perHalf;
-    const float across = slope * slope * (m2 - turn * m1) * (perHalf * perHalf) * off;
-    run.along[i] = isBent ? along : run.along[i];
-    run.mixed[i] = isBent ? mixed : run.mixed[i];
-    run.across[i] = isBent ? across : run.across[i];
+    const float along = std::abs(bend) * perHalf;
+    const float across = std::abs(slope * slope * (m2 - turn * m1) * off) * (perHalf * perHalf);
+    const float mixed = std::abs(turn * slope) * perHalf;
+    // |(R E_a, S E_t + Q E_a)| <= |(R, Q)| |E_a| + |S E_t|, and sqrt(x^2 + y^2) <= y + (sqrt(2) - 1) x for x <= y.
+    constexpr float kRootLess1 = 0.41421357f;
+    const float both = std::max(along, across) + kRootLess1 * std::min(along, across);
+    const float xx = std::max(isBeside ? both * kPer : 0.0f, perLongest);
+    const float yy = std::max(isBeside ? 0.0f : both * kPer, perLongest);
+    // Beyond the outer edge: within the distance from there no edge reaches it.
+    const float beyondX = std::max(outerBox_.lower.x - run.u[i], run.u[i] - outerBox_.upper.x);
+    const float beyondY = std::max(outerBox_.lower.y - run.v[i], run.v[i] - outerBox_.upper.y);
+    const float farX = std::max(beyondX, 0.0f);
+    const float farY = std::max(beyondY, 0.0f);
+    const float away = std::max(run.xx[i], 1 / (farX * farX + farY * farY + kNoDistance));
+    const bool isWithin = f[i] < outer_;
+    const bool isInner = f[i] <= inner_;
+    const float x = isInner ? 0.0f : xx;
+    const float y = isInner ? 0.0f : yy;
+    run.xx[i] = isWithin ? x : away;
+    run.yy[i] = isWithin ? y : away;
+    run.xy[i] = isWithin & !isInner ? mixed * kPer : 0.0f;
   }
 }
 
@@ -289,8 +242,7 @@ ImageBox GpcRasterZone::imageBox(const ImageBox& pinhole) const {
                                std::max(atLower.y, nearest.x), std::max(atLower.y, farthest.x),
                                std::max(atUpper.y, nearest.x), std::max(atUpper.y, farthest.x)};
   std::array<float, 8> m{};
-  std::array<float, 8> unused{};
-  magnify(f, m, unused);
+  magnify(f, m);
   return {center_ - kBoxSlack +
               glm::vec2(std::min(lower.x * m[0], lower.x * m[1]), std::min(lower.y * m[4], lower.y * m[5])),
           center_ + kBoxSlack +
@@ -320,12 +272,6 @@ GpcRasterZone::SampleBounds GpcRasterZone::samplesOf(const PixelBounds& pixels) 
   bounds.lower = c + glm::dvec2(std::min(at(left, nearY), at(left, farY)), std::min(at(top, nearX), at(top, farX)));
   bounds.upper =
       c + glm::dvec2(std::max(at(right, nearY), at(right, farY)), std::max(at(bottom, nearX), at(bottom, farX)));
-  for (int x = pixels.x0; x < pixels.x1; ++x) {
-    bounds.spacing = std::max(bounds.spacing, column(x).spacing);
-  }
-  for (int y = pixels.y0; y < pixels.y1; ++y) {
-    bounds.spacing = std::max(bounds.spacing, row(y).spacing);
-  }
   return bounds;
 }
 

@@ -13,6 +13,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "oc_core/camera/gpc_camera.h"
@@ -20,11 +21,24 @@
 
 namespace ocelli {
 
-/// How the image of a straight edge bends at a point of a transition: isStraightBend() says how these count.
+/// Bounds how the image of a straight edge of the pinhole's image bends near a point. Where xx w^2 + yy h^2 + xy w h <=
+/// 1 for the width w and the height h of an edge, and both its ends are in the same part of the image, it strays from a
+/// straight one by GpcRasterZone::kChordPixels at most.
 struct GpcBend {
-  float along = 0;
-  float mixed = 0;
-  float across = 0;
+  /// Of points without an image: no edge, not even one of no length, is known to be straight.
+  static constexpr float kUnknown = std::numeric_limits<float>::infinity();
+
+  float xx = kUnknown;
+  float yy = kUnknown;
+  float xy = 0;
+
+  float operator()(float width, float height) const {
+    return xx * (width * width) + yy * (height * height) + xy * (width * height);
+  }
+  /// The greater of either.
+  friend GpcBend max(const GpcBend& a, const GpcBend& b) {
+    return {std::max(a.xx, b.xx), std::max(a.yy, b.yy), std::max(a.xy, b.xy)};
+  }
 };
 
 /// Vertices that are placed together, pixels. Unused entries hold anything.
@@ -35,10 +49,9 @@ struct GpcRun {
   alignas(64) std::array<float, kSize> v{};
   alignas(64) std::array<float, kSize> x{};  ///< in the camera's image
   alignas(64) std::array<float, kSize> y{};
-  alignas(64) std::array<float, kSize> straightSquared{};
-  alignas(64) std::array<float, kSize> along{};  ///< GpcBend
-  alignas(64) std::array<float, kSize> mixed{};
-  alignas(64) std::array<float, kSize> across{};
+  alignas(64) std::array<float, kSize> xx{};  ///< GpcBend
+  alignas(64) std::array<float, kSize> yy{};
+  alignas(64) std::array<float, kSize> xy{};
   alignas(64) std::array<uint32_t, kSize> part{};
 };
 
@@ -55,7 +68,10 @@ class GpcRasterZone {
   static constexpr double kMaxErrorPixels = 1.0 / 1024;
   /// How far the straight edge of a small triangle may lie beside its image.
   static constexpr double kChordPixels = 1.0 / 64;
-  static constexpr double kBendMargin = 1.5;  ///< for bends between the places that were looked at
+  /// The longest second derivative of the image along an edge, for its whole length, that strays by less: a chord is an
+  /// eighth of that off half way. The margin is for what changes along the edge, and for the triangle's middle, 4/3 of
+  /// that.
+  static constexpr float kMaxBend = static_cast<float>(8 * kChordPixels / 1.5);
   /// What boxes are grown by for rounding.
   static constexpr float kBoxSlack = 1.0f / 256;
 
@@ -70,13 +86,13 @@ class GpcRasterZone {
   /// The rectangles in the pinhole's image, grown by the slack.
   const ImageBox& innerBox() const { return innerBox_; }
   const ImageBox& outerBox() const { return outerBox_; }
-  /// The longest edge, squared, whose bend is told by those at its ends (GpcVertices::isStraight).
+  /// Edges longer than this, squared, may bend more than their ends tell.
   float longestSquared() const { return longestSquared_; }
   /// Whether the inverse of the profile comes from a table.
   bool isTabulated() const { return !nodes_.empty(); }
 
-  /// Gives the points of a run that lie in the zone their place, part and longest straight edge, squared; the others an
-  /// edge no longer than to the zone.
+  /// Gives the points of a run that lie in the zone their position, part and bend; the bend of the others lets edges be
+  /// no longer than to the zone.
   void place(GpcRun& run) const;
   /// Where the inner rectangle shows a point.
   glm::vec2 zoomed(float u, float v) const {
@@ -99,8 +115,9 @@ class GpcRasterZone {
   struct SampleBounds {
     glm::dvec2 lower{0};  ///< of samples, in the pinhole's image
     glm::dvec2 upper{0};
-    double spacing = 0;  ///< the greatest
   };
+  /// The greatest spacing of any pixel.
+  double greatestSpacing() const { return greatestSpacing_; }
   /// Of the samples of some pixels, which are not empty.
   SampleBounds samplesOf(const PixelBounds& pixels) const;
 
@@ -110,20 +127,16 @@ class GpcRasterZone {
   }
   void tabulateInverse();
   bool tabulateInverse(size_t steps);
-  void limitEdges();
-  double bendAt(double f) const;
   void bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
             const std::array<float, GpcRun::kSize>& magnification) const;
   std::vector<Line> lines(int first, int last, int axis) const;
   template <size_t kCount>
-  void magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification,
-               std::array<float, kCount>& straightSquared) const;
+  void magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification) const;
 
   /// The inverse less 1 over an interval of f: at its beginning, and its change.
   struct Node {
     float s = 0;
     float change = 0;
-    float straightSquared = 0;
   };
 
   const GpcZone* zone_;
@@ -141,6 +154,7 @@ class GpcRasterZone {
   float compression_ = 0;  ///< intervals are shorter near the inner edge, where a zoom's inverse bends most
   float steps_ = 0;
   float longestSquared_ = 0;
+  double greatestSpacing_ = 0;
   std::vector<Node> nodes_;  ///< one for each interval
   std::vector<Line> columns_;
   std::vector<Line> rows_;

@@ -11,23 +11,20 @@ GpcVertices::GpcVertices(std::span<const GpcRasterZone> zones, const ProjectedMe
     : zones_(zones),
       lowest_(-kClipMargin),
       highest_(glm::vec2(projected.camera().width(), projected.camera().height()) + kClipMargin),
-      vertices_(projected.mesh().positions.size()),
-      bends_(vertices_.size()) {
+      vertices_(projected.mesh().positions.size()) {
   const std::span<const ProjectedVertex> points = projected.vertices();
   const std::span<GpcVertex> placed(vertices_);
-  const std::span<GpcBend> bends(bends_);
   const size_t runs = (points.size() + GpcRun::kSize - 1) / GpcRun::kSize;
   parallelFor(runs, 32, [&](size_t firstRun, size_t lastRun) {
     for (size_t run = firstRun; run < lastRun; ++run) {
       const size_t first = run * GpcRun::kSize;
       const size_t count = std::min(GpcRun::kSize, points.size() - first);
-      place(points.subspan(first, count), placed.subspan(first, count), bends.subspan(first, count));
+      place(points.subspan(first, count), placed.subspan(first, count));
     }
   });
 }
 
-void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVertex> placed,
-                        std::span<GpcBend> bends) const {
+void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVertex> placed) const {
   GpcRun run;
   constexpr float kFar = 1e30f;
   glm::vec2 lower(kFar);
@@ -53,7 +50,9 @@ void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVe
   }
   run.x = run.u;
   run.y = run.v;
-  run.straightSquared.fill(away);
+  run.xx.fill(1 / away);
+  run.yy = run.xx;
+  run.xy.fill(0);
   run.part.fill(GpcRasterZone::kAround);
   for (const GpcRasterZone& zone : zones_) {
     const ImageBox& box = zone.outerBox();
@@ -63,13 +62,9 @@ void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVe
   }
   for (size_t i = 0; i < points.size(); ++i) {
     const bool isKnown = (run.u[i] > lowest_.x) & (points[i].inverseZ > 0);
-    placed[i] = {run.x[i],
-                 run.y[i],
-                 points[i].inverseZ,
-                 isKnown ? CentreCell::at(run.x[i], run.y[i]) : CentreCell::unknown(),
-                 isKnown ? run.straightSquared[i] : -1,
-                 run.part[i]};
-    bends[i] = {run.along[i], run.mixed[i], run.across[i]};
+    placed[i] = {run.x[i],           run.y[i],
+                 points[i].inverseZ, isKnown ? CentreCell::at(run.x[i], run.y[i]) : CentreCell::unknown(),
+                 run.part[i],        isKnown ? GpcBend{run.xx[i], run.yy[i], run.xy[i]} : GpcBend{}};
   }
 }
 

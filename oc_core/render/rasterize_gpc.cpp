@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <vector>
 
 #include "oc_core/render/draw_parallel.h"
@@ -55,7 +56,7 @@ class TransitionTriangle {
   bool isEmpty() const { return isEmpty_; }
 
   /// Whether all of some pixels lie outside of one edge.
-  bool misses(const GpcRasterZone::SampleBounds& samples) const {
+  bool misses(const GpcRasterZone::SampleBounds& samples, double greatestSpacing) const {
     const glm::dvec2 lower = samples.lower - pa_;
     const glm::dvec2 upper = samples.upper - pa_;
     const glm::dvec2 forB = glm::dvec2(ac_.y, -ac_.x) * perArea_;
@@ -63,8 +64,8 @@ class TransitionTriangle {
     const auto greatest = [&](const glm::dvec2& slope) {
       return std::max(slope.x * lower.x, slope.x * upper.x) + std::max(slope.y * lower.y, slope.y * upper.y);
     };
-    return 1 + greatest(-forB - forC) < onEdge_.x * samples.spacing || greatest(forB) < onEdge_.y * samples.spacing ||
-           greatest(forC) < onEdge_.z * samples.spacing;
+    return 1 + greatest(-forB - forC) < onEdge_.x * greatestSpacing || greatest(forB) < onEdge_.y * greatestSpacing ||
+           greatest(forC) < onEdge_.z * greatestSpacing;
   }
 
   /// Calls `emit(z, weights)` where the triangle covers a sample at `at`, whose neighbours are `spacing` away.
@@ -110,7 +111,7 @@ class GpcTriangles {
         triangles_(projected),
         width_(camera.width()),
         height_(camera.height()),
-        hasStraightEdges_(hasStraightEdges),
+        longestChord_(hasStraightEdges ? 1.0f : -1.0f),
         zones_(rasterZones(camera)),
         vertices_(zones_, projected),
         isOfZone_(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0) {
@@ -128,16 +129,34 @@ class GpcTriangles {
     const GpcVertex& a = vertices_[t.x];
     const GpcVertex& b = vertices_[t.y];
     const GpcVertex& c = vertices_[t.z];
-    if (hasStraightEdges_ && isShort(a, b) && isShort(b, c) && isShort(c, a)) {
-      drawStraight(buffer, triangle, a, b, c);
-    } else if (std::min({a.straightSquared, b.straightSquared, c.straightSquared}) >= 0) {
-      const std::array<bool, 3> isChord =
-          chords({a, b, c}, {vertices_.bend(t.x), vertices_.bend(t.y), vertices_.bend(t.z)});
-      if (isChord[0] && isChord[1] && isChord[2]) {
-        drawStraight(buffer, triangle, a, b, c);
-      } else {
-        drawWhole(buffer, triangle, t, isChord);
+    const ImageBox image{{std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y})},
+                         {std::max({a.x, b.x, c.x}), std::max({a.y, b.y, c.y})}};
+    const GpcBend most = max(max(a.bend, b.bend), c.bend);
+    const glm::vec2 size = image.upper - image.lower;
+    const bool isOnePart = (a.part == b.part) & (b.part == c.part);
+    if (isOnePart && most(size.x, size.y) <= longestChord_) {
+      if (!CentreCell::missCentres(a.cell, b.cell, c.cell)) {
+        buffer.draw(triangle, {a.x, a.y, a.inverseZ, 0, 0}, {b.x, b.y, b.inverseZ, 1, 0}, {c.x, c.y, c.inverseZ, 0, 1});
       }
+    } else if (most.xx < GpcBend::kUnknown) {
+      const ProjectedVertex& pa = projected_.vertex(t.x);
+      const ProjectedVertex& pb = projected_.vertex(t.y);
+      const ProjectedVertex& pc = projected_.vertex(t.z);
+      const GpcTriangle whole{{pa.u, pa.v, pa.inverseZ, 0, 0},
+                              {pb.u, pb.v, pb.inverseZ, 1, 0},
+                              {pc.u, pc.v, pc.inverseZ, 0, 1},
+                              chords({&a, &b, &c}),
+                              boxOf(pa, pb, pc)};
+      if (isOnePart && GpcRasterZone::isInTransition(a.part)) {
+        const GpcRasterZone& zone = zones_[a.part / GpcRasterZone::kParts];
+        if (size.x * size.x + size.y * size.y <= zone.longestSquared()) {
+          // A chord strays by an eighth of the second derivative at most; twice that for what changes along it.
+          const float stray = most(size.x, size.y) * (GpcRasterZone::kMaxBend / 4) + GpcRasterZone::kBoxSlack;
+          drawBent(buffer, triangle, zone, whole, {image.lower - stray, image.upper + stray});
+          return;
+        }
+      }
+      drawPieces(buffer, triangle, whole);
     } else {
       triangles_.forEachPartAnywhere(triangle, [&](const RasterVertex& p, const RasterVertex& q,
                                                    const RasterVertex& r) { drawClipped(buffer, triangle, p, q, r); });
@@ -145,51 +164,31 @@ class GpcTriangles {
   }
 
  private:
-  static void drawStraight(VisibilityBuffer& buffer, uint32_t triangle, const GpcVertex& a, const GpcVertex& b,
-                           const GpcVertex& c) {
-    if (!CentreCell::missCentres(a.cell, b.cell, c.cell)) {
-      buffer.draw(triangle, {a.x, a.y, a.inverseZ, 0, 0}, {b.x, b.y, b.inverseZ, 1, 0}, {c.x, c.y, c.inverseZ, 0, 1});
-    }
-  }
-
-  /// Which edges, each opposite of a corner, are filled as straight ones in a transition.
-  std::array<bool, 3> chords(const std::array<GpcVertex, 3>& v, const std::array<GpcBend, 3>& bends) const {
+  /// Which edges, each opposite of a corner, are filled as straight ones where they are those of small triangles.
+  std::array<bool, 3> chords(const std::array<const GpcVertex*, 3>& v) const {
     std::array<bool, 3> result{};
     for (size_t i = 0; i < 3; ++i) {
-      const size_t j = (i + 1) % 3;
-      const size_t k = (i + 2) % 3;
-      result[i] = hasStraightEdges_ && GpcRasterZone::isInTransition(v[j].part) &&
-                  vertices_.isStraight(v[j], bends[j], v[k], bends[k]);
+      const GpcVertex& a = *v[(i + 1) % 3];
+      const GpcVertex& b = *v[(i + 2) % 3];
+      result[i] = a.part == b.part && GpcRasterZone::isInTransition(a.part) &&
+                  max(a.bend, b.bend)(std::abs(a.x - b.x), std::abs(a.y - b.y)) <= longestChord_;
     }
     return result;
   }
 
-  static constexpr int kTile = 16;
+  static constexpr int kTile = 8;
 
   size_t index(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   }
 
-  void drawWhole(VisibilityBuffer& buffer, uint32_t triangle, const glm::uvec3& t,
-                 const std::array<bool, 3>& isChord) const {
-    const ProjectedVertex& a = projected_.vertex(t.x);
-    const ProjectedVertex& b = projected_.vertex(t.y);
-    const ProjectedVertex& c = projected_.vertex(t.z);
-    drawPieces(buffer, triangle,
-               {{a.u, a.v, a.inverseZ, 0, 0},
-                {b.u, b.v, b.inverseZ, 1, 0},
-                {c.u, c.v, c.inverseZ, 0, 1},
-                isChord,
-                boxOf(a, b, c)});
-  }
   void drawClipped(VisibilityBuffer& buffer, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
                    const RasterVertex& c) const {
     const std::array<ProjectedVertex, 3> corners{
         {{a.u, a.v, a.inverseZ}, {b.u, b.v, b.inverseZ}, {c.u, c.v, c.inverseZ}}};
     std::array<GpcVertex, 3> placed;
-    std::array<GpcBend, 3> bends;
-    vertices_.place(corners, placed, bends);
-    drawPieces(buffer, triangle, {a, b, c, chords(placed, bends), boxOf(a, b, c)});
+    vertices_.place(corners, placed);
+    drawPieces(buffer, triangle, {a, b, c, chords({&placed[0], &placed[1], &placed[2]}), boxOf(a, b, c)});
   }
 
   template <class Vertex>
@@ -246,8 +245,13 @@ class GpcTriangles {
   void drawTransition(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone,
                       const GpcTriangle& part) const {
     const ImageBox& outer = zone.outerBox();
-    const ImageBox image =
-        zone.imageBox({glm::max(part.box.lower, outer.lower), glm::min(part.box.upper, outer.upper)});
+    drawBent(buffer, triangle, zone, part,
+             zone.imageBox({glm::max(part.box.lower, outer.lower), glm::min(part.box.upper, outer.upper)}));
+  }
+
+  /// In the pixels of the transition that lie in a box.
+  void drawBent(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const GpcTriangle& part,
+                const ImageBox& image) const {
     const PixelBounds& pixels = zone.outerPixels();
     const PixelBounds within{std::max(static_cast<int>(std::ceil(image.lower.x - 0.5f)), pixels.x0),
                              std::max(static_cast<int>(std::ceil(image.lower.y - 0.5f)), pixels.y0),
@@ -268,7 +272,7 @@ class GpcTriangles {
     for (int y = within.y0; y < within.y1; y += kTile) {
       for (int x = within.x0; x < within.x1; x += kTile) {
         const PixelBounds tile{x, y, std::min(x + kTile, within.x1), std::min(y + kTile, within.y1)};
-        if (!bent.misses(zone.samplesOf(tile))) {
+        if (!bent.misses(zone.samplesOf(tile), zone.greatestSpacing())) {
           drawPixels(buffer, triangle, zone, bent, tile);
         }
       }
@@ -298,7 +302,7 @@ class GpcTriangles {
   PinholeTriangles triangles_;
   int width_;
   int height_;
-  bool hasStraightEdges_;  ///< of small triangles
+  float longestChord_;  ///< how much a straight edge may bend (GpcBend); negative for none
   std::vector<GpcRasterZone> zones_;
   GpcVertices vertices_;
   std::vector<uint8_t> isOfZone_;                         ///< whether a pixel is one of a zone
