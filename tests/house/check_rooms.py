@@ -23,6 +23,7 @@ THIRD_PARTIES = {
     "isa-l/": "PkgConfig::isal",
     "mpi.h": "MPI::MPI_CXX",
     "microhttpd.h": "PkgConfig::microhttpd",
+    "libwebsockets.h": "PkgConfig::libwebsockets",
     "libusb.h": "PkgConfig::libusb",
     "umockdev.h": "PkgConfig::umockdev",
     "gio/": "PkgConfig::umockdev",

@@ -1,9 +1,9 @@
 // Who may talk to the server of remote visualisation: names of hosts, origins of pages, and the token.
 //
-// A page of another site can make a browser connect to this server. Two checks keep it away: the name by which the browser
-// knows this server (`Host`) must be one of this computer, as a name of the attacker's that leads here (DNS rebinding) is
-// not; and the page that opens a WebSocket (`Origin`) must be the one that this server served. Addresses are no names of an
-// attacker's. The port is not compared: `ssh -L` may forward another one.
+// A page of another site can make a browser connect to this server. Two checks keep it away: the name by which the
+// browser knows this server (`Host`) must be one of this computer, as a name of the attacker's that leads here (DNS
+// rebinding) is not; and the page that opens a WebSocket (`Origin`) must be the one that this server served. Addresses
+// are no names of an attacker's. The port is not compared: `ssh -L` may forward another one.
 #pragma once
 
 #include <filesystem>
@@ -18,8 +18,8 @@ struct AccessRules {
   std::vector<std::string> names;  ///< of this computer, besides "localhost" and addresses
 };
 
-/// Of a header `Host`: "NAME" or "NAME:PORT", where NAME is localhost, an IPv4 address, an IPv6 address in brackets, or one
-/// of `names` in any case of letters.
+/// Of a header `Host`: "NAME" or "NAME:PORT", where NAME is localhost, an IPv4 address, an IPv6 address in brackets, or
+/// one of `names` in any case of letters.
 bool isHostAllowed(std::string_view host, const std::vector<std::string>& names);
 
 /// Of a header `Origin`: the page of `http://HOST`. Programs other than browsers send none: empty is allowed.

@@ -1,8 +1,8 @@
 // What is still to be sent to one client: some short texts, and images in pieces.
 //
-// Memory is bounded: one text of each kind, and one image. The next image is drawn when the last byte of this one has been
-// handed to the socket: then the view that was asked for last is the one that is drawn, however slow the link, and no image
-// is cut short. What the socket itself still holds (listening_socket.cpp) keeps the link busy meanwhile.
+// Memory is bounded: one text of each kind, and one image. The next image is drawn when the last byte of this one has
+// been handed to the socket: then the view that was asked for last is the one that is drawn, however slow the link, and
+// no image is cut short. What the socket itself still holds (listening_socket.cpp) keeps the link busy meanwhile.
 #pragma once
 
 #include <cstddef>

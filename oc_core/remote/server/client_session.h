@@ -1,5 +1,5 @@
-// One client of remote visualisation, as the server sees it: what it says is put together, limited and read, and what it is
-// to hear waits for its link. Without sockets and clocks: the caller says what time it is.
+// One client of remote visualisation, as the server sees it: what it says is put together, limited and read, and what
+// it is to hear waits for its link. Without sockets and clocks: the caller says what time it is.
 #pragma once
 
 #include <cstddef>
@@ -28,8 +28,8 @@ class ClientSession {
 
   /// At most one of them.
   struct Received {
-    std::optional<RemoteRequest> look;
-    std::optional<CloseReason> close;
+    std::optional<RemoteRequest> look{};
+    std::optional<CloseReason> close{};
   };
   /// A part of a message. A message that is no request gets an answer, and too many of them end the connection, as does
   /// one that is too long or binary, and too many a second.
@@ -51,7 +51,7 @@ class ClientSession {
   Received readMessage(int64_t now);
   bool takeToken(int64_t now);
 
-  const RemoteLimits limits_;
+  RemoteLimits limits_;
   SlowLink link_;
   ClientOutbox outbox_;
   std::optional<OutgoingMessage> held_;  ///< taken from the outbox, not yet due

@@ -81,18 +81,19 @@ void DrawService::work() {
     } catch (const std::exception& error) {
       problem = error.what();
     }
+    const double seconds = static_cast<double>(steadyNanoseconds() - begin) * 1e-9;
     if (isWanted(client)) {
       // Before the client's next turn may begin: what it hears of both stays in order.
       if (image) {
         setReady(client, false);
-        events_.drawn(client, std::move(*image));
+        events_.drawn(client, std::move(*image), seconds);
       } else if (!problem.empty()) {
         events_.failed(client, sequence, problem);
       }
     }
     {
       const std::lock_guard lock(mutex_);
-      queue_.finish(client, static_cast<double>(steadyNanoseconds() - begin) * 1e-9);
+      queue_.finish(client, seconds);
     }
     changed_.notify_one();
   }

@@ -17,8 +17,8 @@
 
 namespace ocelli {
 
-/// Draws and encodes an image. Several threads call it at the same time. It may ask between its steps whether anybody still
-/// wants the image, and return nothing where nobody does. What it throws is told to the client.
+/// Draws and encodes an image. Several threads call it at the same time. It may ask between its steps whether anybody
+/// still wants the image, and return nothing where nobody does. What it throws is told to the client.
 using RemoteDraw = std::function<std::optional<RemoteImage>(const RemoteRequest& request, uint32_t id,
                                                             const std::function<bool()>& isWanted)>;
 
@@ -26,7 +26,7 @@ using RemoteDraw = std::function<std::optional<RemoteImage>(const RemoteRequest&
 /// left, but for one that leaves meanwhile.
 struct DrawEvents {
   std::function<void(uint64_t client, uint32_t sequence)> drawing;
-  std::function<void(uint64_t client, RemoteImage image)> drawn;
+  std::function<void(uint64_t client, RemoteImage image, double seconds)> drawn;
   std::function<void(uint64_t client, uint32_t sequence, const std::string& problem)> failed;
 };
 

@@ -1,6 +1,7 @@
-// How the server of remote visualisation answers a request of HTTP: files of the page for GET and HEAD, and a WebSocket at
-// /ws. Everything else is refused. Pages and WebSockets ask for the host, the WebSocket for the page's origin too, and
-// both for the token where there is one: access_rules.h. Scripts and styles ask for the host alone; they are no secrets.
+// How the server of remote visualisation answers a request of HTTP: files of the page for GET and HEAD, and a WebSocket
+// at /ws. Everything else is refused. Pages and WebSockets ask for the host, the WebSocket for the page's origin too,
+// and both for the token where there is one: access_rules.h. Scripts and styles ask for the host alone; they are no
+// secrets.
 #pragma once
 
 #include <span>
@@ -14,10 +15,10 @@ namespace ocelli {
 inline constexpr const char* kWebSocketPath = "/ws";
 
 struct HttpRequest {
-  std::string method;   ///< "GET"
-  std::string path;     ///< "/remote.js"
-  std::string query;    ///< what stands behind "?"
-  std::string host;     ///< the header of that name, like the next ones
+  std::string method;  ///< "GET"
+  std::string path;    ///< "/remote.js"
+  std::string query;   ///< what stands behind "?"
+  std::string host;    ///< the header of that name, like the next ones
   std::string origin;
   std::string upgrade;  ///< "websocket", or empty
 };

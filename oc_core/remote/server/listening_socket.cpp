@@ -18,7 +18,8 @@ namespace ocelli {
 namespace {
 
 constexpr int kBacklog = 64;
-// What the kernel keeps of a client's data besides what is on its way: an image that was cut short leaves no more behind.
+// What the kernel keeps of a client's data besides what is on its way: an image that was cut short leaves no more
+// behind.
 constexpr int kUnsentBytes = 128 << 10;
 
 struct SocketAddress {
@@ -114,8 +115,8 @@ std::string ListeningSocket::hostAndPort() const {
 std::optional<AcceptedSocket> ListeningSocket::accept() const {
   SocketAddress peer;
   peer.size = sizeof(peer.storage);
-  const int descriptor = accept4(descriptor_, reinterpret_cast<sockaddr*>(&peer.storage), &peer.size,
-                                 SOCK_CLOEXEC | SOCK_NONBLOCK);
+  const int descriptor =
+      accept4(descriptor_, reinterpret_cast<sockaddr*>(&peer.storage), &peer.size, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (descriptor < 0) {
     return std::nullopt;
   }

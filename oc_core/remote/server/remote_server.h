@@ -1,8 +1,8 @@
 // The server of remote visualisation (section 5.2.1): a page over HTTP and a WebSocket at /ws, on one port, for several
 // clients at a time. docs/remote_protocol.md says what they tell each other, docs/remote.md what is refused.
 //
-// One thread serves all connections, others draw (draw_service.h). A client holds the memory of one image at most; one that
-// vanishes holds nothing.
+// One thread serves all connections, others draw (draw_service.h). A client holds the memory of one image at most; one
+// that vanishes holds nothing.
 #pragma once
 
 #include <cstddef>
@@ -40,15 +40,15 @@ struct RemoteServerCounts {
   size_t connectionsNow = 0;
   size_t refused = 0;  ///< requests, messages and connections
   size_t looks = 0;
-  size_t images = 0;  ///< sent to their last byte
+  size_t images = 0;         ///< sent to their last byte
   size_t imageBytesNow = 0;  ///< in memory, to be sent
   size_t bytesSent = 0;
 };
 
 class RemoteServer {
  public:
-  /// Serves until it is destroyed. Throws InputError for an address that is none, and where one that others reach has no
-  /// token; WorkError where the port may not be used.
+  /// Serves until it is destroyed. Throws InputError for an address that is none, and where one that others reach has
+  /// no token; WorkError where the port may not be used.
   explicit RemoteServer(RemoteServerSetup setup);
   ~RemoteServer();
   RemoteServer(const RemoteServer&) = delete;

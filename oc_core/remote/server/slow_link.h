@@ -17,8 +17,8 @@ class SlowLink {
   explicit SlowLink(const SlowLinkSettings& settings) : settings_(settings) {}
 
   bool isSlow() const { return settings_.bytesPerSecond > 0 || settings_.delayMilliseconds > 0; }
-  /// When a message of this size, which was ready to be sent at `readyAt`, is to be handed to the real link, in nanoseconds
-  /// of the same clock. Call it once a message, in their order.
+  /// When a message of this size, which was ready to be sent at `readyAt`, is to be handed to the real link, in
+  /// nanoseconds of the same clock. Call it once a message, in their order.
   int64_t leavesAt(size_t bytes, int64_t readyAt);
 
  private:

@@ -1,10 +1,10 @@
-// The event loop of libwebsockets, on a thread of its own: for .cpp files of this room. It knows nothing of what clients
-// and server tell each other.
+// The event loop of libwebsockets, on a thread of its own: for .cpp files of this room. It knows nothing of what
+// clients and server tell each other.
 //
-// What libwebsockets 4.1 asks for, and what this file hides: only the thread of the loop may call its functions, but for
-// lws_cancel_service(), which wakes the loop (post() uses it); messages come in parts; a connection is written to only when
-// it is writable, and each message needs LWS_PRE bytes before it; a connection is closed by what a callback returns, or by a
-// time-out; exceptions must not pass through it; and it logs to standard error unless told otherwise.
+// What libwebsockets 4.1 asks for, and what this file hides: only the thread of the loop may call its functions, but
+// for lws_cancel_service(), which wakes the loop (post() uses it); messages come in parts; a connection is written to
+// only when it is writable, and each message needs LWS_PRE bytes before it; a connection is closed by what a callback
+// returns, or by a time-out; exceptions must not pass through it; and it logs to standard error unless told otherwise.
 #pragma once
 
 #include <cstddef>

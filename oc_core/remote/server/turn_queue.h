@@ -1,9 +1,9 @@
 // Whose turn it is to be drawn for: clients that wait get equal shares of the time that drawing takes.
 //
 // Start-time fair queueing (Goyal, Vin, Cheng, 1996) with equal weights: each turn has a start tag, the end tag of the
-// client's last turn or the tag of the turn begun last in the whole queue, whichever is larger; its end tag is its start tag
-// plus what it took. The least start tag is next. Of two clients that wait all the time, neither gets more than one turn
-// ahead of the other; who has not waited for a while has saved nothing up.
+// client's last turn or the tag of the turn begun last in the whole queue, whichever is larger; its end tag is its
+// start tag plus what it took. The least start tag is next. Of two clients that wait all the time, neither gets more
+// than one turn ahead of the other; who has not waited for a while has saved nothing up.
 #pragma once
 
 #include <cstddef>
