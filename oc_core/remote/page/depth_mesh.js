@@ -1,4 +1,4 @@
-// Triangles from the depths of an image (3-D warping, section 5.2.1.4): flat parts as squares of up to 8 x 8 samples, the
+// Triangles from the depths of an image (3-D warping, section 5.2.1.4): flat parts as squares of many samples, the
 // rest sample by sample, torn where oc_core/ocri/sample_join.h tears. Vertices are (place, 1/z) of the reference
 // pinhole; what the image sees at infinity has 1/z = 0 and is as much a surface as any other.
 import {GpcMap} from './gpc_map.js';
@@ -9,7 +9,9 @@ const kSlopeToleranceFootprints = 1;
 const kLongestStepPixels = 12;
 const kLongestScaledStep = 1.5;
 
-const kLargestBlock = 8;
+/// Side of the largest flat blocks, samples; where lenses bend the picture, which moves corners alone, they are smaller.
+const kLargestBlock = 32;
+const kLargestBentBlock = 8;
 
 /// Arrays that grow.
 class Growing {
@@ -59,17 +61,17 @@ export class DepthMesh {
     }
   }
 
-  /// {vertices, triangles, gaps}: xyz of vertices, their indices, and of gaps three vertices a triangle, each with the
-  /// sample (u, v) whose colour it has. No block has fewer than `least` samples a side, a power of 2 up to 8.
-  build(least = 1) {
+  /// {vertices, triangles, gaps}: of vertices the place, 1/z and where in the image (u, v) they are; their indices; and
+  /// of gaps three vertices a triangle, whose (u, v) is that of the colour it has. No block has fewer than `least` samples a side, nor more than `largest`; both are powers of 2.
+  build(least, largest) {
     this.least = least;
     this.vertices = new Growing(Float32Array);
     this.triangles = new Growing(Uint32Array);
     this.gaps = new Growing(Float32Array);
     this.vertexOf = new Int32Array(this.width * this.height).fill(-1);
-    for (let y = 0; y + 1 < this.height; y += kLargestBlock) {
-      for (let x = 0; x + 1 < this.width; x += kLargestBlock) {
-        this.addBlock(x, y, kLargestBlock);
+    for (let y = 0; y + 1 < this.height; y += largest) {
+      for (let x = 0; x + 1 < this.width; x += largest) {
+        this.addBlock(x, y, largest);
       }
     }
     return {vertices: this.vertices.result(), triangles: this.triangles.result(), gaps: this.gaps.result()};
@@ -82,7 +84,7 @@ export class DepthMesh {
     const right = Math.min(x + side, this.width - 1);
     const bottom = Math.min(y + side, this.height - 1);
     if (side > this.least) {
-      const plane = this.planeOf(x, y, right, bottom);
+      const plane = side <= kLargestBentBlock || this.isEven(x, y, right, bottom) ? this.planeOf(x, y, right, bottom) : null;
       if (plane !== null) {
         this.addFlatBlock(x, y, right, bottom, plane);
         return;
@@ -95,6 +97,19 @@ export class DepthMesh {
       return;
     }
     this.addCell(x, y, right, bottom);
+  }
+
+  /// Whether samples of a block lie where its corners say, as its colours are interpolated between these.
+  isEven(left, top, right, bottom) {
+    const kTolerance = 0.1;  // pixels of the pinhole
+    const at = (u, v) => this.map.pinholeFromImage([u, v]);
+    const [u, v] = [(left + right) / 2, (top + bottom) / 2];
+    const middles = [[u, v, [left, top], [right, bottom]], [u, top, [left, top], [right, top]], [u, bottom, [left, bottom], [right, bottom]],
+      [left, v, [left, top], [left, bottom]], [right, v, [right, top], [right, bottom]]];
+    return middles.every(([x, y, from, to]) => {
+      const [p, a, b] = [at(x, y), at(...from), at(...to)];
+      return Math.hypot(p[0] - (a[0] + b[0]) / 2, p[1] - (a[1] + b[1]) / 2) <= kTolerance;
+    });
   }
 
   /// 1/z = a + b (place.x - x0) + c (place.y - y0), where all samples of a block are on it; else null. A plane of the
@@ -146,10 +161,10 @@ export class DepthMesh {
     const first = top * this.width + left;
     const x0 = this.places[2 * first];
     const y0 = this.places[2 * first + 1];
-    const index = this.vertices.size / 3;
+    const index = this.vertices.size / 5;
     for (const [u, v] of [[left, top], [right + 1, top], [right + 1, bottom + 1], [left, bottom + 1]]) {
       const [x, y] = this.map.pinholeFromImage([u, v]);
-      this.vertices.push(x, y, Math.max(0, a + b * (x - x0) + c * (y - y0)));
+      this.vertices.push(x, y, Math.max(0, a + b * (x - x0) + c * (y - y0)), u, v);
     }
     this.triangles.push(index, index + 1, index + 2, index, index + 2, index + 3);
   }
@@ -175,8 +190,9 @@ export class DepthMesh {
 
   vertex(i) {
     if (this.vertexOf[i] < 0) {
-      this.vertexOf[i] = this.vertices.size / 3;
-      this.vertices.push(this.places[2 * i], this.places[2 * i + 1], this.inverse[i]);
+      const [u, v] = this.sampleAt(i);
+      this.vertexOf[i] = this.vertices.size / 5;
+      this.vertices.push(this.places[2 * i], this.places[2 * i + 1], this.inverse[i], u + 0.5, v + 0.5);
     }
     return this.vertexOf[i];
   }
@@ -184,21 +200,27 @@ export class DepthMesh {
   /// A sample that has joined none of its neighbours stands for its pixel, facing the reference pinhole.
   addSquare(i) {
     const {width, height} = this;
-    const x = i % width;
-    const y = (i - x) / width;
+    const [x, y] = this.sampleAt(i);
     if (this.inverse[i] === 0 || this.vertexOf[i] >= 0 || (x > 0 && this.joins(i - 1, i)) ||
         (x + 1 < width && this.joins(i, i + 1)) || (y > 0 && this.joins(i - width, i)) ||
         (y + 1 < height && this.joins(i, i + width))) {
       return;
     }
-    this.vertexOf[i] = this.vertices.size / 3;
+    this.vertexOf[i] = this.vertices.size / 5;
     this.addFlatBlock(x, y, x, y, [this.inverse[i], 0, 0]);
   }
 
+  sampleAt(i) {
+    const u = i % this.width;
+    return [u, (i - u) / this.width];
+  }
+
+  /// It has the colour of the farther side, one sample away from the rim, where colours are those of both sides.
   addGap(...samples) {
-    const far = samples.reduce((a, b) => (this.inverse[b] < this.inverse[a] ? b : a));
-    const u = far % this.width;
-    const v = (far - u) / this.width;
+    const byDepth = [...samples].sort((i, k) => this.inverse[i] - this.inverse[k]);
+    const far = byDepth[0];
+    const beyond = 2 * far - byDepth[2];
+    const [u, v] = this.sampleAt(this.isBeside(far, beyond) && this.joins(far, beyond) ? beyond : far);
     for (const i of samples) {
       this.gaps.push(this.places[2 * i], this.places[2 * i + 1], this.inverse[i], u + 0.5, v + 0.5);
     }
@@ -243,18 +265,19 @@ export class DepthMesh {
   /// Whether there are two such samples, in rows and columns not wrapped around the border.
   isBeside(i, k) {
     const isSample = (j) => j >= 0 && j < this.inverse.length;
-    return isSample(i) && isSample(k) && Math.abs(i % this.width - k % this.width) <= kLargestBlock;
+    return isSample(i) && isSample(k) && Math.abs(i % this.width - k % this.width) <= 2 * kLargestBlock;
   }
 }
 
 /// With as few triangles as asked for, of coarser blocks where it takes that.
-export function depthMesh(image, maxTriangles) {
+export function depthMesh(image, maxTriangles, isBent) {
   const mesh = new DepthMesh(image);
+  const largest = isBent ? kLargestBentBlock : kLargestBlock;
   let least = 1;
-  let built = mesh.build(least);
-  while (least < kLargestBlock && built.triangles.length / 3 + built.gaps.length / 15 > maxTriangles) {
+  let built = mesh.build(least, largest);
+  while (least < kLargestBentBlock && built.triangles.length / 3 + built.gaps.length / 15 > maxTriangles) {
     least *= 2;
-    built = mesh.build(least);
+    built = mesh.build(least, largest);
   }
   return {...built, least};
 }

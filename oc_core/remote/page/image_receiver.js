@@ -49,8 +49,8 @@ export class ImageReceiver {
     this.worker.addEventListener('error', (event) => events.failed(`depths cannot be decoded: ${event.message ?? ''}`));
   }
 
-  /// `screen` is what the image was asked for.
-  begin(header, seconds) {
+  /// `isBent`: its depths are to be seen through lenses.
+  begin(header, seconds, isBent) {
     checkHeader(header);
     const image = {
       id: header.id,
@@ -61,6 +61,7 @@ export class ImageReceiver {
       layout: {sampling: header.sampling ?? 'cubic', regions: header.regions ?? []},
       header,
       begun: seconds,
+      isBent,
       color: new Plane(header.color),
       depth: header.depth ? new Plane(header.depth) : null,
       nearZ: 0,
@@ -123,7 +124,7 @@ export class ImageReceiver {
     const {inverse_near: inverseNear, inverse_far: inverseFar, levels, codec} = image.header.depth;
     const {focal} = new Pinhole(image.view, width, height);
     this.worker.postMessage({id: image.id, codec, bytes: image.depth.bytes, width, height, layout: image.layout,
-      focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles});
+      focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, isBent: image.isBent});
   }
 
   takeDepth({id, problem, nearZ, mesh, seconds}) {
@@ -141,15 +142,13 @@ export class ImageReceiver {
     this.events.deepened(image);
   }
 
-  /// Bytes of the images that are under way: {received, size}.
+  /// Bytes of the images that are on their way: {received, size}.
   progress() {
-    let received = 0;
-    let size = 0;
-    for (const {color, depth} of this.underWay.values()) {
-      received += color.received + (depth?.received ?? 0);
-      size += color.size + (depth?.size ?? 0);
-    }
-    return {received, size};
+    const images = [...this.underWay.values()].map(({color, depth}) => ({
+      received: color.received + (depth?.received ?? 0), size: color.size + (depth?.size ?? 0),
+    })).filter(({received, size}) => received < size);
+    const sum = (field) => images.reduce((total, image) => total + image[field], 0);
+    return {received: sum('received'), size: sum('size')};
   }
 
   forget() {

@@ -6,12 +6,15 @@ import {gpcUniforms, setGpcUniforms} from './gpc_shader.js';
 import {pictureShaders} from './picture_shaders.js';
 import {Pinhole, cameraFromPixel, length, subtract} from './view_math.js';
 
-/// Depths in clip coordinates: what is drawn from, gaps behind it, and the layers of other images behind these.
-const kSurfaces = [-1, 0.6];
-const kGaps = [0.6, 0.7];
+/// Depths in clip coordinates: surfaces of what is drawn from, its gaps, what it sees at infinity, and other images.
+const kInfinity = 0.7;
+const kSurfaces = [-1, 0.5, kInfinity];
+const kGaps = [0.5, 0.6, 0.6];
 const kRaysDepth = 0;
 const kOthersDepth = 0.8;
 const kNothingDepth = 0.99;
+/// Side of the squares of the quick way, pixels of the screen.
+const kGridSide = 16;
 /// An eye that is this near to an image's, by its distance to near things, is the image's.
 const kSameEye = 1e-6;
 
@@ -32,6 +35,7 @@ export class Picture {
     this.programs = Object.fromEntries(Object.entries(pictureShaders).map(
       ([name, [vertex, fragment]]) => [name, new GlProgram(gl, vertex, fragment)]));
     this.empty = gl.createVertexArray();
+    this.grid = {array: gl.createVertexArray(), buffer: gl.createBuffer(), key: ''};
     gl.enable(gl.DEPTH_TEST);
     gl.depthFunc(gl.LESS);
   }
@@ -65,17 +69,19 @@ export class Picture {
     const surface = gl.createVertexArray();
     gl.bindVertexArray(surface);
     const buffers = [buffer(gl.ARRAY_BUFFER, vertices)];
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, 0, 0);
+    const describeVertices = () => {
+      const stride = 5 * Float32Array.BYTES_PER_ELEMENT;
+      gl.enableVertexAttribArray(0);
+      gl.vertexAttribPointer(0, 3, gl.FLOAT, false, stride, 0);
+      gl.enableVertexAttribArray(1);
+      gl.vertexAttribPointer(1, 2, gl.FLOAT, false, stride, 3 * Float32Array.BYTES_PER_ELEMENT);
+    };
+    describeVertices();
     buffers.push(buffer(gl.ELEMENT_ARRAY_BUFFER, triangles));
     const gap = gl.createVertexArray();
     gl.bindVertexArray(gap);
     buffers.push(buffer(gl.ARRAY_BUFFER, gaps));
-    const stride = 5 * Float32Array.BYTES_PER_ELEMENT;
-    gl.enableVertexAttribArray(0);
-    gl.vertexAttribPointer(0, 3, gl.FLOAT, false, stride, 0);
-    gl.enableVertexAttribArray(1);
-    gl.vertexAttribPointer(1, 2, gl.FLOAT, false, stride, 3 * Float32Array.BYTES_PER_ELEMENT);
+    describeVertices();
     gl.bindVertexArray(null);
     Object.assign(image.gpu, {surface, gap, buffers, surfaceSize: triangles.length, gapSize: gaps.length / 5});
   }
@@ -90,10 +96,12 @@ export class Picture {
     image.gpu = null;
   }
 
-  /// `images`: the one to draw from first, then those behind it. Returns what it drew by: 'rays', 'depth', 'directions'
-  /// (as if all were far away: there is no depth yet), or 'nothing'.
-  draw(view, lensMap, images) {
+  /// `images`: the one to draw from first, then those behind it. `isQuick`: samples on a pixel are averaged roughly, and
+  /// rays looked up at each kGridSide pixels, interpolated between. Returns what it drew by: 'rays', 'depth',
+  /// 'directions' (as if all were far away: there is no depth yet), or 'nothing'.
+  draw(view, lensMap, images, isQuick = false) {
     const {gl, canvas} = this;
+    this.isQuick = isQuick;
     const screen = {pinhole: new Pinhole(view, canvas.width, canvas.height), zones: gpcUniforms(lensMap)};
     gl.viewport(0, 0, canvas.width, canvas.height);
     gl.clear(gl.COLOR_BUFFER_BIT | gl.DEPTH_BUFFER_BIT);
@@ -136,11 +144,15 @@ export class Picture {
 
   drawRays(screen, image, reference, depth) {
     const {gl} = this;
-    const {rays} = this.programs;
-    this.useImage(rays, screen, image);
-    gl.uniformMatrix3fv(rays.at('uCameraFromPixel'), false, cameraFromPixel(screen.pinhole, reference));
-    gl.uniform3f(rays.at('uCenterFocal'), ...reference.center, reference.focal);
-    this.drawWholeScreen(rays, depth);
+    const program = this.isQuick ? this.programs.grid : this.programs.rays;
+    this.useImage(program, screen, image);
+    gl.uniformMatrix3fv(program.at('uCameraFromPixel'), false, cameraFromPixel(screen.pinhole, reference));
+    gl.uniform3f(program.at('uCenterFocal'), ...reference.center, reference.focal);
+    if (this.isQuick) {
+      this.drawGrid(program, depth);
+    } else {
+      this.drawWholeScreen(program, depth);
+    }
   }
 
   drawWholeScreen(program, depth) {
@@ -150,9 +162,30 @@ export class Picture {
     gl.drawArrays(gl.TRIANGLES, 0, 3);
   }
 
+  drawGrid(program, depth) {
+    const {gl, canvas, grid} = this;
+    const [columns, rows] = [Math.ceil(canvas.width / kGridSide), Math.ceil(canvas.height / kGridSide)];
+    gl.bindVertexArray(grid.array);
+    if (grid.key !== `${columns}x${rows}`) {
+      const indices = new Uint32Array(6 * columns * rows);
+      for (let i = 0; i < columns * rows; ++i) {
+        const first = i + Math.floor(i / columns);
+        const below = first + columns + 1;
+        indices.set([first, below, first + 1, first + 1, below, below + 1], 6 * i);
+      }
+      gl.bindBuffer(gl.ELEMENT_ARRAY_BUFFER, grid.buffer);
+      gl.bufferData(gl.ELEMENT_ARRAY_BUFFER, indices, gl.STATIC_DRAW);
+      Object.assign(grid, {key: `${columns}x${rows}`, size: indices.length});
+    }
+    gl.uniform1f(program.at('uDepth'), depth);
+    gl.uniform2f(program.at('uGrid'), columns, kGridSide);
+    gl.drawElements(gl.TRIANGLES, grid.size, gl.UNSIGNED_INT, 0);
+  }
+
   drawDepths(screen, image, reference) {
     const {gl} = this;
-    const {surface, gap} = this.programs;
+    const {gap} = this.programs;
+    const surface = this.isQuick ? this.programs.quickSurface : this.programs.surface;
     const {pinhole} = screen;
     const place = cameraFromPixel(reference, pinhole);
     const move = pinhole.axes(subtract(reference.eye, pinhole.eye));
@@ -166,7 +199,7 @@ export class Picture {
       gl.uniformMatrix3fv(program.at('uCameraFromPlace'), false, place);
       gl.uniform3f(program.at('uMove'), ...move);
       gl.uniform4f(program.at('uScreenCenterFocal'), ...pinhole.center, pinhole.focal, nearest);
-      gl.uniform2f(program.at('uDepthRange'), ...range);
+      gl.uniform3f(program.at('uDepthRange'), ...range);
       gl.bindVertexArray(array);
       if (program === surface) {
         gl.drawElements(gl.TRIANGLES, image.gpu.surfaceSize, gl.UNSIGNED_INT, 0);

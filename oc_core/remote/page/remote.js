@@ -18,6 +18,7 @@ const kMaxHeld = 4;
 const kMaxTriangles = 400000;
 const kTick = 50;  // milliseconds between looks at what there is to ask
 const kFigureTick = 250;
+const kFineAfter = 150;  // milliseconds without a change, where pictures in motion are quick ones
 const kScreenLimits = [16, 4096];
 const kVersion = 1;
 
@@ -174,12 +175,25 @@ class RemotePage {
 
   setView(view) {
     this.view = view;
-    this.redraw();
+    this.inMotion();
   }
 
   lensesChanged() {
     this.lensMap = null;
     this.lensElements.update();
+    this.inMotion();
+  }
+
+  /// Where pictures take long, those in motion are drawn the quick way, and a fine one when it ends.
+  inMotion() {
+    this.isMoving = true;
+    clearTimeout(this.rest);
+    this.rest = setTimeout(() => {
+      this.isMoving = false;
+      if (this.isQuick) {
+        this.redraw();
+      }
+    }, kFineAfter);
     this.redraw();
   }
 
@@ -243,7 +257,7 @@ class RemotePage {
   }
 
   beginImage(header) {
-    const image = this.receiver.begin(header, seconds());
+    const image = this.receiver.begin(header, seconds(), this.lenses.lenses.length > 0);
     image.screen = this.planner.asked.find(({look}) => look.sequence === header.sequence)?.look.screen ?? this.screen;
     this.setStage('Receiving');
   }
@@ -340,9 +354,10 @@ class RemotePage {
     if (best !== null) {
       best.image.drawnAt = seconds();
     }
-    this.way = this.picture.draw(this.view, this.lensMap, best === null ? [] : [best.image, ...behind]);
+    this.isQuick = this.isMoving && this.clock.isSlow(seconds());
+    this.way = this.picture.draw(this.view, this.lensMap, best === null ? [] : [best.image, ...behind], this.isQuick);
     this.drawn = best;
-    this.clock.tick(seconds());
+    this.clock.tick(seconds(), this.isQuick);
     this.panel.approximate(best === null ? '' : approximateReason(this.way, best.load));
   }
 
