@@ -111,7 +111,6 @@ TEST(QuickImage, fillsWhatWasHiddenWithWhatLiesBehind) {
   EXPECT_NEAR(frame.holes * 300 * 200, pixels, 0.15 * pixels);
   size_t red = 0;
   for (const Rgb8& c : frame.color) {
-    EXPECT_TRUE(c.x == 0 || c.z == 0 || (c.x > 0 && c.z > 0));
     red += c.x > 128;
   }
   // And it is no wider than it was.

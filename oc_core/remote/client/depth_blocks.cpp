@@ -14,6 +14,7 @@ namespace {
 constexpr int kTile = 16;  ///< samples along a side of the largest block
 constexpr float kMaxShift = 0.06f;  ///< heights of a view: what CoverLimits lets near things move
 constexpr float kMaxError = 0.2f;   ///< pixels
+constexpr float kJoinedFootprints = 3;  ///< steps of z between two samples of a surface, as in image_mesh.h
 constexpr float kViewLines = 720;
 constexpr int kBandLines = 32;
 constexpr float kMinW = 1e-6f;  ///< nearer to the view's plane than this, a block is left out
@@ -56,8 +57,9 @@ struct Rect {
   int x, y, width, height;
 };
 
-/// The plane through the samples of a block, by least squares; nothing where one is missing or too far from it.
-std::optional<InversePlane> planeOf(const DepthSource& source, const Rect& rect, float tolerance) {
+/// The plane through the samples of a block, by least squares; nothing where one is missing or too far from it. Two rows
+/// or columns lie on a plane whatever stands between them: there it must not be steeper than surfaces are that join.
+std::optional<InversePlane> planeOf(const DepthSource& source, const Rect& rect, float tolerance, float focal) {
   glm::dvec2 center(0);
   double middle = 0;
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
@@ -88,6 +90,10 @@ std::optional<InversePlane> planeOf(const DepthSource& source, const Rect& rect,
   const double determinant = uu * vv - uv * uv;
   if (determinant > 1e-9) {
     plane.gradient = glm::vec2((uw * vv - vw * uv) / determinant, (vw * uu - uw * uv) / determinant);
+  }
+  const float steepest = kJoinedFootprints * plane.middle / focal;
+  if (std::min(rect.width, rect.height) <= 2 && glm::length(plane.gradient) > steepest) {
+    return std::nullopt;
   }
   for (int y = rect.y; y < rect.y + rect.height; ++y) {
     for (int x = rect.x; x < rect.x + rect.width; ++x) {
@@ -203,7 +209,7 @@ DepthBlocks::DepthBlocks(const ReferenceImage& image, const GpcMap& map, float t
           }
           return;
         }
-        if (const std::optional<InversePlane> plane = planeOf(source, rect, tolerance)) {
+        if (const std::optional<InversePlane> plane = planeOf(source, rect, tolerance, camera.focalPixels())) {
           add(rect, *plane);
           return;
         }

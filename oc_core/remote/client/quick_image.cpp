@@ -111,9 +111,12 @@ class QuickLookup {
           sum /= static_cast<float>(taps.x * taps.y);
         }
         colors[x] = {byteOf(sum[0]), byteOf(sum[1]), byteOf(sum[2])};
-        if (known != nullptr) {
-          // Without depth there, and yet something stands in that direction: it was hidden.
-          known[x] = w > 0 || sum[3] < 0.5f;
+        if (known != nullptr && w == 0) {
+          // No surface is there: nothing is seen, or something stands in that direction and was hidden by what has moved.
+          colors[x] = Rgb8(0);
+          known[x] = sum[3] < 0.5f;
+        } else if (known != nullptr) {
+          known[x] = 1;
         }
       }
     }
@@ -173,7 +176,8 @@ void closeSeams(Image<float>& inverse) {
   });
 }
 
-/// Pixels of a row that nothing is known of get the colour of the farther end of their run; how many there are.
+/// Pixels of a row that nothing is known of get the colour of the farther end of their run: of the second pixel there, as
+/// the first may hold a part of the rim. How many there are.
 size_t fillRow(int width, const float* inverse, const uint8_t* known, Rgb8* colors) {
   size_t holes = 0;
   for (int x = 0; x < width;) {
@@ -190,7 +194,11 @@ size_t fillRow(int width, const float* inverse, const uint8_t* known, Rgb8* colo
     const bool hasRight = end < width;
     if (hasLeft || hasRight) {
       const bool takesLeft = hasLeft && (!hasRight || inverse[left] <= inverse[end]);
-      std::fill(colors + x, colors + end, colors[takesLeft ? left : end]);
+      const int first = takesLeft ? left : end;
+      const int second = first + (takesLeft ? -1 : 1);
+      const bool hasSecond = second >= 0 && second < width && known[second] != 0 &&
+                             std::abs(inverse[second] - inverse[first]) <= kSameDepth * inverse[first];
+      std::fill(colors + x, colors + end, colors[hasSecond ? second : first]);
     }
     holes += static_cast<size_t>(end - x);
     x = end;
