@@ -3,8 +3,10 @@
 //
 // A pixel's ray meets the pinhole of the image where a projective map says, and the image where the zones of a general
 // pinhole do: their magnification is a table along f. From elsewhere the depth of the pixel is known first (depth_blocks.h);
-// with it the place in the image is a projective map too, so there is one way to look up. Several samples a pixel are
-// averaged as resample() does, but as many as blocks of 4x4 pixels have in their middle, and up to 1.5 count as one.
+// with it the place in the image is a projective map too, so there is one way to look up. Pixels that stand for several
+// samples are their average, as resample() has it, but blocks of 4x4 pixels take the number of their middle, up to 1.5
+// samples count as one, and where a pixel has more than 1.8 along both axes, they are those of the image at half its
+// size, or a quarter, or an eighth.
 //
 // Beyond the borders of the image the nearest sample is taken. From elsewhere, pixels that the image knows nothing of
 // get the colour of the farther one of those beside them in their row.
@@ -42,18 +44,25 @@ class QuickImage {
   struct Texel {
     Color values;
   };
+  /// The image at a size of 1 / 2^n.
+  struct Level {
+    int width = 0;
+    int height = 0;
+    std::vector<Texel> texels;
+  };
+  static constexpr size_t kLevels = 4;
+  static Level halved(const Level& level);
 
   /// A zone of the map (gpc_map.h) with its magnification in equal steps of f.
   struct Zone {
     float centerX, centerY, inverseHalfX, inverseHalfY, outer, zoom;
-    std::vector<float> magnification;  ///< from f = 1 / zoom to outer
+    float stepsPerF;
+    std::vector<float> magnification;  ///< from f = 1 / zoom to outer, and the last one again
   };
 
   PinholeCamera reference_;
   GpcMap map_;
-  int width_;
-  int height_;
-  std::vector<Texel> texels_;
+  std::vector<Level> levels_;
   std::vector<Zone> zones_;
   std::optional<DepthBlocks> blocks_;
 };
