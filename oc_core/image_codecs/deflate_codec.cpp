@@ -40,8 +40,8 @@ Image<uint16_t> decodeDeflateDepth(std::span<const std::byte> bytes, glm::ivec2 
   const int status = uncompress2(zlibBytes(residuals.data()), &size, zlibBytes(bytes.data()), &taken);
   if (status != Z_OK || size != residuals.size() || taken != bytes.size()) {
     failDecoding(kDeflateName, status == Z_BUF_ERROR ? "it is too long, or ends too early"
-                        : status != Z_OK      ? "it is damaged"
-                                              : "it is of another size");
+                               : status != Z_OK      ? "it is damaged"
+                                                     : "it is of another size");
   }
   return depthFromResiduals(residuals, expectedSize);
 }

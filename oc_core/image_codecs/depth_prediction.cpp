@@ -1,16 +1,9 @@
 #include "oc_core/image_codecs/depth_prediction.h"
 
-#include <algorithm>
-
 #include "oc_core/base/check.h"
 
 namespace ocelli {
 namespace {
-
-int medianPrediction(int a, int b, int c) {
-  const auto [lower, upper] = std::minmax(a, b);
-  return c >= upper ? lower : c <= lower ? upper : a + b - c;
-}
 
 /// Of a pixel whose neighbours above and to the left are known.
 int predictionAt(const Image<uint16_t>& image, int x, int y) {

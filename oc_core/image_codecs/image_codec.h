@@ -32,8 +32,8 @@ struct ColorCodec {
   /// `quality` is from 0 to 100, as each format takes it; lossless formats ignore it. The image has pixels, at most
   /// kMaxCodedPixels. Any thread may call it.
   std::vector<std::byte> (*encode)(const Image<Rgb8>& image, double quality);
-  /// Throws InputError for bytes that are no such image of this size. Needs memory for the image and a part of it
-  /// again, whatever the bytes say.
+  /// Throws InputError for bytes that are no such image of this size; deflate and zstd know the number of pixels alone.
+  /// Needs memory for the image and a part of it again, whatever the bytes say.
   Image<Rgb8> (*decode)(std::span<const std::byte> bytes, glm::ivec2 expectedSize);
 };
 
