@@ -2,6 +2,7 @@
 
 #include <arpa/inet.h>
 #include <sys/random.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <array>
@@ -116,6 +117,11 @@ std::string newToken() {
     token += kDigits[byte & 15U];
   }
   return token;
+}
+
+std::string nameOfThisComputer() {
+  std::array<char, 256> name{};
+  return gethostname(name.data(), name.size() - 1) == 0 ? name.data() : "";
 }
 
 std::string readTokenFile(const std::filesystem::path& path) {

@@ -34,6 +34,9 @@ std::string tokenOfQuery(std::string_view query);
 /// 32 hexadecimal digits: 128 bits of the system's generator. Throws WorkError where that fails.
 std::string newToken();
 
+/// As its administrator calls it; empty where it has no name.
+std::string nameOfThisComputer();
+
 /// The first line of a file: 16 to 128 letters, digits, "-" and "_". Throws InputError.
 std::string readTokenFile(const std::filesystem::path& path);
 
