@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "oc_core/antialiasing/pixel_area.h"
-#include "oc_core/antialiasing/pixel_samples.h"
+#include "oc_core/antialiasing/pixel_masks.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
 
@@ -91,52 +91,65 @@ class BlockDrawing {
     if (isFilled && seen_.size() == 1) {
       ++work_.plain;
       const glm::vec2 middle = (square.lower + square.upper) * 0.5f;
-      return seen_[0]->colorAt(middle.x, middle.y, mesh_);
+      return seen_[0].triangle->colorAt(middle.x, middle.y, mesh_);
     }
     if (place.area.isSquare && seen_.size() <= rule.maxExactTriangles) {
       ++work_.exact;
-      return areas_.mean(seen_, square, mesh_, background_);
+      return areas_.mean(pointers(), square, mesh_, background_);
+    }
+    ++work_.sampled;
+    work_.samples += static_cast<size_t>(rule.pattern->size());
+    if (place.area.isSquare && !rule.shadesAtMiddle && PixelMasks::take(*rule.pattern)) {
+      return masks_.mean(seen_, square, *rule.pattern, mesh_, background_);
     }
     if (place.area.isSquare) {
       samples_.place(view_, place, *rule.pattern);
     }
-    ++work_.sampled;
-    work_.samples += static_cast<size_t>(rule.pattern->size());
-    return samples_.mean(seen_, rule, mesh_, background_);
+    return samples_.mean(pointers(), rule, mesh_, background_);
+  }
+
+  std::span<const AntialiasTriangle* const> pointers() {
+    pointers_.clear();
+    for (const PixelTriangle& each : seen_) {
+      pointers_.push_back(each.triangle);
+    }
+    return pointers_;
   }
 
   /// Leaves those in seen_ that meet a square and are not behind one that fills it. Returns whether one fills it.
   bool select(const std::vector<uint32_t>& candidates, const ImageBox& square) {
     seen_.clear();
-    nearest_.clear();
     float filledTo = 0;
     for (const uint32_t each : candidates) {
       const AntialiasTriangle& t = triangles_[each];
-      bool meets = true;
-      bool fills = true;
-      for (size_t i = 0; i < 3; ++i) {
-        meets = meets && t.edges[i].greatest(square) >= t.inside[i];
-        fills = fills && t.edges[i].least(square) >= t.inside[i];
+      PixelTriangle seen{&t, t.nearestInverseZ, t.farthestInverseZ};
+      const glm::vec2 size = t.box.upper - t.box.lower;
+      const float side = square.upper.x - square.lower.x;
+      // Small ones are known to meet it, nearly, and cannot fill it.
+      if (size.x > side || size.y > side) {
+        bool meets = true;
+        bool fills = true;
+        for (size_t i = 0; i < 3; ++i) {
+          meets = meets && t.edges[i].greatest(square) >= t.inside[i];
+          fills = fills && t.edges[i].least(square) >= t.inside[i];
+        }
+        if (!meets) {
+          continue;
+        }
+        seen.farthest = std::max(seen.farthest, t.inverseZ.least(square));
+        // Rounding must not put a triangle behind itself.
+        seen.nearest = std::max(std::min(seen.nearest, t.inverseZ.greatest(square)), seen.farthest);
+        if (fills) {
+          filledTo = std::max(filledTo, seen.farthest);
+        }
       }
-      const float farthest = t.inverseZ.least(square);
-      // Rounding must not put a triangle behind itself.
-      const float nearest = std::max(std::min(t.inverseZ.greatest(square), t.nearestInverseZ), farthest);
-      if (!meets || nearest < filledTo) {
-        continue;
+      if (seen.nearest >= filledTo) {
+        seen_.push_back(seen);
       }
-      if (fills) {
-        filledTo = std::max(filledTo, farthest);
-      }
-      seen_.push_back(&t);
-      nearest_.push_back(nearest);
     }
-    size_t kept = 0;
-    for (size_t i = 0; i < seen_.size(); ++i) {
-      if (nearest_[i] >= filledTo) {
-        seen_[kept++] = seen_[i];
-      }
+    if (filledTo > 0) {
+      std::erase_if(seen_, [&](const PixelTriangle& each) { return each.nearest < filledTo; });
     }
-    seen_.resize(kept);
     return filledTo > 0;
   }
 
@@ -149,9 +162,10 @@ class BlockDrawing {
   glm::ivec2 base_{0};
   std::vector<AntialiasTriangle> triangles_;
   std::array<std::vector<uint32_t>, static_cast<size_t>(kBlock) * kBlock> ofPixel_;
-  std::vector<const AntialiasTriangle*> seen_;
-  std::vector<float> nearest_;
+  std::vector<PixelTriangle> seen_;
+  std::vector<const AntialiasTriangle*> pointers_;
   PixelSamples samples_;
+  PixelMasks masks_;
   PixelArea areas_;
   AntialiasWork work_;
 };

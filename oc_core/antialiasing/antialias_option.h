@@ -21,7 +21,7 @@ struct AntialiasChoice {
   const AntialiasMethod* method = nullptr;
   std::string text;  ///< as the user wrote it
   int samples = 1;   ///< a pixel
-  const SamplePlacement* placement = findSamplePlacement("sheared");
+  const SamplePlacement* placement = findSamplePlacement("slanted");
   size_t maxExactTriangles = 8;
   // What follows is of ways that have regions.
   AntialiasTile tile;

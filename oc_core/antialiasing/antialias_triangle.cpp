@@ -62,11 +62,20 @@ std::optional<AntialiasTriangle> antialiasTriangle(uint32_t triangle, const Rast
   }
   t.inverseZ = {static_cast<float>(za), static_cast<float>(zb), static_cast<float>(zc)};
   t.nearestInverseZ = std::max({a.inverseZ, b.inverseZ, c.inverseZ});
+  t.farthestInverseZ = std::min({a.inverseZ, b.inverseZ, c.inverseZ});
   t.box = {{inPixels(std::min({p[0].x, p[1].x, p[2].x}) - origin.x),
             inPixels(std::min({p[0].y, p[1].y, p[2].y}) - origin.y)},
            {inPixels(std::max({p[0].x, p[1].x, p[2].x}) - origin.x),
             inPixels(std::max({p[0].y, p[1].y, p[2].y}) - origin.y)}};
   return t;
+}
+
+bool AntialiasTriangle::isOneColor(const Mesh& mesh) const {
+  if (mesh.colors.empty()) {
+    return true;
+  }
+  const glm::uvec3& t = mesh.triangles[triangle];
+  return mesh.colors[t.x] == mesh.colors[t.y] && mesh.colors[t.x] == mesh.colors[t.z];
 }
 
 glm::vec3 AntialiasTriangle::colorAt(float x, float y, const Mesh& mesh) const {

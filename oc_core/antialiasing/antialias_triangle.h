@@ -40,12 +40,14 @@ struct AntialiasTriangle {
   std::array<float, 3> inside{};    ///< 0 or kAboveZero
   BlockPlane inverseZ;              ///< 1/z, linear over the image
   float nearestInverseZ = 0;        ///< of its corners
-  float perArea = 0;                ///< edges[i].at() * perArea: what corner i weighs in the image
-  ImageBox box;                     ///< in the reference's image, from the base
-  PixelBounds pixels;               ///< that it may show in, of the image; x1 and y1 lie beyond
+  float farthestInverseZ = 0;
+  float perArea = 0;   ///< edges[i].at() * perArea: what corner i weighs in the image
+  ImageBox box;        ///< in the reference's image, from the base
+  PixelBounds pixels;  ///< that it may show in, of the image; x1 and y1 lie beyond
   std::array<RasterVertex, 3> corners;
   uint32_t triangle = 0;
 
+  bool isOneColor(const Mesh& mesh) const;
   /// The linear colour at a point. Beyond its edges (multisampling) the nearest weights that lie within.
   glm::vec3 colorAt(float x, float y, const Mesh& mesh) const;
 };

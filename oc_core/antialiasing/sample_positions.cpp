@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <numeric>
 #include <string_view>
 
 #include "oc_core/base/check.h"
@@ -69,10 +71,24 @@ glm::dvec2 multiJitteredInStratum(int i, int k, int n, uint32_t pattern) {
   return {(column + 0.5) / n, (row + 0.5) / n};
 }
 
-constexpr std::array<SamplePlacement, 4> kPlacements = {{
+/// Rows are shifted by multiples of about the golden section, so that neighbours lie far apart.
+glm::dvec2 slantedInStratum(int i, int k, int n, uint32_t /*pattern*/) {
+  int step = std::max(static_cast<int>(std::lround(0.618 * n)), 1);
+  while (std::gcd(step, n) > 1) {
+    ++step;
+  }
+  const double offset = (k * step % n + 0.5) / n;
+  return {offset, (i + offset) / n};
+}
+
+constexpr std::array<SamplePlacement, 5> kPlacements = {{
     {"grid", "in the middle of its stratum, as one image of a higher resolution", &middleOfStratum, false},
     {"sheared", "a grid sheared along both axes: each sample has a row and a column of its own", &shearedInStratum,
      false},
+    {"slanted",
+     "on rows that slant from one stratum to the next: each sample has a row and a column of its own, and small "
+     "triangles take the least time",
+     &slantedInStratum, false, true},
     {"multijittered", "each sample has a row and a column of its own, which differ from pixel to pixel in their order",
      &multiJitteredInStratum, true},
     {"jittered", "anywhere in its stratum, otherwise in each pixel", &anywhereInStratum, true},
@@ -125,7 +141,8 @@ std::span<const glm::ivec2> multisamplePositions(int samples) {
   }
 }
 
-SamplePattern::SamplePattern(int n, const SamplePlacement& placement) : columns_(n), rows_(n) {
+SamplePattern::SamplePattern(int n, const SamplePlacement& placement)
+    : columns_(n), rows_(n), slanted_(placement.hasSlantedRows) {
   OC_CHECK(n >= 1 && n <= kMaxSide, "no such number of samples");
   constexpr size_t kVaried = 64;
   patterns_.resize(placement.varies ? kVaried : 1);

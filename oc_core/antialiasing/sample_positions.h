@@ -20,7 +20,8 @@ struct SamplePlacement {
   const char* description;
   /// The sample of column i and row k of n x n, in strata: both coordinates in [0, 1). `pattern` counts patterns.
   glm::dvec2 (*inStratum)(int i, int k, int n, uint32_t pattern);
-  bool varies;  ///< from pixel to pixel
+  bool varies;                  ///< from pixel to pixel
+  bool hasSlantedRows = false;  ///< SamplePattern::hasSlantedRows()
 };
 
 std::span<const SamplePlacement> samplePlacements();
@@ -47,6 +48,14 @@ class SamplePattern {
   float leastInStratum() const { return least_; }
   float greatestInStratum() const { return greatest_; }
 
+  /// Whether the samples of row k of n lie on the line from (0, k / n) to (1, (k + 1) / n), each at the same place in
+  /// its stratum: the same in every pixel.
+  bool hasSlantedRows() const { return slanted_; }
+  /// That place, in strata.
+  float offsetOfRow(int row) const {
+    return patterns_[0].u[static_cast<size_t>(row * columns_)] * static_cast<float>(columns_);
+  }
+
   /// In the pixel, row by row, each coordinate in [0, 1).
   std::span<const float> u(int pixelX, int pixelY) const { return patternAt(pixelX, pixelY).u; }
   std::span<const float> v(int pixelX, int pixelY) const { return patternAt(pixelX, pixelY).v; }
@@ -63,6 +72,7 @@ class SamplePattern {
   int columns_ = 1;
   int rows_ = 1;
   bool stratified_ = true;
+  bool slanted_ = false;
   float least_ = 0;
   float greatest_ = 1;
   std::vector<Offsets> patterns_;  ///< 1, or a power of 2 that pixels choose among

@@ -13,10 +13,21 @@ namespace {
 constexpr glm::vec3 kWhite(1);
 
 std::vector<PixelRule> allRules() {
-  return {squareRule(1, "grid"),        multisampleRule(2),           multisampleRule(4),
-          multisampleRule(8),           multisampleRule(16),          squareRule(4, "grid"),
-          squareRule(4, "sheared"),     squareRule(4, "jittered"),    squareRule(8, "grid", 8),
-          squareRule(8, "sheared", 16), squareRule(32, "jittered", 2)};
+  return {squareRule(1, "grid"),
+          multisampleRule(2),
+          multisampleRule(4),
+          multisampleRule(8),
+          multisampleRule(16),
+          squareRule(4, "grid"),
+          squareRule(4, "sheared"),
+          squareRule(4, "jittered"),
+          squareRule(8, "grid", 8),
+          squareRule(8, "sheared", 16),
+          squareRule(32, "jittered", 2),
+          squareRule(7, "slanted"),
+          squareRule(32, "slanted"),
+          squareRule(16, "slanted", 3),
+          squareRule(40, "slanted")};
 }
 
 TEST(AntialiasImage, halfAPixelIsHalfItsColour) {
@@ -82,7 +93,7 @@ TEST(AntialiasImage, samplesSeeWhatRaysSee) {
   const PinholeCamera camera({}, 60, 40);
   const Mesh mesh = triangleCloud(4000, 0.03f);
   const RayScene rays(mesh);
-  for (const char* placement : {"grid", "sheared", "jittered"}) {
+  for (const char* placement : {"grid", "sheared", "slanted", "jittered"}) {
     const PixelRule rule = squareRule(8, placement);
     const Image<glm::vec3> image = AntialiasScene(camera, mesh).draw(everywhere(rule), kNight);
     const Image<glm::vec3> expected = raySampledImage(
@@ -99,7 +110,7 @@ TEST(AntialiasImage, generalPinholesSamplesSeeWhatRaysSee) {
   const RayScene rays(mesh);
   for (const GpcSampling& sampling : gpcSamplings()) {
     const GpcCamera camera(reference, {&sampling, {{{0.4f, 0.5f}, {0.3f, 0.4f}, 3, 1}}});
-    const PixelRule rule = squareRule(6, "sheared");
+    const PixelRule rule = squareRule(6, "slanted");
     const Image<glm::vec3> image = AntialiasScene(camera, mesh).draw(everywhere(rule), kNight);
     const Image<glm::vec3> expected = raySampledImage(
         60, 40, [&](const glm::vec2& p) { return camera.rayPath(p); }, rays, *rule.pattern, kNight);

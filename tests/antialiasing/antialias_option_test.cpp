@@ -53,7 +53,7 @@ TEST(AntialiasOption, refusesWhatIsWrongAndSaysWhatIsRight) {
   EXPECT_THAT(optionError("uniform-99999999999"), testing::HasSubstr("a square number"));
   EXPECT_THAT(optionError("uniform--4"), testing::HasSubstr("there is no antialiasing"));
   EXPECT_THAT(optionError("uniform-16,tile=3x3"),
-              testing::HasSubstr("use placement=grid|sheared|multijittered|jittered"));
+              testing::HasSubstr("use placement=grid|sheared|slanted|multijittered|jittered"));
   EXPECT_THAT(optionError("msaa-4,exact=2"), testing::HasSubstr("leave it out"));
   EXPECT_THAT(optionError("extreme,tile=640"), testing::HasSubstr("give tile=WIDTHxHEIGHT"));
   EXPECT_THAT(optionError("extreme,tile=0x5"), testing::HasSubstr("give tile=WIDTHxHEIGHT"));

@@ -50,6 +50,7 @@ TEST(SamplePositions, someGiveEachSampleARowAndAColumnOfItsOwn) {
   for (const size_t n : {size_t{5}, size_t{8}, size_t{16}}) {
     const std::pair all(n * n, n * n);
     EXPECT_EQ(rowsAndColumns("sheared", static_cast<int>(n)), all);
+    EXPECT_EQ(rowsAndColumns("slanted", static_cast<int>(n)), all);
     EXPECT_EQ(rowsAndColumns("multijittered", static_cast<int>(n)), all);
     EXPECT_EQ(rowsAndColumns("grid", static_cast<int>(n)), std::pair(n, n));
   }

@@ -52,7 +52,7 @@ TEST(ThinLines, rowsOfTheirOwnKeepLinesAlongTheAxesSteady) {
 TEST(ThinLines, obliqueLinesCostLittle) {
   // A grid is good for a line whose slope is near no ratio of small numbers: it is what others give up for the axes.
   EXPECT_LT(worstError(squareRule(8, "multijittered"), 20), worstError(squareRule(8, "grid"), 20) * 2);
-  EXPECT_GT(worstError(squareRule(8, "grid"), -0.15), worstError(squareRule(8, "grid"), 20) * 4);
+  EXPECT_GT(worstError(squareRule(8, "grid"), -0.15), worstError(squareRule(8, "grid"), 20) * 2);
 }
 
 }  // namespace
