@@ -30,17 +30,6 @@ ImageBox boxOfTriangle(const ProjectedMesh& projected, const PinholeTriangles& p
   return box;
 }
 
-PixelBounds pixelsOf(const ImageBox& box, int width, int height) {
-  const glm::vec2 size(width, height);
-  if (!(box.lower.x < size.x && box.lower.y < size.y && box.upper.x > 0 && box.upper.y > 0)) {
-    return {};
-  }
-  const glm::vec2 lower = glm::max(box.lower, 0.0f);
-  const glm::vec2 upper = glm::min(box.upper, size);
-  return {static_cast<int>(lower.x), static_cast<int>(lower.y), static_cast<int>(std::ceil(upper.x)),
-          static_cast<int>(std::ceil(upper.y))};
-}
-
 AntialiasBins::AntialiasBins(const AntialiasView& view, const ProjectedMesh& projected)
     : parts_(projected),
       across_((view.width() + kBlock - 1) / kBlock),

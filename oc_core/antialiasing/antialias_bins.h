@@ -3,6 +3,7 @@
 // memory that it takes does not grow with the samples.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -38,7 +39,17 @@ class AntialiasBins {
 /// Around the image of a triangle, as the reference of a view sees it; empty (lower beyond upper) where it shows none.
 ImageBox boxOfTriangle(const ProjectedMesh& projected, const PinholeTriangles& parts, uint32_t triangle);
 
-/// The pixels whose squares a box meets, clipped to an image; x1 and y1 lie beyond. Empty where there are none.
-PixelBounds pixelsOf(const ImageBox& box, int width, int height);
+/// The pixels whose squares a box meets or touches at their left or top, clipped to an image; x1 and y1 lie beyond.
+/// Empty where there are none.
+inline PixelBounds pixelsOf(const ImageBox& box, int width, int height) {
+  const auto w = static_cast<float>(width);
+  const auto h = static_cast<float>(height);
+  if (!(box.lower.x < w && box.lower.y < h && box.upper.x > 0 && box.upper.y > 0)) {
+    return {};
+  }
+  const auto lastPixel = [](float at, float size) { return static_cast<int>(at < size ? at : size - 1); };
+  return {static_cast<int>(std::max(box.lower.x, 0.0f)), static_cast<int>(std::max(box.lower.y, 0.0f)),
+          lastPixel(box.upper.x, w) + 1, lastPixel(box.upper.y, h) + 1};
+}
 
 }  // namespace ocelli

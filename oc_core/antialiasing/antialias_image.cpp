@@ -13,13 +13,24 @@ namespace ocelli {
 namespace {
 
 constexpr int kBlock = AntialiasBins::kBlock;
+constexpr size_t kAhead = 8;  ///< triangles that memory is asked for in advance
+
+void prefetch(const void* address) {
+  __builtin_prefetch(address);
+}
 
 /// Draws blocks; keeps its memory from one to the next.
 class BlockDrawing {
  public:
-  BlockDrawing(const AntialiasScene& scene, const Mesh& mesh, const AntialiasPlan& plan, const glm::vec3& background,
+  BlockDrawing(const AntialiasScene& scene, const AntialiasPlan& plan, const glm::vec3& background,
                Image<glm::vec3>& image)
-      : view_(scene.view()), bins_(scene.bins()), mesh_(mesh), plan_(plan), background_(background), image_(image) {}
+      : view_(scene.view()),
+        bins_(scene.bins()),
+        projected_(scene.projected()),
+        mesh_(scene.projected().mesh()),
+        plan_(plan),
+        background_(background),
+        image_(image) {}
 
   void draw(size_t block) {
     const int x0 = static_cast<int>(block) % bins_.across() * kBlock;
@@ -43,29 +54,44 @@ class BlockDrawing {
     for (std::vector<uint32_t>& each : ofPixel_) {
       each.clear();
     }
-    for (const uint32_t index : bins_.trianglesOf(block)) {
-      bins_.parts().forEachPartAnywhere(
-          index, [&](const RasterVertex& a, const RasterVertex& b, const RasterVertex& c) {
-            std::optional<AntialiasTriangle> t = antialiasTriangle(index, a, b, c, base_);
-            if (!t) {
-              return;
-            }
-            const glm::vec2 base(base_);
-            const ImageBox box = view_.imageBox({t->box.lower + base, t->box.upper + base});
-            const PixelBounds all = pixelsOf(box, view_.width(), view_.height());
-            const PixelBounds within{std::max(all.x0, bounds.x0), std::max(all.y0, bounds.y0),
-                                     std::min(all.x1, bounds.x1), std::min(all.y1, bounds.y1)};
-            if (within.x0 >= within.x1 || within.y0 >= within.y1) {
-              return;
-            }
-            const auto place = static_cast<uint32_t>(triangles_.size());
-            triangles_.push_back(*t);
-            for (int y = within.y0; y < within.y1; ++y) {
-              for (int x = within.x0; x < within.x1; ++x) {
-                ofPixel_[static_cast<size_t>((y - bounds.y0) * kBlock + x - bounds.x0)].push_back(place);
-              }
-            }
-          });
+    const std::span<const uint32_t> of = bins_.trianglesOf(block);
+    for (size_t i = 0; i < of.size(); ++i) {
+      // They lie far apart in memory: without this, waiting for them takes most of the time.
+      if (i + 2 * kAhead < of.size()) {
+        prefetch(&mesh_.triangles[of[i + 2 * kAhead]]);
+      }
+      if (i + kAhead < of.size()) {
+        const uint32_t vertex = mesh_.triangles[of[i + kAhead]].x;
+        prefetch(&projected_.vertex(vertex));
+        if (!mesh_.colors.empty()) {
+          prefetch(&mesh_.colors[vertex]);
+        }
+      }
+      bins_.parts().forEachPartAnywhere(of[i], [&](const RasterVertex& a, const RasterVertex& b,
+                                                   const RasterVertex& c) { add(of[i], a, b, c, bounds); });
+    }
+  }
+
+  void add(uint32_t index, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+           const PixelBounds& bounds) {
+    const auto place = static_cast<uint32_t>(triangles_.size());
+    AntialiasTriangle& t = triangles_.emplace_back();
+    PixelBounds within;
+    if (prepareTriangle(t, index, a, b, c, base_)) {
+      const glm::vec2 base(base_);
+      const PixelBounds all =
+          pixelsOf(view_.imageBox({t.box.lower + base, t.box.upper + base}), view_.width(), view_.height());
+      within = {std::max(all.x0, bounds.x0), std::max(all.y0, bounds.y0), std::min(all.x1, bounds.x1),
+                std::min(all.y1, bounds.y1)};
+    }
+    if (within.x0 >= within.x1 || within.y0 >= within.y1) {
+      triangles_.pop_back();
+      return;
+    }
+    for (int y = within.y0; y < within.y1; ++y) {
+      for (int x = within.x0; x < within.x1; ++x) {
+        ofPixel_[static_cast<size_t>((y - bounds.y0) * kBlock + x - bounds.x0)].push_back(place);
+      }
     }
   }
 
@@ -155,6 +181,7 @@ class BlockDrawing {
 
   const AntialiasView& view_;
   const AntialiasBins& bins_;
+  const ProjectedMesh& projected_;
   const Mesh& mesh_;
   const AntialiasPlan& plan_;
   glm::vec3 background_;
@@ -184,7 +211,7 @@ Image<glm::vec3> AntialiasScene::draw(const AntialiasPlan& plan, const glm::vec3
   std::atomic<size_t> sampled{0};
   std::atomic<size_t> samples{0};
   parallelFor(bins_.blocks(), 16, [&](size_t begin, size_t end) {
-    BlockDrawing drawing(*this, projected_.mesh(), plan, background, image);
+    BlockDrawing drawing(*this, plan, background, image);
     for (size_t block = begin; block < end; ++block) {
       drawing.draw(block);
     }

@@ -26,16 +26,15 @@ float inPixels(int64_t snappedValue) {
 
 }  // namespace
 
-std::optional<AntialiasTriangle> antialiasTriangle(uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
-                                                   const RasterVertex& c, const glm::ivec2& base) {
-  AntialiasTriangle t;
+bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+                     const RasterVertex& c, const glm::ivec2& base) {
   t.triangle = triangle;
   t.corners = {a, b, c};
   std::array<SnappedPoint, 3> p = {
       {{snapped(a.u), snapped(a.v)}, {snapped(b.u), snapped(b.v)}, {snapped(c.u), snapped(c.v)}}};
   int64_t area = (p[1].x - p[0].x) * (p[2].y - p[0].y) - (p[1].y - p[0].y) * (p[2].x - p[0].x);
   if (area == 0) {
-    return std::nullopt;
+    return false;
   }
   if (area < 0) {  // both sides of a surface are drawn
     std::swap(p[1], p[2]);
@@ -67,7 +66,7 @@ std::optional<AntialiasTriangle> antialiasTriangle(uint32_t triangle, const Rast
             inPixels(std::min({p[0].y, p[1].y, p[2].y}) - origin.y)},
            {inPixels(std::max({p[0].x, p[1].x, p[2].x}) - origin.x),
             inPixels(std::max({p[0].y, p[1].y, p[2].y}) - origin.y)}};
-  return t;
+  return true;
 }
 
 bool AntialiasTriangle::isOneColor(const Mesh& mesh) const {

@@ -9,7 +9,6 @@
 #include <array>
 #include <cstdint>
 #include <limits>
-#include <optional>
 
 #include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/render/visibility_buffer.h"
@@ -52,8 +51,8 @@ struct AntialiasTriangle {
   glm::vec3 colorAt(float x, float y, const Mesh& mesh) const;
 };
 
-/// Nothing where it covers no area. `base` is in whole pixels of the reference.
-std::optional<AntialiasTriangle> antialiasTriangle(uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
-                                                   const RasterVertex& c, const glm::ivec2& base);
+/// Fills `t` in. False where it covers no area. `base` is in whole pixels of the reference.
+bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+                     const RasterVertex& c, const glm::ivec2& base);
 
 }  // namespace ocelli

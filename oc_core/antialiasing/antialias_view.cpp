@@ -2,10 +2,7 @@
 
 namespace ocelli {
 
-ImageBox AntialiasView::imageBox(const ImageBox& inReference) const {
-  if (!camera_) {
-    return inReference;
-  }
+ImageBox AntialiasView::movedBox(const ImageBox& inReference) const {
   ImageBox box = inReference;
   for (const GpcZone& zone : camera_->map().zones()) {
     const glm::vec2 lower(zone.center() - zone.outerHalf());

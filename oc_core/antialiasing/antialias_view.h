@@ -22,7 +22,7 @@ class AntialiasView {
   const PinholeCamera& reference() const { return reference_; }
 
   /// Around the image of what the reference shows in a box; never too small. Pixels.
-  ImageBox imageBox(const ImageBox& inReference) const;
+  ImageBox imageBox(const ImageBox& inReference) const { return camera_ ? movedBox(inReference) : inReference; }
   /// The point of the reference's image that a point of the image shows.
   glm::dvec2 referencePoint(const glm::dvec2& image) const {
     return camera_ ? camera_->map().pinholeFromImage(image) : image;
@@ -37,6 +37,8 @@ class AntialiasView {
   PixelArea areaOf(int x, int y) const;
 
  private:
+  ImageBox movedBox(const ImageBox& inReference) const;
+
   PinholeCamera reference_;
   std::shared_ptr<const GpcCamera> camera_;  ///< none for the pinhole itself
 };

@@ -24,7 +24,7 @@ uint32_t bitsIn(uint32_t x) {
   return (x + (x >> 16)) & 0x3fu;
 }
 
-/// The least whole number that is not below a value, of values from -1 to 33.
+/// The least whole number that is not below a value, of values from 0 to 32.
 int ceiling(float value) {
   return 64 - static_cast<int>(64 - value);
 }
@@ -38,6 +38,8 @@ void PixelMasks::start(const ImageBox& square, const SamplePattern& pattern) {
   for (int row = 0; row < n_; ++row) {
     offset_[static_cast<size_t>(row)] = pattern.offsetOfRow(row);
   }
+  covered_.fill(0);
+  fullRows_ = 0;
   open_.clear();
 }
 
@@ -52,51 +54,50 @@ bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
   shown.firstRow = static_cast<int>(std::max(top, 0.0f));
   shown.lastRow = static_cast<int>(std::min(bottom, static_cast<float>(n_ - 1)));
   const int rows = shown.lastRow - shown.firstRow + 1;
-  std::array<int, kMaxRows> first;
-  std::array<int, kMaxRows> beyond;
-  std::fill_n(first.begin(), rows, 0);
-  std::fill_n(beyond.begin(), rows, n_);
-  const float* offset = offset_.data() + shown.firstRow;
   const auto n = static_cast<double>(n_);
   const auto side = static_cast<double>(side_);
+  // Along row k from the first on, an edge crosses the row at sample p + k q - offset of the row. A triangle has one or
+  // two edges that its samples lie beyond, and one or two before which they lie. Two triangles that share an edge have
+  // the same p and q to the last bit.
+  struct Crossing {
+    float p;
+    float q;
+  };
+  std::array<Crossing, 3> from = {{{-2, 0}, {-2, 0}, {-2, 0}}};
+  std::array<Crossing, 3> to = {{{64, 0}, {64, 0}, {64, 0}}};
+  size_t froms = 0;
+  size_t tos = 0;
   for (size_t i = 0; i < 3; ++i) {
-    // Along row k the edge is at `slope` x + atLeft + k step, x in pixels from the left: 0 at sample (p + k q -
-    // offset). Two triangles that share the edge have the same p and q to the last bit.
     const BlockPlane& edge = t.edges[i];
     const double step = static_cast<double>(edge.b) * side / n;
     const double slope = static_cast<double>(edge.a) * side + step;
     const double atLeft = static_cast<double>(edge.a) * static_cast<double>(square_.lower.x) +
                           static_cast<double>(edge.b) * static_cast<double>(square_.lower.y) +
                           static_cast<double>(edge.c) + step * shown.firstRow;
-    if (slope == 0) {
-      for (int k = 0; k < rows; ++k) {
-        if (atLeft + step * k < static_cast<double>(t.inside[i])) {
-          beyond[static_cast<size_t>(k)] = 0;
-        }
-      }
-      continue;
-    }
-    const auto p = static_cast<float>(-atLeft / slope * n);
-    const auto q = static_cast<float>(-step / slope * n);
-    if (slope > 0) {
-      for (int k = 0; k < rows; ++k) {
-        const float at = std::clamp(p + q * static_cast<float>(k) - offset[k], -1.0f, 33.0f);
-        first[static_cast<size_t>(k)] = std::max(first[static_cast<size_t>(k)], ceiling(at));
-      }
-    } else {
-      for (int k = 0; k < rows; ++k) {
-        const float at = std::clamp(p + q * static_cast<float>(k) - offset[k], -1.0f, 33.0f);
-        beyond[static_cast<size_t>(k)] = std::min(beyond[static_cast<size_t>(k)], ceiling(at));
-      }
-    }
+    // Along an edge that runs with the rows, as good as none: whole rows lie on one side.
+    const double scale = slope != 0 ? n / slope : 1e30;
+    const Crossing crossing{static_cast<float>(-atLeft * scale), static_cast<float>(-step * scale)};
+    (slope >= 0 ? from[froms++] : to[tos++]) = crossing;
   }
+  const float* offset = offset_.data() + shown.firstRow;
   uint32_t any = 0;
-  for (int k = 0; k < rows; ++k) {
-    const auto i = static_cast<size_t>(k);
-    const uint32_t row = kBelow[static_cast<size_t>(std::max(beyond[i], 0))] &
-                         ~kBelow[static_cast<size_t>(std::min(first[i], kMaxRows))];
-    shown.samples[static_cast<size_t>(shown.firstRow + k)] = row;
-    any |= row;
+  for (int k = 0; k < rows; k += kLanes) {
+    std::array<int, kLanes> first;
+    std::array<int, kLanes> beyond;
+    for (int lane = 0; lane < kLanes; ++lane) {
+      const auto row = static_cast<float>(k + lane);
+      const float shift = offset[k + lane];
+      const float begin = std::max(from[0].p + from[0].q * row, from[1].p + from[1].q * row) - shift;
+      const float end = std::min(to[0].p + to[0].q * row, to[1].p + to[1].q * row) - shift;
+      first[static_cast<size_t>(lane)] = ceiling(std::min(std::max(begin, 0.0f), 32.0f));
+      beyond[static_cast<size_t>(lane)] = ceiling(std::min(std::max(end, 0.0f), static_cast<float>(n_)));
+    }
+    for (int lane = 0; lane < kLanes && k + lane < rows; ++lane) {
+      const auto i = static_cast<size_t>(lane);
+      const uint32_t row = kBelow[static_cast<size_t>(beyond[i])] & ~kBelow[static_cast<size_t>(first[i])];
+      shown.samples[static_cast<size_t>(shown.firstRow + k + lane)] = row;
+      any |= row;
+    }
   }
   return any != 0;
 }
@@ -146,15 +147,24 @@ glm::vec3 PixelMasks::weighted(const Shown& shown, const Mesh& mesh) const {
   return shown.triangle->colorAt(sum.x, sum.y, mesh) * samples;
 }
 
+void PixelMasks::merge(Shown& shown, const Rows* taken) {
+  const uint32_t whole = kBelow[static_cast<size_t>(n_)];
+  for (int row = shown.firstRow; row <= shown.lastRow; ++row) {
+    const auto r = static_cast<size_t>(row);
+    const uint32_t before = covered_[r];
+    const uint32_t after = before | shown.samples[r];
+    covered_[r] = after;
+    fullRows_ += after == whole && before != whole ? 1 : 0;
+    shown.samples[r] = (shown.samples[r] & ~before) | (taken != nullptr ? (*taken)[r] : 0);
+  }
+}
+
 glm::vec3 PixelMasks::mean(std::span<PixelTriangle> triangles, const ImageBox& square, const SamplePattern& pattern,
                            const Mesh& mesh, const glm::vec3& background) {
   start(square, pattern);
   std::sort(triangles.begin(), triangles.end(), [](const PixelTriangle& a, const PixelTriangle& b) {
     return a.nearest != b.nearest ? a.nearest > b.nearest : a.triangle < b.triangle;
   });
-  Rows covered{};
-  const uint32_t whole = kBelow[static_cast<size_t>(n_)];
-  bool allCovered = false;
   glm::vec3 sum(0);
   for (const PixelTriangle& each : triangles) {
     // What lies before all that follows keeps its samples.
@@ -167,39 +177,34 @@ glm::vec3 PixelMasks::mean(std::span<PixelTriangle> triangles, const ImageBox& s
         ++i;
       }
     }
-    if (allCovered && open_.empty()) {
+    if (fullRows_ == n_ && open_.empty()) {
       break;
     }
-    Shown shown;
+    const size_t others = open_.size();
+    Shown& shown = open_.emplace_back();
     shown.triangle = each.triangle;
     shown.farthest = each.farthest;
     if (!cover(*each.triangle, shown)) {
+      open_.pop_back();
+      continue;
+    }
+    if (others == 0) {
+      merge(shown, nullptr);
       continue;
     }
     Rows taken;
     std::fill(taken.begin() + shown.firstRow, taken.begin() + shown.lastRow + 1, 0);
-    for (Shown& other : open_) {
-      compare(shown, other, taken);
+    for (size_t i = 0; i < others; ++i) {
+      compare(shown, open_[i], taken);
     }
-    uint32_t any = 0;
-    for (int row = shown.firstRow; row <= shown.lastRow; ++row) {
-      const auto r = static_cast<size_t>(row);
-      const uint32_t before = covered[r];
-      covered[r] = before | shown.samples[r];
-      shown.samples[r] = (shown.samples[r] & ~before) | taken[r];
-      any |= shown.samples[r];
-    }
-    if (any != 0) {
-      open_.push_back(shown);
-      allCovered = std::all_of(covered.begin(), covered.begin() + n_, [&](uint32_t row) { return row == whole; });
-    }
+    merge(shown, &taken);
   }
   for (const Shown& each : open_) {
     sum += weighted(each, mesh);
   }
   uint32_t hidden = 0;
   for (int row = 0; row < n_; ++row) {
-    hidden += bitsIn(covered[static_cast<size_t>(row)]);
+    hidden += bitsIn(covered_[static_cast<size_t>(row)]);
   }
   const auto all = static_cast<float>(n_ * n_);
   return (sum + background * (all - static_cast<float>(hidden))) / all;

@@ -34,9 +34,11 @@ class PixelMasks {
                  const Mesh& mesh, const glm::vec3& background);
 
  private:
+  static constexpr int kLanes = 4;  ///< rows at a time
+
   using Rows = std::array<uint32_t, kMaxRows>;
 
-  struct Shown {
+  struct Shown {  // not cleared: of its samples the rows from the first to the last are set
     const AntialiasTriangle* triangle;
     float farthest;
     int firstRow;
@@ -47,6 +49,8 @@ class PixelMasks {
   void start(const ImageBox& square, const SamplePattern& pattern);
   /// Which samples the triangle covers. False where it covers none.
   bool cover(const AntialiasTriangle& triangle, Shown& shown) const;
+  /// Adds the samples that `shown` has before what is covered.
+  void merge(Shown& shown, const Rows* taken);
   /// Shares out the samples that both cover. `taken` gets those that `shown` takes from `other`.
   void compare(Shown& shown, Shown& other, Rows& taken) const;
   glm::vec3 weighted(const Shown& shown, const Mesh& mesh) const;
@@ -55,8 +59,10 @@ class PixelMasks {
   int n_ = 1;
   ImageBox square_;
   float side_ = 1;
-  std::array<float, kMaxRows> offset_{};  ///< where in its stratum a row's samples lie
-  std::vector<Shown> open_;               ///< those whose depths may overlap with what follows
+  std::array<float, kMaxRows + kLanes> offset_{};  ///< where in its stratum a row's samples lie
+  Rows covered_{};
+  int fullRows_ = 0;         ///< rows that are covered
+  std::vector<Shown> open_;  ///< those whose depths may overlap with what follows
 };
 
 }  // namespace ocelli
