@@ -71,6 +71,17 @@ window.probe = {
     return {header: JSON.stringify(image.header), color: text(image.color.bytes), depth: text(image.depth.bytes)};
   },
 
+  /// From now on: the shares that the bar shows, and whether the picture was seen with colours alone.
+  watchLoading() {
+    const bar = document.getElementById('loading');
+    this.loading = [[], false];
+    new MutationObserver(() => {
+      const [image] = this.page().held;
+      this.loading[0].push(Number(bar.getAttribute('aria-valuenow')));
+      this.loading[1] ||= image !== undefined && image.mesh === null && this.page().way === 'rays';
+    }).observe(bar, {attributes: true, attributeFilter: ['aria-valuenow']});
+  },
+
   /// At rest: the picture is exact, and nothing is on its way.
   isSettled() {
     const page = this.page();
