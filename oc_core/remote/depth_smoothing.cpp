@@ -1,0 +1,58 @@
+#include "oc_core/remote/depth_smoothing.h"
+
+#include <algorithm>
+#include <cstdlib>
+#include <utility>
+
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+/// Each spreads a step by a pixel to either side: a step across so many is no edge to any client.
+constexpr int kRounds = 8;
+/// Three rounded values on a line are off it by at most this: half a level each, the middle one twice.
+constexpr int kMaxBend = 2;
+
+/// Whether the values beside `at`, a `step` away to either side, go on as it does.
+bool isStraight(const uint16_t* at, std::ptrdiff_t step) {
+  const int before = at[-step];
+  const int after = at[step];
+  return before > 0 && after > 0 && std::abs(before + after - 2 * *at) <= kMaxBend;
+}
+
+}  // namespace
+
+Image<float> smoothedLevels(const Image<uint16_t>& values) {
+  Image<float> now(values.width(), values.height());
+  std::copy(values.begin(), values.end(), now.begin());
+  Image<float> next = now;
+  const std::ptrdiff_t row = values.width();
+  for (int round = 0; round < kRounds; ++round) {
+    parallelFor(static_cast<size_t>(values.height()), 16, [&](size_t begin, size_t end) {
+      for (size_t y = begin; y < end; ++y) {
+        const bool hasRows = y > 0 && y + 1 < static_cast<size_t>(values.height());
+        for (std::ptrdiff_t x = 0; x < row; ++x) {
+          const size_t pixel = y * static_cast<size_t>(row) + static_cast<size_t>(x);
+          const uint16_t* value = values.data() + pixel;
+          const float* level = now.data() + pixel;
+          if (*value == 0) {
+            continue;
+          }
+          const bool across = x > 0 && x + 1 < row && isStraight(value, 1);
+          const bool down = hasRows && isStraight(value, row);
+          if (!across && !down) {
+            continue;
+          }
+          const float sum = (across ? level[-1] + level[1] : 0) + (down ? level[-row] + level[row] : 0);
+          const float middle = sum / (across && down ? 4.0f : 2.0f);
+          next[pixel] = std::clamp(middle, static_cast<float>(*value) - 0.5f, static_cast<float>(*value) + 0.5f);
+        }
+      }
+    });
+    std::swap(now, next);
+  }
+  return now;
+}
+
+}  // namespace ocelli
