@@ -9,8 +9,8 @@
 namespace ocelli {
 namespace {
 
-/// Each spreads a step by a pixel to either side: a step across so many is no edge to any client.
-constexpr int kRounds = 8;
+/// How far apart the neighbours of each round are: far ones level wide steps, near ones what is left.
+constexpr int kSteps[] = {16, 8, 4, 4, 2, 2, 1, 1};
 /// Three rounded values on a line are off it by at most this: half a level each, the middle one twice.
 constexpr int kMaxBend = 2;
 
@@ -28,10 +28,12 @@ Image<float> smoothedLevels(const Image<uint16_t>& values) {
   std::copy(values.begin(), values.end(), now.begin());
   Image<float> next = now;
   const std::ptrdiff_t row = values.width();
-  for (int round = 0; round < kRounds; ++round) {
-    parallelFor(static_cast<size_t>(values.height()), 16, [&](size_t begin, size_t end) {
+  const auto rows = static_cast<size_t>(values.height());
+  for (const int step : kSteps) {
+    const std::ptrdiff_t below = row * step;
+    parallelFor(rows, 16, [&](size_t begin, size_t end) {
       for (size_t y = begin; y < end; ++y) {
-        const bool hasRows = y > 0 && y + 1 < static_cast<size_t>(values.height());
+        const bool hasRows = y >= static_cast<size_t>(step) && y + static_cast<size_t>(step) < rows;
         for (std::ptrdiff_t x = 0; x < row; ++x) {
           const size_t pixel = y * static_cast<size_t>(row) + static_cast<size_t>(x);
           const uint16_t* value = values.data() + pixel;
@@ -39,12 +41,12 @@ Image<float> smoothedLevels(const Image<uint16_t>& values) {
           if (*value == 0) {
             continue;
           }
-          const bool across = x > 0 && x + 1 < row && isStraight(value, 1);
-          const bool down = hasRows && isStraight(value, row);
+          const bool across = x >= step && x + step < row && isStraight(value, step);
+          const bool down = hasRows && isStraight(value, below);
           if (!across && !down) {
             continue;
           }
-          const float sum = (across ? level[-1] + level[1] : 0) + (down ? level[-row] + level[row] : 0);
+          const float sum = (across ? level[-step] + level[step] : 0) + (down ? level[-below] + level[below] : 0);
           const float middle = sum / (across && down ? 4.0f : 2.0f);
           next[pixel] = std::clamp(middle, static_cast<float>(*value) - 0.5f, static_cast<float>(*value) + 0.5f);
         }
