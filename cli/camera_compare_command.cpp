@@ -18,6 +18,8 @@
 #include "oc_core/focus/focus_page.h"
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/representation_kind.h"
+#include "oc_core/render/rasterize.h"
+#include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
 namespace {
@@ -73,6 +75,11 @@ void compare(const FocusChoice& choice, const CommandContext& context) {
   const PinholeCamera plain(readViewOption(choice.view), size.width, size.height);
   ViewedScene scene(choice.scene, context);
   const Mesh& mesh = scene.meshFor(camera, plain);
+  requireOutside(mesh, plain.eye(), "view");
+  const FragmentImage seen = rasterize(plain, mesh);
+  if (std::none_of(seen.begin(), seen.end(), [](const Fragment& each) { return each.covered(); })) {
+    failSeeingNothing(plain, mesh, "view");
+  }
   const FocusComparison comparison =
       compareFocusWays(focusWays(), layout, plain, mesh, {.runs = choice.runs}, context.progress());
   if (choice.json == "-") {

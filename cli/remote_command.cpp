@@ -34,6 +34,7 @@ void addRemoteCommand(CLI::App& program, const CommandContext& context) {
   remote.require_subcommand(1);
   // One line a command.
   addRemoteServe(remote, context);
+  addRemoteMeasure(remote, context);
 }
 
 }  // namespace ocelli

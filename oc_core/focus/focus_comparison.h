@@ -17,12 +17,12 @@ namespace ocelli {
 
 struct FocusResult {
   const FocusWay* way = nullptr;
-  FocusFigures figures;
+  FocusFigures figures{};
   double raysMilliseconds = 0;                 ///< along rays, against a standing structure: all ways alike
   std::optional<double> rasterMilliseconds{};  ///< nothing where no rasteriser draws it
-  Image<Rgb8> picture;
-  Image<Rgb8> rates;  ///< over the picture, on the scale of the comparison
-  Image<Rgb8> kept;   ///< over the plain view: the rate at which the picture shows each place of it; kHiddenColor: not
+  Image<Rgb8> picture{};
+  Image<Rgb8> rates{};  ///< over the picture, on the scale of the comparison
+  Image<Rgb8> kept{};  ///< over the plain view: the rate at which the picture shows each place of it; kHiddenColor: not
 };
 
 /// Of the palette of Okabe and Ito, vermillion: not on the scale of rates.

@@ -12,22 +12,31 @@
 namespace ocelli {
 namespace {
 
-constexpr double kDifference = 0.01;  // pixels
+constexpr double kDifference = 1e-4;  // pixels
+constexpr double kJumpSlope = 1000;   // a tenth of a pixel over that difference: no lens is as steep
 constexpr double kSparse = 0.5;
 constexpr double kFoundAgain = 1e-3;  // pixels: rounding, with much to spare
 
-/// The step of the map along an axis, to the side where it is smaller.
+/// The step of the map along an axis: of both sides together, but where the map jumps on one of them.
 glm::dvec2 stepAlong(const FocusMap& map, const glm::dvec2& at, int axis) {
   glm::dvec2 by(0);
   by[axis] = kDifference;
   const glm::dvec2 here = map.plainFromPicture(at);
   const glm::dvec2 forward = (map.plainFromPicture(at + by) - here) / kDifference;
   const glm::dvec2 backward = (here - map.plainFromPicture(at - by)) / kDifference;
+  if (glm::length(forward - backward) < kJumpSlope) {
+    return (forward + backward) / 2.0;
+  }
   return glm::length(forward) <= glm::length(backward) ? forward : backward;
 }
 
+/// Maps may have corners along lines, such as the diagonals of a lens, and these often go through centres of pixels:
+/// derivatives are those of a place beside, in a direction that lines seldom have.
+constexpr glm::dvec2 kBeside{0.0031, 0.0017};
+
 /// Samples for each one of the plain view at a place of the picture: least and greatest of all directions.
-glm::dvec2 ratesAt(const FocusMap& map, const glm::dvec2& at) {
+glm::dvec2 ratesAt(const FocusMap& map, const glm::dvec2& place) {
+  const glm::dvec2 at = place + kBeside;
   const glm::dvec2 steps = singularValues({stepAlong(map, at, 0), stepAlong(map, at, 1)});
   return 1.0 / steps;
 }
@@ -231,7 +240,7 @@ struct Jumps {
 Jumps jumpsOf(const FocusMap& map, const glm::ivec2& size) {
   constexpr int kEvery = 4;
   constexpr int kPlaceHalvings = 30;   // to 1e-9 of a pixel
-  constexpr int kRateHalvings = 5;     // to about the length of the differences, which tell rates
+  constexpr int kRateHalvings = 8;     // to 1/256 of a pixel
   constexpr double kSmallStep = 0.02;  // from pixel to pixel: of factors, as a logarithm
   const auto distance = [&](const glm::dvec2& a, const glm::dvec2& b) {
     return glm::length(map.plainFromPicture(a) - map.plainFromPicture(b));

@@ -52,6 +52,7 @@ RegionWish wishOf(const GpcRegion& lens, const glm::dvec2& imageFromScreen, doub
 }  // namespace
 
 RemotePlan planRemoteImage(const RemoteRequest& request, const RemoteSettings& settings) {
+  validate(request, "request");
   validate(settings, "settings");
   const PinholeCamera screen(request.view, request.screen.x, request.screen.y);
   const glm::dvec2 reach = reachOf(screen, settings.reach);

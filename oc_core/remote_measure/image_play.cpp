@@ -178,7 +178,7 @@ double equalBytesSize(const RemoteScene& scene, const View& view, const glm::ive
   RemoteSettings plain = ours;
   plain.zoom = 1;
   for (int i = 0; i < kSizeSteps; ++i) {
-    plain.size = std::clamp(plain.size * std::sqrt(wanted / bytesOf(plain)), 0.1, 8.0);
+    plain.size = std::clamp(plain.size * std::sqrt(wanted / bytesOf(plain)), 0.1, 4.0);  // what the settings take
   }
   return plain.size;
 }

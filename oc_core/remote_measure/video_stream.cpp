@@ -17,7 +17,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMaxSeconds = 24 * 3600;
+constexpr double kMaxEncodingSeconds = 24 * 3600;
 constexpr double kBufferSeconds = 0.1;
 constexpr const char* kScaling = "bicubic+accurate_rnd+full_chroma_int+full_chroma_inp";
 
@@ -97,7 +97,7 @@ StreamEncoder::StreamEncoder(const StreamKind& kind) : kind_(kind), program_(fin
 
 void StreamEncoder::run(const std::vector<std::string>& arguments, const Progress& progress) const {
   OC_CHECK(program_.has_value(), "ffmpeg is there");
-  const ChildEnd end = runChild({*program_, joined({"-hide_banner", "-loglevel", "error", "-y"}, arguments), kMaxSeconds},
+  const ChildEnd end = runChild({*program_, joined({"-hide_banner", "-loglevel", "error", "-y"}, arguments), kMaxEncodingSeconds},
                                 [&] { report(progress, fmt::format("encoding by {}", kind_.name), 0.5); });
   if (end.how != ChildEnd::How::kExited || end.code != 0) {
     std::string said = end.messages;

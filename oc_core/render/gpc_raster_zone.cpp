@@ -1,9 +1,23 @@
 #include "oc_core/render/gpc_raster_zone.h"
 
 #include <algorithm>
+#include <bit>
 
 namespace ocelli {
 namespace {
+
+/// `a` or `b`, both of which are worked out: loops that branch cannot be vectorised.
+float chosen(bool first, float a, float b) {
+  const uint32_t mask = first ? ~uint32_t{0} : 0;
+  return std::bit_cast<float>((std::bit_cast<uint32_t>(a) & mask) | (std::bit_cast<uint32_t>(b) & ~mask));
+}
+
+float lesserOf(float a, float b) {
+  return chosen(a < b, a, b);
+}
+float greaterOf(float a, float b) {
+  return chosen(a > b, a, b);
+}
 
 /// Pixels whose centres lie within `half` of a place on an axis; both ends included.
 struct GpcPixels {
@@ -128,53 +142,67 @@ void GpcRasterZone::magnify(const std::array<float, kCount>& f, std::array<float
     return;
   }
   // In loops that the compiler can vectorise, but for the one that looks up.
+  const float inner = inner_;
+  const float outer = outer_;
+  const float steps = steps_;
+  const float compression = compression_;
+  const float zoom = zoom_;
+  const float c1 = c1_;
+  const float c2 = c2_;
+  const float c3 = c3_;
+  std::array<float, kCount> within{};
   std::array<float, kCount> at{};
-  std::array<int32_t, kCount> node{};
+  std::array<float, kCount> s{};
+  for (size_t i = 0; i < kCount; ++i) {
+    within[i] = lesserOf(greaterOf(f[i], inner), outer);
+    const float g = within[i] - inner;
+    at[i] = g * steps / (g + compression);
+  }
   const auto last = static_cast<int32_t>(nodes_.size()) - 1;
   for (size_t i = 0; i < kCount; ++i) {
-    const float bounded = std::min(std::max(f[i], inner_), outer_);
-    const float g = bounded - inner_;
-    const float place = g * steps_ / (g + compression_);
-    const auto whole = static_cast<int32_t>(place);
-    node[i] = std::min(whole, last);
-    at[i] = place - static_cast<float>(node[i]);
+    const int32_t node = std::min(static_cast<int32_t>(at[i]), last);
+    const Node& held = nodes_[static_cast<size_t>(node)];
+    s[i] = held.s + held.change * (at[i] - static_cast<float>(node));
   }
   for (size_t i = 0; i < kCount; ++i) {
-    const Node& held = nodes_[static_cast<size_t>(node[i])];
-    at[i] = held.s + held.change * at[i];
-  }
-  for (size_t i = 0; i < kCount; ++i) {
-    const float bounded = std::min(std::max(f[i], inner_), outer_);
-    const float s = at[i];
-    const float error = s * (c1_ + s * (c2_ + s * c3_)) - (bounded - inner_);
-    const float slope = c1_ + s * (2 * c2_ + s * (3 * c3_));
-    const float r = 1 + (s - error / slope);
-    const float within = f[i] >= outer_ ? 1.0f : r / bounded;
-    magnification[i] = f[i] <= inner_ ? zoom_ : within;
+    const float error = s[i] * (c1 + s[i] * (c2 + s[i] * c3)) - (within[i] - inner);
+    const float slope = c1 + s[i] * (2 * c2 + s[i] * (3 * c3));
+    const float r = 1 + (s[i] - error / slope);
+    const float m = r / within[i];
+    magnification[i] = chosen(f[i] <= inner, zoom, chosen(f[i] < outer, m, 1));
   }
 }
 
 void GpcRasterZone::place(GpcRun& run) const {
+  const glm::vec2 center = center_;
+  const glm::vec2 perHalf = perHalf_;
+  const float inner = inner_;
+  const float outer = outer_;
+  const uint32_t innerPart = firstPart_;
   std::array<float, GpcRun::kSize> f{};
   for (size_t i = 0; i < GpcRun::kSize; ++i) {
-    f[i] = std::max(std::abs(run.u[i] - center_.x) * perHalf_.x, std::abs(run.v[i] - center_.y) * perHalf_.y);
+    f[i] = greaterOf(std::abs(run.u[i] - center.x) * perHalf.x, std::abs(run.v[i] - center.y) * perHalf.y);
   }
   std::array<float, GpcRun::kSize> magnification{};
   magnify(f, magnification);
   for (size_t i = 0; i < GpcRun::kSize; ++i) {
-    const float du = run.u[i] - center_.x;
-    const float dv = run.v[i] - center_.y;
-    const bool isWithin = f[i] < outer_;
-    const float x = du * magnification[i] + center_.x;
-    const float y = dv * magnification[i] + center_.y;
-    run.x[i] = isWithin ? x : run.x[i];
-    run.y[i] = isWithin ? y : run.y[i];
+    const float du = run.u[i] - center.x;
+    const float dv = run.v[i] - center.y;
+    const float x = du * magnification[i] + center.x;
+    const float y = dv * magnification[i] + center.y;
+    run.x[i] = chosen(f[i] < outer, x, run.x[i]);
+    run.y[i] = chosen(f[i] < outer, y, run.y[i]);
+  }
+  for (size_t i = 0; i < GpcRun::kSize; ++i) {
+    const float du = run.u[i] - center.x;
+    const float dv = run.v[i] - center.y;
+    const float x = std::abs(du) * perHalf.x;
+    const float y = std::abs(dv) * perHalf.y;
     const uint32_t sideways = du > 0 ? 1 : 2;
     const uint32_t updown = dv > 0 ? 3 : 4;
-    const bool isBeside = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y;
-    const uint32_t side = isBeside ? sideways : updown;
-    const uint32_t part = firstPart_ + (f[i] <= inner_ ? 0 : side);
-    run.part[i] = isWithin ? part : run.part[i];
+    const uint32_t side = x >= y ? sideways : updown;
+    const uint32_t part = innerPart + (f[i] <= inner ? 0 : side);
+    run.part[i] = f[i] < outer ? part : run.part[i];
   }
   bend(run, f, magnification);
 }
@@ -188,43 +216,48 @@ void GpcRasterZone::bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
                          const std::array<float, GpcRun::kSize>& magnification) const {
   constexpr float kPer = 1 / kMaxBend;
   constexpr float kNoDistance = 1e-9f;
+  const glm::vec2 center = center_;
+  const glm::vec2 perHalfs = perHalf_;
+  const ImageBox outerBox = outerBox_;
+  const float inner = inner_;
+  const float outer = outer_;
+  const float c1 = c1_;
+  const float c2 = c2_;
+  const float c3 = c3_;
   const float perLongest = 1 / longestSquared_;
   for (size_t i = 0; i < GpcRun::kSize; ++i) {
-    const float du = run.u[i] - center_.x;
-    const float dv = run.v[i] - center_.y;
+    const float du = run.u[i] - center.x;
+    const float dv = run.v[i] - center.y;
     const float m = magnification[i];
     const float s = m * f[i] - 1;
-    const float slope = c1_ + s * (2 * c2_ + s * (3 * c3_));
+    const float slope = c1 + s * (2 * c2 + s * (3 * c3));
     const float perSlope = 1 / slope;
     const float perF = 1 / f[i];
-    const float bend = -(2 * c2_ + s * (6 * c3_)) * perSlope;  // r'' f'^2
+    const float bend = -(2 * c2 + s * (6 * c3)) * perSlope;  // r'' f'^2
     const float m1 = (perSlope - m) * perF;
     const float m2 = (bend * perSlope * perSlope - 2 * m1) * perF;
     const float turn = 2 * m1 / m;
-    const bool isBeside = std::abs(du) * perHalf_.x >= std::abs(dv) * perHalf_.y;
-    const float perHalf = isBeside ? perHalf_.x : perHalf_.y;
-    const float off = isBeside ? dv : du;
+    const float besideX = std::abs(du) * perHalfs.x;
+    const float besideY = std::abs(dv) * perHalfs.y;
+    const float perHalf = chosen(besideX >= besideY, perHalfs.x, perHalfs.y);
+    const float off = chosen(besideX >= besideY, dv, du);
     const float along = std::abs(bend) * perHalf;
     const float across = std::abs(slope * slope * (m2 - turn * m1) * off) * (perHalf * perHalf);
-    const float mixed = std::abs(turn * slope) * perHalf;
+    const float mixed = std::abs(turn * slope) * perHalf * kPer;
     // |(R E_a, S E_t + Q E_a)| <= |(R, Q)| |E_a| + |S E_t|, and sqrt(x^2 + y^2) <= y + (sqrt(2) - 1) x for x <= y.
     constexpr float kRootLess1 = 0.41421357f;
-    const float both = std::max(along, across) + kRootLess1 * std::min(along, across);
-    const float xx = std::max(isBeside ? both * kPer : 0.0f, perLongest);
-    const float yy = std::max(isBeside ? 0.0f : both * kPer, perLongest);
+    const float both = (greaterOf(along, across) + kRootLess1 * lesserOf(along, across)) * kPer;
+    const float bounded = greaterOf(both, perLongest);
+    const float bentX = chosen(besideX >= besideY, bounded, perLongest);
+    const float bentY = chosen(besideX >= besideY, perLongest, bounded);
     // Beyond the outer edge: within the distance from there no edge reaches it.
-    const float beyondX = std::max(outerBox_.lower.x - run.u[i], run.u[i] - outerBox_.upper.x);
-    const float beyondY = std::max(outerBox_.lower.y - run.v[i], run.v[i] - outerBox_.upper.y);
-    const float farX = std::max(beyondX, 0.0f);
-    const float farY = std::max(beyondY, 0.0f);
-    const float away = std::max(run.xx[i], 1 / (farX * farX + farY * farY + kNoDistance));
-    const bool isWithin = f[i] < outer_;
-    const bool isInner = f[i] <= inner_;
-    const float x = isInner ? 0.0f : xx;
-    const float y = isInner ? 0.0f : yy;
-    run.xx[i] = isWithin ? x : away;
-    run.yy[i] = isWithin ? y : away;
-    run.xy[i] = isWithin & !isInner ? mixed * kPer : 0.0f;
+    const float beyondX = greaterOf(greaterOf(outerBox.lower.x - run.u[i], run.u[i] - outerBox.upper.x), 0);
+    const float beyondY = greaterOf(greaterOf(outerBox.lower.y - run.v[i], run.v[i] - outerBox.upper.y), 0);
+    const float reach = 1 / (beyondX * beyondX + beyondY * beyondY + kNoDistance);
+    const float away = greaterOf(run.xx[i], reach);
+    run.xx[i] = chosen(f[i] < outer, chosen(f[i] <= inner, 0, bentX), away);
+    run.yy[i] = chosen(f[i] < outer, chosen(f[i] <= inner, 0, bentY), away);
+    run.xy[i] = chosen(f[i] < outer, chosen(f[i] <= inner, 0, mixed), 0);
   }
 }
 

@@ -124,6 +124,12 @@ class GpcTriangles {
     }
   }
 
+  void prefetch(size_t triangle) const {
+    const glm::uvec3& t = projected_.mesh().triangles[triangle];
+    __builtin_prefetch(&vertices_[t.x]);
+    __builtin_prefetch(&vertices_[t.y]);
+    __builtin_prefetch(&vertices_[t.z]);
+  }
   void draw(VisibilityBuffer& buffer, uint32_t triangle) const {
     const glm::uvec3& t = projected_.mesh().triangles[triangle];
     const GpcVertex& a = vertices_[t.x];
@@ -314,6 +320,7 @@ FragmentImage drawGpc(const GpcCamera& camera, const ProjectedMesh& projected, b
   return drawParallel(camera.width(), camera.height(), projected.mesh().triangles.size(),
                       [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
                         for (size_t i = begin; i < end; ++i) {
+                          triangles.prefetch(i + 12 < end ? i + 12 : i);
                           triangles.draw(buffer, static_cast<uint32_t>(i));
                         }
                       });

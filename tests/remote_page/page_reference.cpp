@@ -115,10 +115,8 @@ Json coverNumbers() {
   Json loads = Json::array();
   for (const View& view : movedViews()) {
     const CoverLoad load = coverLoad(cover, view, request.screen, {});
-    loads.push_back({{"view", Json::parse(jsonText(view))},
-                     {"reach", load.reach},
-                     {"detail", load.detail},
-                     {"shift", load.shift}});
+    loads.push_back(
+        {{"view", Json::parse(jsonText(view))}, {"reach", load.reach}, {"detail", load.detail}, {"shift", load.shift}});
   }
   return {{"request", Json::parse(jsonText(request))},
           {"settings", Json::parse(jsonText(settings))},

@@ -105,11 +105,18 @@ class PageTest(unittest.TestCase):
         subprocess.run([REFERENCE, "picture", *names, f"{size[0]}x{size[1]}", str(folder / "out.png")], check=True)
         return base64.b64encode((folder / "out.png").read_bytes()).decode()
 
-    def compared(self, view=None, size=SIZE, left=0, top=0, quick=None):
+    def compared(self, view=None, size=SIZE, left=0, top=0, quick=False):
         """{psnr, share} between the page's picture of now, or a rectangle of it, and that of the C++ code."""
-        self.browser.evaluate(f"probe.keep('now', {json.dumps(quick) if quick is not None else 'undefined'})")
+        self.browser.evaluate(f"probe.keep('now', {json.dumps(quick)})")
         png = self.resampled(view or self.view(), size)
         return self.value(f"probe.comparedWith('now', '{png}', {{left: {left}, top: {top}}})")
+
+    def place(self, before, pixel, after):
+        """Where `after` shows what `before` shows at a pixel, from the same eye."""
+        return self.value(f"""import('/view_math.js').then(({{Pinhole}}) => {{
+            const [first, second] = [{json.dumps(before)}, {json.dumps(after)}].map((view) => new Pinhole(view, {SIZE[0]}, {SIZE[1]}));
+            return second.place(first.ray({json.dumps(pixel)}));
+        }})""")
 
     # The pure part.
 
@@ -125,8 +132,10 @@ class PageTest(unittest.TestCase):
             "planned map": 0.05,
             # Per second, over a tenth: ten times the rounding of views to floats.
             "motion": 1e-5, "ahead": 2e-6, "ahead fov": 1e-5,
-            "depth in png": 0, "depth in deflate": 0, "broken depth in png": 0, "broken depth in deflate": 0,
         }
+        # Those of this build that browsers decode: without a loss, and nothing for broken bytes.
+        for codec in json.loads(numbers)["depth"]["coded"]:
+            limits |= {f"depth in {codec}": 0, f"broken depth in {codec}": 0}
         self.assertEqual(set(worst), set(limits))
         for name, limit in limits.items():
             self.assertLessEqual(worst[name], limit, name)
@@ -155,16 +164,10 @@ class PageTest(unittest.TestCase):
 
     def test_a_drag_turns_what_is_seen_along(self):
         before = self.view()
-        image = self.value("ocelliRemote.drawn.image.id")
         self.browser.drag((320, 180), (350, 180))
         after = self.view()
-        focal = SIZE[1] / 2 / math.tan(math.radians(before["fov_vertical_degrees"]) / 2)
-        yaw = [math.atan2(v["target"][0] - v["eye"][0], v["eye"][2] - v["target"][2]) for v in (before, after)]
-        # To the left, by the angle between the two pixels, around "up".
-        self.assertAlmostEqual(yaw[0] - yaw[1], math.atan(30 / focal), places=9)
+        self.assertLess(math.dist(self.place(before, (320, 180), after), (350, 180)), 1e-3)
         self.assertEqual(before["eye"], after["eye"])
-        # From the image that was there.
-        self.assertEqual(self.value("ocelliRemote.drawn.image.id"), image)
         self.assertEqual(self.value("ocelliRemote.way"), "rays")
         self.assertGreater(self.compared()["psnr"], FINE_PSNR)
 
@@ -176,12 +179,7 @@ class PageTest(unittest.TestCase):
         factor = math.exp(200 * 0.0015)
         tangents = [math.tan(math.radians(v["fov_vertical_degrees"]) / 2) for v in (before, after)]
         self.assertAlmostEqual(tangents[0] / tangents[1], factor, places=6)
-        # What was under the mouse is there still: to 0.2 pixels, as two angles turn it around "up".
-        place = self.value(f"""import('/view_math.js').then(({{Pinhole}}) => {{
-            const pinholes = [{json.dumps(before)}, {json.dumps(after)}].map((view) => new Pinhole(view, {SIZE[0]}, {SIZE[1]}));
-            return pinholes[1].place(pinholes[0].ray([420, 240]));
-        }})""")
-        self.assertLess(math.dist(place, (420, 240)), 0.2)
+        self.assertLess(math.dist(self.place(before, (420, 240), after), (420, 240)), 1e-3)
         self.assertGreater(self.compared()["psnr"], FINE_PSNR)
 
     def test_the_eye_moves_by_depth_until_an_image_is_there(self):
@@ -190,17 +188,22 @@ class PageTest(unittest.TestCase):
         self.assertEqual(self.value("[ocelliRemote.draw(), ocelliRemote.way][1]"), "depth")
         self.assertFalse(self.value("document.getElementById('approximate').hidden"))
         self.assertIn("the eye has moved", self.value("document.getElementById('why').textContent"))
-        if self.value("ocelliRemote.drawn.image.id") == first:
-            moved = self.compared()
-            print(f"by depth {moved['psnr']:.1f} dB, {100 * moved['share']:.2f}% differ")
-            # Holes are filled from their surroundings here, and black there; samples at rims are joined in other ways.
-            self.assertLess(moved["share"], 0.03)
+        moved = self.view()
+        self.browser.evaluate("probe.keep('moved')")
+        warped = self.resampled(moved)
         self.browser.mouse("mouseReleased", 340, 184, "right")
         self.settle()
+        self.assertEqual(self.view(), moved)
         self.assertGreater(self.value("ocelliRemote.drawn.image.id"), first)
-        self.assertEqual(self.value("ocelliRemote.drawn.image.cover.reference.eye.map(Math.fround)"),
-                         self.value("ocelliRemote.view.eye.map(Math.fround)"))
+        eye = "ocelliRemote.drawn.image.cover.reference.eye.map(Math.fround)"
+        self.assertEqual(self.value(eye), self.value("ocelliRemote.view.eye.map(Math.fround)"))
         self.assertGreater(self.compared()["psnr"], FINE_PSNR)
+        # What was drawn by depth, beside what is there: not worse than the C++ code, which leaves holes black.
+        page = self.value("probe.compared(probe.now, probe.moved)")
+        cpp = self.value(f"probe.comparedWith('now', '{warped}')")
+        print(f"by depth {page['psnr']:.1f} dB, {100 * page['share']:.1f}% differ; resample {cpp['psnr']:.1f} dB, {100 * cpp['share']:.1f}%")
+        self.assertGreater(page["psnr"], cpp["psnr"] - 1)
+        self.assertGreater(page["psnr"], 22)
 
     def test_a_turn_beyond_the_image_says_so_and_asks_ahead(self):
         self.browser.drag((600, 180), (60, 180), steps=3, release=False)
@@ -240,14 +243,12 @@ class PageTest(unittest.TestCase):
         self.place_lens()
         # From the image that was there.
         self.assertGreater(self.compared_lens()["psnr"], FINE_PSNR)
-        rough = self.value("probe.keep('rough')")
         first = self.value("ocelliRemote.drawn.image.id")
         self.browser.wait(f"ocelliRemote.drawn.image.id > {first}", 60)
         self.settle()
         regions = self.value("ocelliRemote.drawn.image.layout.regions")
         self.assertTrue(any(abs(each["center"][1] - 0.5) > 0.01 for each in regions), "the lens has a region of its own")
         self.assertGreater(self.compared_lens()["psnr"], FINE_PSNR)
-        self.assertIsNone(rough)
 
     def test_a_lens_is_dragged_resized_and_zoomed_with_the_mouse(self):
         lens = self.place_lens()
@@ -343,7 +344,7 @@ class PageTest(unittest.TestCase):
     def test_all_fits_a_narrow_screen(self):
         self.open(size=(400, 700))
         self.browser.key("f")
-        boxes = self.value("""[...document.querySelectorAll('button, #figures')].filter((each) => each.offsetParent !== null).map(
+        boxes = self.value("""[...document.querySelectorAll('button, #figures')].filter((each) => each.getClientRects().length > 0).map(
             (each) => (({left, right, top, bottom}) => [left, right, top, bottom])(each.getBoundingClientRect()))""")
         self.assertGreaterEqual(len(boxes), 5)
         for left, right, top, bottom in boxes:
@@ -360,7 +361,7 @@ class PageTest(unittest.TestCase):
     def test_the_bar_fills_and_colours_show_before_depth(self):
         server = Server(*SLOW_LINK)
         try:
-            self.open(server, settle=False)
+            self.open(server, size=(1280, 720), settle=False)
             shares = []
             self.browser.wait("!document.getElementById('loading').hidden")
             colors_alone = False
@@ -420,7 +421,7 @@ class PageTest(unittest.TestCase):
             self.assertLess(times["grid"], 0.7 * times["rays"])
 
 
-SLOW_LINK = ("--slow-bytes", "60000")
+SLOW_LINK = ("--rate", "60000")
 
 if __name__ == "__main__":
     if find_chromium() is None:

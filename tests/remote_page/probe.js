@@ -2,11 +2,10 @@
 window.probe = {
   page: () => window.ocelliRemote,
 
-  /// Pixels of the picture as it is drawn now, by `draw` or as the page does; RGBA from the top left.
+  /// Pixels of the picture that `draw` draws; RGBA from the top left.
   pixels(draw) {
-    const page = this.page();
-    const {canvas, picture: {gl}} = page;
-    (draw ?? (() => page.draw()))();
+    const {canvas, picture: {gl}} = this.page();
+    draw();
     const flipped = new Uint8Array(4 * canvas.width * canvas.height);
     gl.readPixels(0, 0, canvas.width, canvas.height, gl.RGBA, gl.UNSIGNED_BYTE, flipped);
     const pixels = new Uint8Array(flipped.length);
@@ -17,10 +16,12 @@ window.probe = {
     return {data: pixels, width: canvas.width, height: canvas.height};
   },
 
+  /// The picture of now, fine or quick, under a name; and the image that it is drawn from, for image().
   keep(name, isQuick) {
     const page = this.page();
-    this[name] = this.pixels(isQuick === undefined ? undefined :
-      () => page.picture.draw(page.view, page.lensMap, [page.drawn.image], isQuick));
+    page.draw();
+    this[name] = this.pixels(() => page.picture.draw(page.view, page.lensMap, [page.drawn.image], isQuick));
+    this.kept = page.drawn.image;
   },
 
   async decoded(base64) {
@@ -57,9 +58,9 @@ window.probe = {
     return this.compared(this[name], await this.decoded(base64), options);
   },
 
-  /// Of what the page draws from: its header and the bytes of its planes, base64.
+  /// Of what the picture kept last was drawn from: its header and the bytes of its planes, base64.
   image() {
-    const {image} = this.page().drawn;
+    const image = this.kept;
     const text = (bytes) => {
       let binary = '';
       for (let i = 0; i < bytes.length; i += 0x8000) {

@@ -41,7 +41,8 @@ TEST(RemotePage, HasAllFilesThatItAsksForAndNoOthers) {
   EXPECT_EQ(files.size(), remotePageFiles().size()) << "two files have one path";
   std::set<std::string> wanted{"/"};
   for (const auto& [path, file] : files) {
-    for (const char* pattern : {R"((?:href|src)="([^":]+)")", R"(from '\./([^']+)')", R"(new URL\('\./([^']+)')"}) {
+    for (const char* pattern :
+         {R"re((?:href|src)="([^":]+)")re", R"re(from '\./([^']+)')re", R"re(new URL\('\./([^']+)')re"}) {
       for (const std::string& name : matches(file.bytes, pattern)) {
         wanted.insert("/" + name);
       }
@@ -74,7 +75,7 @@ TEST(RemotePage, HasTheColoursOfAllPages) {
   const auto files = filesByPath();
   const std::string& style = files.at("/remote.css").bytes;
   const std::set<std::string> defined = matches(style, "(--[a-z]+):");
-  for (const std::string& name : matches(style, R"(var\((--[a-z]+))")) {
+  for (const std::string& name : matches(style, R"re(var\((--[a-z]+))re")) {
     EXPECT_TRUE(defined.contains(name)) << name;
   }
   EXPECT_TRUE(defined.contains("--accent"));
@@ -86,7 +87,7 @@ TEST(RemotePage, StylesOnlyWhatIsThere) {
   for (const auto& [path, file] : files) {
     others += path.ends_with(".css") ? "" : file.bytes;
   }
-  for (const std::string& id : matches(files.at("/remote.css").bytes, R"(#([a-z][a-z-]+)[ .:,{>)])")) {
+  for (const std::string& id : matches(files.at("/remote.css").bytes, R"re(#([a-z][a-z-]+)[ .:,{>)])re")) {
     EXPECT_THAT(others, testing::HasSubstr("id=\"" + id + "\""));
   }
 }

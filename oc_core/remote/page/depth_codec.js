@@ -50,26 +50,41 @@ async function fromDeflate(bytes, width, height) {
   return depthFromResiduals(await inflated(bytes, 2 * width * height), width, height);
 }
 
-/// High byte in red, low byte in green.
-async function fromPng(bytes, width, height) {
-  const bitmap = await createImageBitmap(new Blob([bytes], {type: 'image/png'}),
-    {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
+/// The red and green channels of an image that the browser decodes.
+async function channels(bytes, type, width, height) {
+  const bitmap = await createImageBitmap(new Blob([bytes], {type}), {colorSpaceConversion: 'none', premultiplyAlpha: 'none'});
   if (bitmap.width !== width || bitmap.height !== height) {
     throw new RangeError(`the depth is ${bitmap.width}x${bitmap.height}, not ${width}x${height}`);
   }
   const context = new OffscreenCanvas(width, height).getContext('2d', {willReadFrequently: true});
   context.drawImage(bitmap, 0, 0);
+  bitmap.close();
   const {data} = context.getImageData(0, 0, width, height);
-  return Uint16Array.from({length: width * height}, (_, i) => data[4 * i] << 8 | data[4 * i + 1]);
+  return [0, 1].map((channel) => Uint8Array.from({length: width * height}, (_, i) => data[4 * i + channel]));
 }
 
-const kCodecs = {deflate: fromDeflate, png: fromPng};
+/// High byte in red, low byte in green.
+async function fromPng(bytes, width, height) {
+  const [high, low] = await channels(bytes, 'image/png', width, height);
+  return Uint16Array.from(high, (value, i) => value << 8 | low[i]);
+}
+
+/// The same of residuals.
+async function fromWebp(bytes, width, height) {
+  const [high, low] = await channels(bytes, 'image/webp', width, height);
+  const both = new Uint8Array(2 * width * height);
+  both.set(high);
+  both.set(low, high.length);
+  return depthFromResiduals(both, width, height);
+}
+
+const kCodecs = {deflate: fromDeflate, png: fromPng, webp: fromWebp};
 
 export const depthCodecNames = Object.keys(kCodecs);
 
 export async function decodedDepth(codec, bytes, width, height) {
   if (!(codec in kCodecs)) {
-    throw new RangeError(`this page decodes no depth in "${codec}", only in ${depthCodecNames.join(' and ')}`);
+    throw new RangeError(`this page decodes no depth in "${codec}", only in ${depthCodecNames.join(', ')}`);
   }
   return kCodecs[codec](bytes, width, height);
 }

@@ -1,6 +1,6 @@
 // Which views an image covers: oc_core/remote/client/image_cover.h, and how dense it is under lenses. Each number is 1 at
 // the end of what is covered, and grows on from there.
-import {GpcMap} from './gpc_map.js';
+import {GpcMap, singularValues} from './gpc_map.js';
 import {Pinhole, length, subtract, radians, degrees} from './view_math.js';
 
 export const coverLimits = {
@@ -50,7 +50,8 @@ function samplesAt(cover, direction, focal) {
   return map.rateAt(map.imageFromPinhole(within)) * reference.focal / focal;
 }
 
-/// `lenses` are the regions of the screen: they ask for as much detail in their middle as they show.
+/// `lenses` are the regions of the screen. Detail then counts for pixels of the screen as it is with them, in the middle
+/// of each and in that of the screen.
 export function coverLoad(cover, view, screen, lenses = [], limits = coverLimits) {
   const pinhole = new Pinhole(view, screen[0], screen[1]);
   const {reference} = cover;
@@ -62,11 +63,13 @@ export function coverLoad(cover, view, screen, lenses = [], limits = coverLimits
       Math.max(Math.abs(place[0] - half[0]) / half[0], Math.abs(place[1] - half[1]) / half[1]);
     reach = Math.max(reach, out);
   }
-  const middle = pinhole.ray([screen[0] / 2, screen[1] / 2]);
-  let detail = limits.leastDetail / samplesAt(cover, middle, pinhole.focal);
-  for (const lens of lenses) {
-    const at = pinhole.ray([lens.center[0] * screen[0], lens.center[1] * screen[1]]);
-    detail = Math.max(detail, limits.leastDetail / samplesAt(cover, at, pinhole.focal * Math.max(lens.zoom, 1)));
+  const lensMap = new GpcMap({sampling: 'cubic', regions: lenses}, ...screen);
+  let detail = 0;
+  for (const share of [[0.5, 0.5], ...lenses.map((lens) => lens.center)]) {
+    const pixel = [share[0] * screen[0], share[1] * screen[1]];
+    const [across, along] = singularValues(lensMap.jacobian(pixel));
+    const samples = samplesAt(cover, pinhole.ray(lensMap.pinholeFromImage(pixel)), pinhole.focal);
+    detail = Math.max(detail, limits.leastDetail / (samples * Math.sqrt(across * along)));
   }
   const offset = length(subtract(view.eye, reference.eye));
   const shift = offset === 0 ? 0 :
@@ -74,19 +77,25 @@ export function coverLoad(cover, view, screen, lenses = [], limits = coverLimits
   return {reach, detail, shift, whole: Math.max(reach, detail, shift)};
 }
 
+/// By how much wider than the screen an image is along each axis, in angles: reachOf() of oc_core/remote/remote_plan.cpp.
+function reachOf(screen, focal, reach) {
+  const most = radians(kMaxSideDegrees);
+  return screen.map((pixels) => {
+    const tangent = pixels / 2 / focal;
+    return Math.max(tangent, Math.tan(Math.min(Math.atan(tangent) * reach, most))) / tangent;
+  });
+}
+
 /// What an image that is asked for at a view will cover, by the server's settings: planRemoteImage() of
-/// oc_core/remote/remote_plan.h, without the regions of lenses.
+/// oc_core/remote/remote_plan.h, without its largest images and without the regions of lenses.
 export function plannedCover(view, screen, settings) {
-  const reach = settings.reach ?? 1;
-  const size = settings.size ?? 1;
-  const own = Math.tan(radians(view.fov_vertical_degrees) / 2);
-  const side = Math.tan(radians(kMaxSideDegrees)) / Math.max(1, screen[0] / screen[1]);
-  const wide = Math.max(own, Math.min(own * reach, side));
-  const middle = settings.middle ?? 0.5;
-  const zoom = settings.zoom ?? 1;
+  const {reach = 1, size = 1, middle = 0.5, zoom = 1, sampling = 'cubic'} = settings;
+  const wider = reachOf(screen, new Pinhole(view, ...screen).focal, reach);
+  const [width, height] = screen.map((pixels, axis) => Math.max(1, Math.round(pixels * wider[axis] * size / reach)));
+  const half = Math.tan(radians(view.fov_vertical_degrees) / 2) * wider[1];
+  const shift = (view.center_shift ?? [0, 0]).map((each) => each / wider[1]);
   const regions = zoom > 1 ?
     [{center: [0.5, 0.5], extent: [middle, middle], zoom, transition_width: 1 / middle - 1}] : [];
-  return new ImageCover({...view, fov_vertical_degrees: degrees(2 * Math.atan(wide))},
-    Math.max(1, Math.round(screen[0] * size)), Math.max(1, Math.round(screen[1] * size)),
-    {sampling: settings.sampling ?? 'cubic', regions});
+  return new ImageCover({...view, fov_vertical_degrees: degrees(2 * Math.atan(half)), center_shift: shift}, width, height,
+    {sampling, regions});
 }

@@ -11,7 +11,9 @@ const kMaxPlaneBytes = 1 << 28;
 /// Images that may be under way or in decoding at once; older ones are given up.
 const kMaxUnderWay = 4;
 
-const kMediaTypes = {png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', jxl: 'image/jxl'};
+const kMediaTypes = {
+  png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', webp_lossless: 'image/webp', jxl: 'image/jxl',
+};
 
 class Plane {
   constructor({codec, bytes}) {

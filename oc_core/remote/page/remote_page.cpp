@@ -21,8 +21,8 @@ constexpr std::array<MediaType, 3> kMediaTypes{{{".html", "text/html; charset=ut
                                                 {".js", "text/javascript; charset=utf-8"}}};
 
 RemotePageFile pageFile(const EmbeddedFile& file) {
-  const auto* const type = std::ranges::find_if(
-      kMediaTypes, [&](const MediaType& each) { return file.name.ends_with(each.suffix); });
+  const auto* const type =
+      std::ranges::find_if(kMediaTypes, [&](const MediaType& each) { return file.name.ends_with(each.suffix); });
   OC_CHECK(type != kMediaTypes.end(), "a file of the page has a known media type");
   const bool isPage = type->suffix == ".html";
   // Its colours are those of all pages.

@@ -1,6 +1,6 @@
-// The page of remote visualisation (section 5.2.1), as a server hands it out: a client in HTML, CSS and JavaScript that needs
-// WebGL2 and nothing from elsewhere. It speaks docs/remote_protocol.md with the WebSocket "ws" beside it, and passes on
-// the token of its own address.
+// The page of remote visualisation (section 5.2.1), as a server hands it out: a client in HTML, CSS and JavaScript that
+// needs WebGL2 and nothing from elsewhere. It speaks docs/remote_protocol.md with the WebSocket "ws" beside it, and
+// passes on the token of its own address.
 #pragma once
 
 #include <span>

@@ -100,23 +100,34 @@ export function turned(view, toRight, upwards) {
   return {...view, target: add(view.eye, times(direction, length(line)))};
 }
 
-/// Turned so that what was seen at pixel `from` is seen at pixel `to`, as far as two angles can.
-export function dragged(view, width, height, from, to) {
-  const {focal, center} = new Pinhole(view, width, height);
-  const angle = (p, axis) => Math.atan((p[axis] - center[axis]) / focal);
-  return turned(view, angle(from, 0) - angle(to, 0), angle(to, 1) - angle(from, 1));
+/// Turned until a direction of the world is seen at a pixel, as long as that is not too near to "up".
+function turnedUntil(view, width, height, direction, at) {
+  const kSteps = 8;  // each leaves a small part of what was amiss: "up" is not that of the screen
+  let result = view;
+  for (let i = 0; i < kSteps; ++i) {
+    const pinhole = new Pinhole(result, width, height);
+    const place = pinhole.place(direction);
+    if (place === null) {
+      break;
+    }
+    const angle = (p, axis) => Math.atan((p[axis] - pinhole.center[axis]) / pinhole.focal);
+    result = turned(result, angle(place, 0) - angle(at, 0), angle(at, 1) - angle(place, 1));
+  }
+  return result;
 }
 
-/// Closer by a factor, around what is seen at a pixel.
+/// Turned so that what was seen at pixel `from` is seen at pixel `to`.
+export function dragged(view, width, height, from, to) {
+  return turnedUntil(view, width, height, new Pinhole(view, width, height).ray(from), to);
+}
+
+/// Closer by a factor; what is seen at a pixel stays there.
 export function zoomed(view, width, height, factor, at) {
   const tangent = Math.tan(radians(view.fov_vertical_degrees) / 2) / factor;
   const [least, most] = fovLimits;
   const fov = Math.min(most, Math.max(least, degrees(2 * Math.atan(tangent))));
-  const closer = {...view, fov_vertical_degrees: fov};
-  const before = new Pinhole(view, width, height);
-  const after = new Pinhole(closer, width, height);
-  const angle = (pinhole, axis) => Math.atan((at[axis] - pinhole.center[axis]) / pinhole.focal);
-  return turned(closer, angle(before, 0) - angle(after, 0), angle(after, 1) - angle(before, 1));
+  const direction = new Pinhole(view, width, height).ray(at);
+  return turnedUntil({...view, fov_vertical_degrees: fov}, width, height, direction, at);
 }
 
 /// The eye moves by (right, up, forward) of its own view, and what it looks at moves along.
