@@ -206,7 +206,7 @@ const std::vector<AntialiasKey>& antialiasKeys() {
       {"dense", "NUMBER", "triangles a pixel from which on there is a region; 1", &readDense},
       {"placement", "grid|sheared|slanted|multijittered|jittered", "how samples lie in their pixel; slanted",
        &readPlacement},
-      {"exact", "NUMBER", "pixels that at most so many triangles meet are averaged by area, 0 to 16; 8", &readExact},
+      {"exact", "NUMBER", "pixels that at most so many triangles meet are averaged by area, 0 to 16; 4", &readExact},
       {"outside", "METHOD", "how pixels outside of the regions are drawn: another of these ways; area-64",
        &readOutside},
   };
