@@ -131,6 +131,8 @@ class PageTest(unittest.TestCase):
         limits = {
             # Both in double precision.
             "pinholeFromImage": 1e-9, "imageFromPinhole": 1e-9, "rate": 1e-9,
+            # Kept as floats, whose steps up to 1,920 are 1.2e-4.
+            "places": 1e-4,
             # Axes of views are floats there: 6e-8, and what follows from them.
             "axes": 2e-7, "focal": 2e-7, "center": 1e-4, "load": 1e-5, "shift": 1e-4, "planned focal": 2e-7, "planned size": 0,
             # Regions keep a distance of 1e-5 of the image from its border there.
@@ -140,6 +142,8 @@ class PageTest(unittest.TestCase):
             # The same frame; views ahead over up to a second.
             "frames of requests": 0, "views of requests": 1e-4, "number of requests": 0,
         }
+        # Sums of floats, which JavaScript does in double precision: levels of 1,000 have steps of 6e-5.
+        limits["smoothed levels"] = 2e-4
         # Those of this build that browsers decode: without a loss, and nothing for broken bytes.
         for codec in json.loads(numbers)["depth"]["coded"]:
             limits |= {f"depth in {codec}": 0, f"broken depth in {codec}": 0}
