@@ -154,8 +154,6 @@ RemoteImage encodeRemoteImage(const ReferenceImage& image, const RemoteSettings&
 ReferenceImage decodeRemoteImage(const std::string& headerJson, std::span<const std::byte> color,
                                  std::span<const std::byte> depth) {
   const RemoteImageHeader header = remoteImageHeaderFromJson(headerJson);
-  ReferenceImage image = blankReferenceImage("gpc", header.view, header.size.x, header.size.y);
-  image.layout = header.layout;
   const Image<Rgb8> colors = findColorCodec(header.colorCodec)->decode(color, header.size);
   RemoteDepth depths{.inverseNear = header.inverseNear, .inverseFar = header.inverseFar, .levels = header.levels};
   if (!depth.empty()) {
@@ -164,6 +162,8 @@ ReferenceImage decodeRemoteImage(const std::string& headerJson, std::span<const 
       throw InputError("a depth is larger than \"levels\"", kImage, "send it again");
     }
   }
+  ReferenceImage image = blankReferenceImage("gpc", header.view, header.size.x, header.size.y);
+  image.layout = header.layout;
   const GpcMap map(header.layout, header.size.x, header.size.y);
   parallelFor(static_cast<size_t>(header.size.y), 8, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {

@@ -13,23 +13,30 @@ namespace {
 /// Farther to the side, samples lie so far apart that more of them show next to nothing.
 constexpr double kMaxSideDegrees = 80;
 
-/// Pixels of the image.
-glm::ivec2 imageSize(const glm::ivec2& screen, double size) {
-  const glm::dvec2 wanted = glm::dvec2(screen) * size;
+/// How far an image reaches from its middle, by how far the screen does: tangents of angles.
+glm::dvec2 reachOf(const PinholeCamera& screen, double reach) {
+  const glm::dvec2 own =
+      glm::dvec2(screen.width(), screen.height()) / (2.0 * static_cast<double>(screen.focalPixels()));
+  const double most = radiansFromDegrees(kMaxSideDegrees);
+  const auto wider = [&](double tangent) {
+    return std::max(tangent, std::tan(std::min(std::atan(tangent) * reach, most))) / tangent;
+  };
+  return {wider(own.x), wider(own.y)};
+}
+
+/// Pixels of the image: `wanted` where an image may be as large.
+glm::ivec2 imageSize(const glm::dvec2& wanted) {
   const double least = std::min({1.0, kMaxCodedSide / std::max(wanted.x, wanted.y),
                                  std::sqrt(0.999 * static_cast<double>(kMaxCodedPixels) / (wanted.x * wanted.y))});
   const glm::dvec2 pixels = glm::round(wanted * least);
   return {std::max(1, static_cast<int>(pixels.x)), std::max(1, static_cast<int>(pixels.y))};
 }
 
-View widened(const RemoteRequest& request, double reach) {
+View widened(const RemoteRequest& request, double reachDown) {
   View view = request.view;
-  const double aspect = static_cast<double>(request.screen.x) / request.screen.y;
   const double own = std::tan(radiansFromDegrees(view.resolvedFovVerticalDegrees()) / 2);
-  const double side = std::tan(radiansFromDegrees(kMaxSideDegrees)) / std::max(1.0, aspect);
-  const double half = std::max(own, std::min(own * reach, side));
-  view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(half));
-  view.centerShift *= static_cast<float>(own / half);
+  view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(own * reachDown));
+  view.centerShift /= static_cast<float>(reachDown);
   return view;
 }
 
@@ -45,10 +52,12 @@ RegionWish wishOf(const GpcRegion& lens, const glm::dvec2& imageFromScreen, doub
 }  // namespace
 
 RemotePlan planRemoteImage(const RemoteRequest& request, const RemoteSettings& settings) {
+  validate(request, "request");
   validate(settings, "settings");
-  const glm::ivec2 size = imageSize(request.screen, settings.size);
   const PinholeCamera screen(request.view, request.screen.x, request.screen.y);
-  const PinholeCamera reference(widened(request, settings.reach), size.x, size.y);
+  const glm::dvec2 reach = reachOf(screen, settings.reach);
+  const glm::ivec2 size = imageSize(glm::dvec2(request.screen) * reach * (settings.size / settings.reach));
+  const PinholeCamera reference(widened(request, reach.y), size.x, size.y);
   const double rate = static_cast<double>(reference.focalPixels()) / static_cast<double>(screen.focalPixels());
   const glm::dvec2 imageFromScreen = glm::dvec2(request.screen) * rate / glm::dvec2(size);
 

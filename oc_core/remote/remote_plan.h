@@ -17,8 +17,8 @@ struct RemotePlan {
   bool operator==(const RemotePlan&) const = default;
 };
 
-/// Throws InputError where settings are not valid. The image is smaller than asked for where it would have more than
-/// kMaxCodedPixels, and less wide where it would look farther to the side than 80 degrees.
+/// Throws InputError where the request or the settings are not valid. The image is smaller than asked for where it
+/// would have more than kMaxCodedPixels, and less wide where it would look farther to the side than 80 degrees.
 RemotePlan planRemoteImage(const RemoteRequest& request, const RemoteSettings& settings);
 
 }  // namespace ocelli

@@ -1,5 +1,7 @@
 #include "oc_core/remote/remote_request.h"
 
+#include <fmt/format.h>
+
 #include <limits>
 
 #include "oc_core/base/json_fields.h"
@@ -33,6 +35,24 @@ nlohmann::ordered_json lensJson(const GpcRegion& lens) {
 
 }  // namespace
 
+void validate(const RemoteRequest& request, const std::string& where) {
+  validate(request.view, where);
+  if (!(request.view.resolvedFovVerticalDegrees() >= RemoteRequest::kMinFovDegrees)) {
+    throw InputError(fmt::format("the field of view is less than {:g} degrees", RemoteRequest::kMinFovDegrees), where,
+                     "widen \"fov_vertical_degrees\", or move the eye nearer to its target");
+  }
+  const auto isScreen = [](int side) { return side >= RemoteRequest::kMinScreen && side <= RemoteRequest::kMaxScreen; };
+  if (!isScreen(request.screen.x) || !isScreen(request.screen.y)) {
+    throw InputError(fmt::format("the screen must have {} to {} pixels a side", RemoteRequest::kMinScreen,
+                                 RemoteRequest::kMaxScreen),
+                     where, "change \"screen\"");
+  }
+  if (request.lenses.size() > RemoteRequest::kMaxLenses) {
+    throw InputError(fmt::format("there are {} lenses", request.lenses.size()), where,
+                     fmt::format("give at most {}", RemoteRequest::kMaxLenses));
+  }
+}
+
 RemoteRequest remoteRequestFromJson(const std::string& text) {
   return readAs("docs/remote_protocol.md", [&] {
     if (text.size() > RemoteRequest::kMaxTextBytes) {
@@ -54,6 +74,7 @@ RemoteRequest remoteRequestFromJson(const std::string& text) {
     fields.forEach("lenses", 0, RemoteRequest::kMaxLenses,
                    [&](JsonFields& each) { request.lenses.push_back(readLens(each)); });
     fields.rejectUnknown();
+    validate(request, kLook);
     return request;
   });
 }

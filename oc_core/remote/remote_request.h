@@ -18,6 +18,7 @@ struct RemoteRequest {
   static constexpr int kMaxScreen = 4096;
   static constexpr size_t kMaxLenses = 8;
   static constexpr size_t kMaxTextBytes = size_t{16} << 10;
+  static constexpr double kMinFovDegrees = 1e-3;  ///< vertical: below it, rays are the same in single precision
 
   uint32_t sequence = 0;  ///< from 0 to 2^31 - 1; answers repeat it
   View view;
@@ -29,8 +30,11 @@ struct RemoteRequest {
   bool operator==(const RemoteRequest&) const = default;
 };
 
+/// Throws InputError where a number is out of the ranges above, or the view is not valid (view.h).
+void validate(const RemoteRequest& request, const std::string& where);
+
 /// Strict: throws InputError for a text that is too long, is no JSON, or has a field that is missing, unknown or out of
-/// its range, and for a view that is not valid (view.h).
+/// its range, and as validate().
 RemoteRequest remoteRequestFromJson(const std::string& text);
 std::string jsonText(const RemoteRequest& request);
 
