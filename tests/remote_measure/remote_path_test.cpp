@@ -94,7 +94,7 @@ TEST(RemotePath, refusesWhatIsWrong) {
       return std::string(error.what());
     }
   };
-  EXPECT_THAT(failure("{}"), HasSubstr("at least one view"));
+  EXPECT_THAT(failure("{}"), HasSubstr("\"views\" is missing"));
   EXPECT_THAT(failure(R"({"views": []})"), HasSubstr("views"));
   EXPECT_THAT(failure(R"({"views": [{"seconds": 0}]})"), HasSubstr("view"));
   EXPECT_THAT(failure(R"({"views": [{"seconds": -1, "view": {}}]})"), HasSubstr("seconds"));
