@@ -9,7 +9,6 @@
 #include "cli/number_check.h"
 #include "cli/output_option.h"
 #include "cli/remote_command.h"
-#include "cli/remote_settings_options.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"

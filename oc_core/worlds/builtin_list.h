@@ -10,6 +10,7 @@ BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
 BuiltinScene crowdScene();
+BuiltinScene dnaScene();
 BuiltinScene doorsScene();
 BuiltinScene fenceScene();
 BuiltinScene lampScene();
@@ -18,6 +19,7 @@ BuiltinScene mazeScene();
 BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
 BuiltinScene parkingScene();
+BuiltinScene particlesScene();
 BuiltinScene pergolaScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
@@ -25,6 +27,7 @@ BuiltinScene statuesScene();
 BuiltinScene teapotScene();
 BuiltinScene torusScene();
 BuiltinScene townScene();
+BuiltinScene treeScene();
 BuiltinScene wavingScene();
 
 }  // namespace ocelli

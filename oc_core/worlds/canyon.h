@@ -18,6 +18,10 @@ struct CanyonOptions {
 inline constexpr float kCanyonHalfSize = 500;  ///< metres, along x and z
 inline constexpr float kRiverHalfWidth = 11;   ///< metres
 
+/// The triangles of a canyon, and the cells whose canyon comes nearest to so many.
+size_t canyonTriangles(size_t cells);
+size_t canyonCells(size_t triangles);
+
 /// The middle of the river on its surface, upstream: from the south edge (+z) to the north edge, with x a function of
 /// z. In metres.
 std::vector<glm::vec3> canyonPath(uint64_t seed);

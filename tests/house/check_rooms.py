@@ -26,6 +26,7 @@ THIRD_PARTIES = {
     "webp/": "PkgConfig::webp",
     "jxl/": "PkgConfig::jxl",
     "microhttpd.h": "PkgConfig::microhttpd",
+    "libwebsockets.h": "PkgConfig::libwebsockets",
     "libusb.h": "PkgConfig::libusb",
     "umockdev.h": "PkgConfig::umockdev",
     "gio/": "PkgConfig::umockdev",

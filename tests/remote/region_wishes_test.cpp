@@ -80,8 +80,8 @@ TEST(RegionWishes, TheHigherZoomIsLessWhereThereIsNoRoomForIt) {
                                   {.center = {0.6, 0.5}, .content = {0.2, 0.1}, .zoom = 8}});
   ASSERT_EQ(regions.size(), 1u);
   expectValid(regions);
-  // Alone, the second shows 0.4 / 1.25 / 8 to each side of 0.6: so both show from 0.2 to 0.64, around 0.42. That is half
-  // of what there is, with the narrowest transition 0.42 / 1.25.
+  // Alone, the second shows 0.4 / 1.25 / 8 to each side of 0.6: so both show from 0.2 to 0.64, around 0.42. That is
+  // half of what there is, with the narrowest transition 0.42 / 1.25.
   EXPECT_NEAR(regions[0].zoom, 0.42 / 1.25 / 0.22, 1e-3);
   EXPECT_GT(rateAt(regions, {0.21, 0.5}), 1.4);
 }

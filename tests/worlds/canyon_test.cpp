@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <limits>
 
+#include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/scene_source.h"
 #include "tests/scene/mesh_checks.h"
 
@@ -67,6 +68,20 @@ TEST(Canyon, HasItsRiverWhereThePathSays) {
     }
   }
   EXPECT_GT(inRiver, 500u);
+}
+
+TEST(Canyon, ComesNearAnyNumberOfTriangles) {
+  EXPECT_EQ(canyonTriangles(33), makeCanyon({4, 33}, canyonPath(4)).triangles.size());
+  for (const size_t triangles : {1u, 900u, 120'000u, 500'000u, 2'000'000u, 8'593'408u}) {
+    const size_t cells = canyonCells(triangles);
+    const auto off = [&](size_t c) {
+      return std::abs(static_cast<double>(canyonTriangles(c)) - static_cast<double>(triangles));
+    };
+    EXPECT_LE(off(cells), off(cells + 1)) << triangles;
+    EXPECT_TRUE(cells == 8 || off(cells) <= off(cells - 1)) << triangles;
+    EXPECT_LE(cells, 2048u);
+  }
+  EXPECT_EQ(triangleCount(makeBuiltinScene("builtin:canyon,triangles=120000")), canyonTriangles(canyonCells(120'000)));
 }
 
 TEST(BuiltinCanyon, ComesWithItsPathInTheWorld) {
