@@ -360,7 +360,8 @@ class RemotePage {
       best.image.drawnAt = seconds();
     }
     this.isQuick = this.isMoving && this.clock.isSlow(seconds());
-    this.way = this.picture.draw(this.view, this.lensMap, best === null ? [] : [best.image, ...behind], this.isQuick);
+    this.way = this.picture.draw(this.view, this.lensMap, best === null ? [] : [best.image, ...behind],
+      {isQuick: this.isQuick, isCovered: isWhole});
     this.drawn = best;
     this.clock.tick(seconds(), this.isQuick);
     this.panel.approximate(best === null ? '' : approximateReason(this.way, best.load));
