@@ -338,7 +338,9 @@ class RemotePage {
   }
 
   showLoading() {
-    this.panel.loading(this.stage, this.receiver.progress());
+    // The next look may already wait while an image comes.
+    const progress = this.receiver.progress();
+    this.panel.loading(progress.size > 0 ? 'Receiving' : this.stage, progress);
   }
 
   redraw() {
