@@ -57,7 +57,8 @@ export class DepthMesh {
   }
 
   /// {vertices, triangles, gaps}: of vertices the place, 1/z and where in the image (u, v) they are; their indices; and
-  /// of gaps three vertices a triangle, whose (u, v) is that of the colour it has. No block has fewer than `least` samples a side, nor more than `largest`; both are powers of 2.
+  /// of gaps three vertices a triangle, whose (u, v) is that of the colour it has. No block has fewer than `least`
+  /// samples a side, nor more than `largest`; both are powers of 2.
   build(least, largest) {
     this.least = least;
     this.vertices = new Growing(Float32Array);
@@ -79,7 +80,8 @@ export class DepthMesh {
     const right = Math.min(x + side, this.width - 1);
     const bottom = Math.min(y + side, this.height - 1);
     if (side > this.least) {
-      const plane = side <= kLargestBentBlock || this.isEven(x, y, right, bottom) ? this.planeOf(x, y, right, bottom) : null;
+      const isEven = side <= kLargestBentBlock || this.isEven(x, y, right, bottom);
+      const plane = isEven ? this.planeOf(x, y, right, bottom) : null;
       if (plane !== null) {
         this.addFlatBlock(x, y, right, bottom, plane);
         return;
@@ -99,8 +101,11 @@ export class DepthMesh {
     const kTolerance = 0.4;  // pixels of the pinhole, of which a screen has fewer
     const at = (u, v) => this.map.pinholeFromImage([u, v]);
     const [u, v] = [(left + right) / 2, (top + bottom) / 2];
-    const middles = [[u, v, [left, top], [right, bottom]], [u, top, [left, top], [right, top]], [u, bottom, [left, bottom], [right, bottom]],
-      [left, v, [left, top], [left, bottom]], [right, v, [right, top], [right, bottom]]];
+    const middles = [
+      [u, v, [left, top], [right, bottom]], [u, top, [left, top], [right, top]],
+      [u, bottom, [left, bottom], [right, bottom]], [left, v, [left, top], [left, bottom]],
+      [right, v, [right, top], [right, bottom]],
+    ];
     return middles.every(([x, y, from, to]) => {
       const [p, a, b] = [at(x, y), at(...from), at(...to)];
       return Math.hypot(p[0] - (a[0] + b[0]) / 2, p[1] - (a[1] + b[1]) / 2) <= kTolerance;
@@ -268,11 +273,11 @@ export class DepthMesh {
   }
 }
 
-/// With as few triangles as asked for, of coarser blocks where it takes that.
-export function depthMesh(image, maxTriangles, isBent) {
+/// With as few triangles as asked for, of coarser blocks where it takes that. `isBent`: seen through lenses. `least` is the
+/// side of the smallest blocks to begin with.
+export function depthMesh(image, {maxTriangles, isBent, least}) {
   const mesh = new DepthMesh(image);
   const largest = isBent ? kLargestBentBlock : kLargestBlock;
-  let least = 1;
   let built = mesh.build(least, largest);
   while (least < kLargestBentBlock && built.triangles.length / 3 + built.gaps.length / 15 > maxTriangles) {
     least *= 2;
