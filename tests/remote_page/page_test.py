@@ -373,6 +373,9 @@ class PageTest(unittest.TestCase):
         try:
             self.open(server, size=(1280, 720), settle=False)
             self.value("probe.watchLoading()")
+            # Whatever the user does, before there is a view too.
+            self.browser.wheel(600, 300, 0)
+            self.browser.drag((600, 300), (600, 300), steps=1)
             self.settle()
             shares, colors_alone = self.value("probe.loading")
             self.assertTrue(colors_alone)
