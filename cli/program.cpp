@@ -32,12 +32,14 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addCameraCommand(program, context);
   addOcriCommand(program, context);
   addResampleCommand(program, context);
+  addRemoteCommand(program, context);
   addSliceCommand(program, context);
   addObserveCommand(program, context);
   addVolumeCommand(program, context);
   addPresentCommand(program, context);
   addDitherCommand(program, context);
   addDeviceCommand(program, context);
+  addRemoteCommand(program, context);
   addEvaluateCommand(program, context);
   addShadeCommand(program, context);
   addSolidityCommand(program, context);

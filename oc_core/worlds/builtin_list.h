@@ -19,6 +19,7 @@ BuiltinScene mazeScene();
 BuiltinScene mirrorMazeScene();
 BuiltinScene mirrorScene();
 BuiltinScene parkingScene();
+BuiltinScene particlesScene();
 BuiltinScene pergolaScene();
 BuiltinScene roomScene();
 BuiltinScene sphereScene();
@@ -26,6 +27,7 @@ BuiltinScene statuesScene();
 BuiltinScene teapotScene();
 BuiltinScene torusScene();
 BuiltinScene townScene();
+BuiltinScene treeScene();
 BuiltinScene wavingScene();
 
 }  // namespace ocelli

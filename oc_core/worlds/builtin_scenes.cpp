@@ -156,10 +156,10 @@ const std::string& BuiltinValues::path(const std::string& name) const {
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
   static const std::vector<BuiltinScene> scenes{
-      teapotScene(),  roomScene(),   statuesScene(), crowdScene(),      fenceScene(),  doorsScene(),
-      boxesScene(),   mazeScene(),   townScene(),    canyonScene(),     sphereScene(), torusScene(),
-      boxScene(),     wavingScene(), mirrorScene(),  mirrorMazeScene(), lensScene(),   parkingScene(),
-      barrelsScene(), lampScene(),   pergolaScene(), dnaScene()};
+      teapotScene(),  roomScene(),   statuesScene(), crowdScene(),      fenceScene(),     doorsScene(),
+      boxesScene(),   mazeScene(),   townScene(),    canyonScene(),     sphereScene(),    torusScene(),
+      boxScene(),     wavingScene(), mirrorScene(),  mirrorMazeScene(), lensScene(),      parkingScene(),
+      barrelsScene(), lampScene(),   pergolaScene(), dnaScene(),        particlesScene(), treeScene()};
   return scenes;
 }
 
