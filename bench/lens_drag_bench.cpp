@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <functional>
+#include <thread>
 
 #include "bench/bench_program.h"
 #include "bench/timing.h"
@@ -30,6 +31,7 @@ struct LensDragChoice {
   int width = 1280;
   int height = 720;
   double viewerSeconds = 5;
+  bool gl = true;
 };
 
 /// The first lens goes around where it was.
@@ -74,12 +76,14 @@ void measureDrawing(const LensDragChoice& choice, GlContext& context, const View
                           sampling, choice.steps});
     techniques.push_back(
         {"raycast", [&](const GpcLayout& l) { paint(rays, LensesShown::Method::kRays, l); }, sampling, choice.steps});
-    techniques.push_back({"gl",
-                          [&](const GpcLayout& l) {
-                            gl.encodedColors(gl.drawOnGpu(GpcCamera(pinhole, l)), glm::vec3(0));
-                            context.gl().Finish();
-                          },
-                          sampling, 1});
+    if (choice.gl) {
+      techniques.push_back({"gl",
+                            [&](const GpcLayout& l) {
+                              gl.encodedColors(gl.drawOnGpu(GpcCamera(pinhole, l)), glm::vec3(0));
+                              context.gl().Finish();
+                            },
+                            sampling, 1});
+    }
   }
   for (int run = 0; run <= choice.runs; ++run) {
     for (DragTechnique& each : techniques) {
@@ -109,6 +113,7 @@ void measureDrawing(const LensDragChoice& choice, GlContext& context, const View
 /// The viewer as a person has it, its lens pane alone in this size.
 void measureViewer(const LensDragChoice& choice, GlContext& context, const View& view, const GpcSampling& sampling) {
   constexpr int kBars = 58;  // of the pane and the window
+  constexpr double kFrameSeconds = 1.0 / 60;
   ViewerOptions options;
   options.source = choice.scene;
   options.camera = cameraChoice(choice.camera);
@@ -149,6 +154,8 @@ void measureViewer(const LensDragChoice& choice, GlContext& context, const View&
     viewer.update(seconds - before);
     viewer.draw();
     ++frames;
+    // As a window does, which waits for its screen.
+    std::this_thread::sleep_until(start + std::chrono::duration<double>(static_cast<double>(frames) * kFrameSeconds));
     if (const auto& picture = viewer.facts().lenses.picture; picture != last) {
       last = picture;
       ++pictures;
@@ -191,5 +198,6 @@ int main(int argumentCount, char** arguments) {
   program.add_option("--steps", choice.steps, "Places of a drag")->capture_default_str();
   program.add_option("--viewer-seconds", choice.viewerSeconds, "Of each drag in the viewer; 0 leaves it out")
       ->capture_default_str();
+  program.add_flag("!--no-gl", choice.gl, "Leave OpenGL out, which takes longest by a software renderer");
   return ocelli::runProgram(program, argumentCount, arguments, choice, ocelli::measureDrag);
 }
