@@ -363,7 +363,7 @@ void expectToSurvive(size_t count, uint64_t seed) {
       return counts.connectionsNow == 0 && counts.imageBytesNow == 0;
     });
   };
-  constexpr size_t kWarmUp = 1000;
+  constexpr size_t kWarmUp = 500;
   sendHostileRequests(server.port(), kBesiegedToken, kWarmUp, seed + 1);
   ASSERT_TRUE(waitUntilAllAreGone());
   const size_t before = bytesInUse();
