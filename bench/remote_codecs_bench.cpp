@@ -17,6 +17,7 @@
 #include "oc_core/image_codecs/image_codec.h"
 #include "oc_core/ocri/resample.h"
 #include "oc_core/remote/remote_depth.h"
+#include "oc_core/render/rasterize_gpc.h"
 #include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
@@ -208,12 +209,30 @@ void printDepths(const RemoteCase& each, const RemoteTrial& trial, const RemoteB
   }
 }
 
+/// How the server's image is best drawn: along its rays, or piece by piece.
+void printDraws(const RemoteCase& each, const RemoteTrial& trial, const RemoteBenchChoice& choice) {
+  const RemotePlan plan = planRemoteImage(trial.request(), RemoteSettings{});
+  const GpcCamera camera(plan.reference, plan.layout);
+  const Mesh& mesh = trial.scene().mesh();
+  double rays = 1e30;
+  double pieces = 1e30;
+  for (int run = 0; run < choice.runs; ++run) {
+    rays = std::min(rays, processorMilliseconds([&] { trial.scene().draw(plan, 1); }));
+    pieces = std::min(pieces, processorMilliseconds(
+                                  [&] { referenceImage(rasterizeGpc(camera, mesh), mesh, plan.reference, "gpc"); }));
+  }
+  fmt::print("{:<8} {} triangles, {}x{}: rays {:.2f} s, pieces {:.2f} s\n", each.name, mesh.triangles.size(),
+             plan.reference.width(), plan.reference.height(), rays / 1000, pieces / 1000);
+  std::fflush(stdout);
+}
+
 struct RemoteTable {
   const char* name;
   void (*print)(const RemoteCase&, const RemoteTrial&, const RemoteBenchChoice&);
 };
 
-constexpr RemoteTable kRemoteTables[] = {{"plans", printPlans}, {"colors", printColors}, {"depths", printDepths}};
+constexpr RemoteTable kRemoteTables[] = {
+    {"plans", printPlans}, {"colors", printColors}, {"depths", printDepths}, {"draws", printDraws}};
 
 void measure(const RemoteBenchChoice& choice) {
   for (const RemoteCase& each : kRemoteCases) {
@@ -239,7 +258,7 @@ int main(int argumentCount, char** arguments) {
   choice.settings = {"{}"};
   ocelli::addCommonOptions(program, choice);
   program.add_option("--table", choice.table, "Which")
-      ->check(CLI::IsMember({"plans", "colors", "depths"}))
+      ->check(CLI::IsMember({"plans", "colors", "depths", "draws"}))
       ->capture_default_str();
   program.add_option("--scenes", choice.scenes, "statues, canyon, room, town; all where it is left out")
       ->delimiter(',');
