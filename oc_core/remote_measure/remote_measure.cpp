@@ -25,7 +25,7 @@ class PathMeasurement {
       : scene_(scene),
         options_(options),
         progress_(progress),
-        film_(scene, options.path, options.screen, options.settings.samples, progress) {
+        film_(scene, options.path, options.screen, options.settings.samples) {
     for (size_t i = 0; i < kMoments; ++i) {
       const size_t frame = options.path.views.size() * (2 * i + 1) / (2 * kMoments) / options.every * options.every;
       if (found_.truth.emplace(frame, film_.frame(frame)).second) {
@@ -155,6 +155,7 @@ class PathMeasurement {
       found_.leftOut.push_back(std::string(kind.name) + ": " + encoder.missing());
       return;
     }
+    film_.complete(progress_);
     std::map<double, StreamEncoder::Stream> streams;  // by the rate that they must not exceed
     for (const LinkSpeed& link : options_.links) {
       tell(fmt::format("{} over {}", kind.name, link.name()));

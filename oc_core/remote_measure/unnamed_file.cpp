@@ -55,6 +55,26 @@ void UnnamedFile::append(std::span<const std::byte> bytes) {
   }
 }
 
+void UnnamedFile::resize(uint64_t bytes) {
+  if (ftruncate(file_, static_cast<off_t>(bytes)) != 0) {
+    failUnnamed(folder_);
+  }
+}
+
+void UnnamedFile::writeAt(uint64_t offset, std::span<const std::byte> bytes) {
+  while (!bytes.empty()) {
+    const ssize_t written = pwrite(file_, bytes.data(), bytes.size(), static_cast<off_t>(offset));
+    if (written < 0 && errno == EINTR) {
+      continue;
+    }
+    if (written <= 0) {
+      failUnnamed(folder_);
+    }
+    bytes = bytes.subspan(static_cast<size_t>(written));
+    offset += static_cast<uint64_t>(written);
+  }
+}
+
 std::string UnnamedFile::path() const {
   return "/proc/" + std::to_string(getpid()) + "/fd/" + std::to_string(file_);
 }

@@ -21,10 +21,13 @@ class UnnamedFile {
   UnnamedFile& operator=(const UnnamedFile&) = delete;
 
   void append(std::span<const std::byte> bytes);
+  /// Zeros up to this size, which take no space before they are written over.
+  void resize(uint64_t bytes);
+  void writeAt(uint64_t offset, std::span<const std::byte> bytes);
   /// What other programs may open, to read or to write, while this lives.
   std::string path() const;
   uint64_t size() const;
-  /// All of it, for reading. Nothing is written afterwards.
+  /// All of it, for reading. From now on its size stays; what is written over shows.
   std::span<const std::byte> map();
 
  private:

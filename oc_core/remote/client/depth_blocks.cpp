@@ -163,12 +163,24 @@ void drawTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, in
   constexpr float kOutside = -1e-4f;
   for (int y = y0; y < y1; ++y) {
     const float v = static_cast<float>(y) + 0.5f;
-    for (int x = x0; x < x1; ++x) {
-      const float u = static_cast<float>(x) + 0.5f;
-      const auto at = [u, v](const glm::vec3& e) { return e.x * u + e.y * v + e.z; };
-      if (at(e0) >= kOutside && at(e1) >= kOutside && at(e2) >= kOutside) {
-        inverse(x, y) = std::max(inverse(x, y), at(depth));
+    // The part of the row that no edge cuts off.
+    float first = static_cast<float>(x0) + 0.5f;
+    float last = static_cast<float>(x1) - 0.5f;
+    for (const glm::vec3* e : {&e0, &e1, &e2}) {
+      const float rest = kOutside - e->y * v - e->z;
+      if (e->x > 0) {
+        first = std::max(first, rest / e->x);
+      } else if (e->x < 0) {
+        last = std::min(last, rest / e->x);
+      } else if (rest > 0) {
+        last = -1;
       }
+    }
+    const int begin = clamped(std::ceil(first - 0.5f), x0, x1);
+    const int end = clamped(std::floor(last - 0.5f) + 1, x0, x1);
+    float* const row = &inverse(0, y);
+    for (int x = begin; x < end; ++x) {
+      row[x] = std::max(row[x], depth.x * (static_cast<float>(x) + 0.5f) + depth.y * v + depth.z);
     }
   }
 }
