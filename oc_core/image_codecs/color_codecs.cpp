@@ -48,13 +48,6 @@ std::span<const ColorCodec> colorCodecs() {
        .inBrowsers = true,
        .encode = encodeLosslessWebp,
        .decode = decodeWebp},
-      {.name = "webp_near_lossless",
-       .mediaType = "image/webp",
-       .meaning = "lossless WebP of slightly changed colours",
-       .isLossless = false,
-       .inBrowsers = true,
-       .encode = encodeNearLosslessWebp,
-       .decode = decodeWebp},
 #endif
 #ifdef OCELLI_WITH_JXL
       {.name = "jxl",

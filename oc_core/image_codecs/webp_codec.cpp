@@ -67,15 +67,10 @@ std::vector<std::byte> encodeWebp(const Image<Rgb8>& image, double quality) {
 }
 
 std::vector<std::byte> encodeLosslessWebp(const Image<Rgb8>& image, double /*quality*/) {
-  return encodeNearLosslessWebp(image, 100);
-}
-
-std::vector<std::byte> encodeNearLosslessWebp(const Image<Rgb8>& image, double quality) {
   constexpr int kLevel = 4;  // of 9: higher ones take several times as long for a few bytes
   WebPConfig config;
   OC_CHECK(WebPConfigInit(&config) != 0 && WebPConfigLosslessPreset(&config, kLevel) != 0,
            "headers and library of WebP belong together");
-  config.near_lossless = static_cast<int>(quality);
   config.exact = 1;
   config.thread_level = 1;
   return webpFile(image, config);

@@ -15,10 +15,7 @@ namespace ocelli {
 /// `quality` is that of libwebp. Chroma has half the resolution, chosen such that edges stay sharp ("sharp YUV").
 std::vector<std::byte> encodeWebp(const Image<Rgb8>& image, double quality);
 std::vector<std::byte> encodeLosslessWebp(const Image<Rgb8>& image, double quality);
-/// A lossless image of colours that were changed a little where they are not smooth: by up to 1 of 255 for a quality
-/// of 80 to 99, up to 2, 4, 8 and 16 in steps of 20 below; not at 100.
-std::vector<std::byte> encodeNearLosslessWebp(const Image<Rgb8>& image, double quality);
-/// Of all. Throws InputError as ColorCodec::decode.
+/// Of both. Throws InputError as ColorCodec::decode.
 Image<Rgb8> decodeWebp(std::span<const std::byte> bytes, glm::ivec2 expectedSize);
 
 /// The residuals of depths (depth_prediction.h) as colours: the low byte in green, the high byte in red, no blue.
