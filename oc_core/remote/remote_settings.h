@@ -13,7 +13,7 @@ struct RemoteSettings {
   RemoteSettings();
 
   double reach = 1.4;
-  double size = 1.5;
+  double size = 1.25;
   double zoom = 2;
   double middle = 0.5;
   std::string sampling = "quadratic";
