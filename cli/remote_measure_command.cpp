@@ -177,6 +177,9 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
       .add_option("--peer-ms", choice->peerMilliseconds, "What the server of frames and streams takes to draw and encode one")
       ->check(numberCheck(0, 1e5))
       ->type_name("MS");
+  command.add_option("--images", options.rule.maxRequests, "How many images the client may ask for; 0: as many as it takes")
+      ->check(CLI::Range(0, 100000))
+      ->type_name("N");
   addRemoteSettingsOptions(command, options.settings);
   addFiguresOption(command, choice->json);
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a mode and link")->type_name("FILE");

@@ -15,7 +15,7 @@ constexpr size_t kPieceBytes = size_t{32} << 10;
 constexpr size_t kPieceHeader = 12 + 4;  ///< of the message, and of WebSocket's frame
 constexpr int kSizeSteps = 4;
 
-constexpr std::array<ImageMode, 4> kModes{{
+constexpr std::array<ImageMode, 5> kModes{{
     {"gpc", "general pinhole images with depth, wider than the screen and denser in the middle", true,
      [](const RemoteSettings& ours, double) { return ours; }},
     {"di", "plain pinhole images with depth, as wide and of as many bytes", true,
@@ -23,6 +23,12 @@ constexpr std::array<ImageMode, 4> kModes{{
        RemoteSettings settings = ours;
        settings.zoom = 1;
        settings.size = equalSize;
+       return settings;
+     }},
+    {"di-pixels", "plain pinhole images with depth, as wide and of as many pixels", true,
+     [](const RemoteSettings& ours, double) {
+       RemoteSettings settings = ours;
+       settings.zoom = 1;
        return settings;
      }},
     {"gpc-zoom", "general pinhole images of the screen's view and size, the middle twice as dense, without depth", false,

@@ -115,6 +115,20 @@ TEST(RemoteClient, asksNoMoreThanItMay) {
   EXPECT_GT(last, 1);
 }
 
+TEST(RemoteClient, makesDoWithSoManyImages) {
+  ClientRule rule;
+  rule.maxRequests = 2;
+  RemoteClient client(kClientScreen, planOf, rule);
+  size_t wishes = 0;
+  for (double now = 0; now < 6; now += kFrame) {
+    if (const auto wish = client.look(clientTurned(clientView(20), 0, 10 * now), now)) {
+      ++wishes;
+      client.receive(wish->sequence, imageFor(wish->view), true, now);
+    }
+  }
+  EXPECT_EQ(wishes, 2u);
+}
+
 TEST(RemoteClient, drawsFromTheImageThatServesBest) {
   ClientRule rule;
   rule.maxImages = 2;

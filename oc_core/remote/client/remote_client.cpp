@@ -50,7 +50,7 @@ std::optional<ImageWish> RemoteClient::look(const View& view, double seconds) {
   }
   std::optional<View> at = wanted(view, seconds);
   past_.emplace_back(seconds, view);
-  if (!at || (sequence_ > 0 && seconds - lastAsked_ < rule_.pauseSeconds)) {
+  if (!at || (rule_.maxRequests > 0 && sequence_ >= rule_.maxRequests) || (sequence_ > 0 && seconds - lastAsked_ < rule_.pauseSeconds)) {
     return std::nullopt;
   }
   lastAsked_ = seconds;

@@ -12,7 +12,7 @@
 //      more than `askAt` at P, and no image that was asked for will cover P, ask for P.
 //   3. At rest for `restSeconds`, where the best held image has another eye, fewer samples than a pixel in the middle,
 //      or does not cover V, and V was not asked for already: ask for V.
-// A request follows the last one by at least `pauseSeconds`, but for the first. The server draws the newest one that
+// A request follows the last one by at least `pauseSeconds`, but for the first, and there are at most `maxRequests`. The server draws the newest one that
 // it has not begun (docs/remote_protocol.md), so those in between cost nothing.
 #pragma once
 
@@ -39,6 +39,7 @@ struct ClientRule {
   double motionSeconds = 0.1;
   double pauseSeconds = 0.25;
   size_t maxImages = 4;
+  size_t maxRequests = 0;  ///< 0: as many as it takes
 };
 
 /// A request as the client makes it; the caller adds what else goes into a message.
