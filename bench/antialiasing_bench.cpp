@@ -22,9 +22,19 @@ namespace {
 
 struct AntialiasingChoice {
   std::vector<std::string> scenes{"clusters,10000", "clusters,100000", "clusters,1000000"};
-  std::vector<std::string> ways{
-      "none",    "msaa-4",   "msaa-16",   "uniform-16",           "uniform-64",           "uniform-256",
-      "area-64", "area-256", "area-1024", "extreme,tile=320x360", "extreme,tile=640x720", "extreme,tile=1280x1440"};
+  std::vector<std::string> ways{"none",
+                                "msaa-4",
+                                "msaa-16",
+                                "uniform-16",
+                                "uniform-64",
+                                "uniform-256",
+                                "uniform-400",
+                                "uniform-1024",
+                                "area-256",
+                                "area-400",
+                                "extreme,tile=320x360",
+                                "extreme,tile=640x720",
+                                "extreme,tile=1280x1440"};
   int runs = 3;
   int threads = 1;
   int width = 1280;

@@ -30,6 +30,7 @@ struct RemoteBenchChoice {
   size_t moved = 6;
   RemoteRange range;
   int directSamples = 1;
+  std::string folder;  ///< for frames as PNG; empty: none
   int runs = 1;
   int threads = 0;
   int width = 1280;
@@ -54,7 +55,10 @@ constexpr RemoteCase kRemoteCases[] = {
 class RemoteTrial {
  public:
   RemoteTrial(const RemoteCase& each, const RemoteBenchChoice& choice)
-      : scene_(loadScene(each.scene), each.scene), screen_(choice.width, choice.height) {
+      : name_(each.name),
+        folder_(choice.folder),
+        scene_(loadScene(each.scene), each.scene),
+        screen_(choice.width, choice.height) {
     request_.view = viewFromJsonText(each.view, each.name);
     request_.screen = screen_;
     double nearest = 1e9;
@@ -78,22 +82,29 @@ class RemoteTrial {
     double holes = 0;
   };
   /// Of views from the image's own eye.
-  Score turned(const ReferenceImages& images) const { return score(images, turned_, turnedDirect_); }
+  Score turned(const ReferenceImages& images) const { return score(images, turned_, turnedDirect_, "turned"); }
   /// Of views from elsewhere.
-  Score moved(const ReferenceImages& images) const { return score(images, moved_, movedDirect_); }
+  Score moved(const ReferenceImages& images) const { return score(images, moved_, movedDirect_, "moved"); }
 
  private:
-  Score score(const ReferenceImages& images, const std::vector<View>& views,
-              const std::vector<Image<Rgb8>>& direct) const {
+  Score score(const ReferenceImages& images, const std::vector<View>& views, const std::vector<Image<Rgb8>>& direct,
+              const char* kind) const {
     Score sum;
     for (size_t i = 0; i < views.size(); ++i) {
       const ResampledView frame = resample(images, PinholeCamera(views[i], screen_.x, screen_.y));
-      sum.flip += flip(srgbFromLinear(frame.color), direct[i]) / static_cast<double>(views.size());
+      const Image<Rgb8> shown = srgbFromLinear(frame.color);
+      if (!folder_.empty()) {
+        writePng(fmt::format("{}/{}_{}_{}.png", folder_, name_, kind, i), shown);
+        writePng(fmt::format("{}/{}_{}_{}_direct.png", folder_, name_, kind, i), direct[i]);
+      }
+      sum.flip += flip(shown, direct[i]) / static_cast<double>(views.size());
       sum.holes += frame.holes() / static_cast<double>(views.size());
     }
     return sum;
   }
 
+  std::string name_;
+  std::string folder_;
   RemoteScene scene_;
   glm::ivec2 screen_;
   RemoteRequest request_;
@@ -102,6 +113,16 @@ class RemoteTrial {
   std::vector<Image<Rgb8>> turnedDirect_;
   std::vector<Image<Rgb8>> movedDirect_;
 };
+
+/// The least of so many runs.
+template <class Work>
+double leastProcessorMilliseconds(int runs, const Work& work) {
+  double least = processorMilliseconds(work);
+  for (int i = 1; i < runs; ++i) {
+    least = std::min(least, processorMilliseconds(work));
+  }
+  return least;
+}
 
 ReferenceImage decoded(const RemoteImage& image) {
   return decodeRemoteImage(image.headerJson, image.color, image.depth);
@@ -133,8 +154,8 @@ void printColors(const RemoteCase& each, const RemoteTrial& trial, const RemoteB
     for (const double quality : codec.isLossless ? std::vector<double>{100} : std::vector<double>{50, 75, 85, 90, 95}) {
       std::vector<std::byte> bytes;
       Image<Rgb8> back;
-      const double encode = leastMilliseconds(choice.runs, [&] { bytes = codec.encode(colors, quality); });
-      const double decode = leastMilliseconds(choice.runs, [&] { back = codec.decode(bytes, size); });
+      const double encode = leastProcessorMilliseconds(choice.runs, [&] { bytes = codec.encode(colors, quality); });
+      const double decode = leastProcessorMilliseconds(choice.runs, [&] { back = codec.decode(bytes, size); });
       for (size_t i = 0; i < back.size(); ++i) {
         drawn.color[i] = {linearFromSrgbByte(back[i].x), linearFromSrgbByte(back[i].y), linearFromSrgbByte(back[i].z)};
       }
@@ -178,8 +199,8 @@ void printDepths(const RemoteCase& each, const RemoteTrial& trial, const RemoteB
                each.name, levels, error.x, error.y, moved.flip, 100 * moved.holes);
     for (const DepthCodec& codec : depthCodecs()) {
       std::vector<std::byte> bytes;
-      const double encode = leastMilliseconds(choice.runs, [&] { bytes = codec.encode(depth.values); });
-      const double decode = leastMilliseconds(choice.runs, [&] { codec.decode(bytes, size); });
+      const double encode = leastProcessorMilliseconds(choice.runs, [&] { bytes = codec.encode(depth.values); });
+      const double decode = leastProcessorMilliseconds(choice.runs, [&] { codec.decode(bytes, size); });
       fmt::print("    {:<10} {:>9} bytes {:>7.2f} s {:>6.2f} s\n", codec.name, bytes.size(), encode / 1000,
                  decode / 1000);
     }
@@ -232,5 +253,6 @@ int main(int argumentCount, char** arguments) {
   program
       .add_option("--direct-samples", choice.directSamples, "Along either axis of a pixel of what is drawn directly")
       ->capture_default_str();
+  program.add_option("--frames-to", choice.folder, "A folder for all frames as PNG");
   return ocelli::runProgram(program, argumentCount, arguments, choice, ocelli::measure);
 }

@@ -39,7 +39,6 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addPresentCommand(program, context);
   addDitherCommand(program, context);
   addDeviceCommand(program, context);
-  addRemoteCommand(program, context);
   addEvaluateCommand(program, context);
   addShadeCommand(program, context);
   addSolidityCommand(program, context);

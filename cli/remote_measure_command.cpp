@@ -141,9 +141,10 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
   command.add_option("--rate", choice->framesPerSecond, "Frames a second")->check(numberCheck(1, 240))->type_name("HZ");
   command.add_option("--screen", choice->screen, "The client's screen")->type_name("WIDTHxHEIGHT");
   command
-      .add_option("--link", choice->links,
-                  "Bytes a second and round trip of a link, once for each; without it 300KB/s, 1MB/s and 12.5MB/s, each "
-                  "with 20ms and 200ms")
+      .add_option(
+          "--link", choice->links,
+          "Bytes a second and round trip of a link, once for each; without it 300KB/s, 1MB/s and 12.5MB/s, each "
+          "with 20ms and 200ms")
       ->type_name("RATE:DELAY");
   command.add_option("--modes", choice->modes, modeHelp())->delimiter(',')->type_name("NAME,...");
   command.add_option("--every", choice->every, "One of so many frames is judged: PSNR and FLIP")
@@ -174,10 +175,13 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
       ->check(numberCheck(-1, 1e5))
       ->type_name("MS");
   command
-      .add_option("--peer-ms", choice->peerMilliseconds, "What the server of frames and streams takes to draw and encode one")
+      .add_option("--peer-ms", choice->peerMilliseconds,
+                  "What the server of frames and streams takes to draw and encode one")
       ->check(numberCheck(0, 1e5))
       ->type_name("MS");
-  command.add_option("--images", options.rule.maxRequests, "How many images the client may ask for; 0: as many as it takes")
+  command
+      .add_option("--images", options.rule.maxRequests,
+                  "How many images the client may ask for; 0: as many as it takes")
       ->check(CLI::Range(0, 100000))
       ->type_name("N");
   addRemoteSettingsOptions(command, options.settings);

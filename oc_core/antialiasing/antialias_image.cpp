@@ -77,7 +77,7 @@ class BlockDrawing {
     const auto place = static_cast<uint32_t>(triangles_.size());
     AntialiasTriangle& t = triangles_.emplace_back();
     PixelBounds within;
-    if (prepareTriangle(t, index, a, b, c, base_)) {
+    if (prepareTriangle(t, mesh_, index, a, b, c, base_)) {
       const glm::vec2 base(base_);
       const PixelBounds all =
           pixelsOf(view_.imageBox({t.box.lower + base, t.box.upper + base}), view_.width(), view_.height());

@@ -206,8 +206,8 @@ const std::vector<AntialiasKey>& antialiasKeys() {
       {"dense", "NUMBER", "triangles a pixel from which on there is a region; 1", &readDense},
       {"placement", "grid|sheared|slanted|multijittered|jittered", "how samples lie in their pixel; slanted",
        &readPlacement},
-      {"exact", "NUMBER", "pixels that at most so many triangles meet are averaged by area, 0 to 16; 8", &readExact},
-      {"outside", "METHOD", "how pixels outside of the regions are drawn: another of these ways; area-64",
+      {"exact", "NUMBER", "pixels that at most so many triangles meet are averaged by area, 0 to 16; 4", &readExact},
+      {"outside", "METHOD", "how pixels outside of the regions are drawn: another of these ways; area-16",
        &readOutside},
   };
   return rows;
@@ -259,7 +259,7 @@ AntialiasChoice antialiasChoice(const std::string& text, const std::string& wher
     start = end;
   }
   if (choice.method->hasRegions && !choice.outside) {
-    choice.outside = std::make_shared<const AntialiasChoice>(antialiasChoice("area-64", where));
+    choice.outside = std::make_shared<const AntialiasChoice>(antialiasChoice("area-16", where));
   }
   return choice;
 }

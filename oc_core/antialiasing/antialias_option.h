@@ -22,7 +22,7 @@ struct AntialiasChoice {
   std::string text;  ///< as the user wrote it
   int samples = 1;   ///< a pixel
   const SamplePlacement* placement = findSamplePlacement("slanted");
-  size_t maxExactTriangles = 8;
+  size_t maxExactTriangles = 4;
   // What follows is of ways that have regions.
   AntialiasTile tile;
   double dense = 1;                                ///< triangles a pixel from which on there is a region

@@ -23,8 +23,8 @@ double trianglesPerPixel(const AntialiasScene& scene, const PixelBounds& box) {
 AntialiasRegion fittedRegion(const AntialiasScene& scene, const PixelBounds& box, const AntialiasTile& tile) {
   const double density = trianglesPerPixel(scene, box);
   const int fits = std::min(tile.width / (box.x1 - box.x0), tile.height / (box.y1 - box.y0));
-  const int asked = static_cast<int>(std::ceil(kSamplesATriangleSide * std::sqrt(density)));
-  return {box, std::clamp(std::min(fits, asked), 1, SamplePattern::kMaxSide), density};
+  const int asked = static_cast<int>(std::ceil(kSideOfOneTriangle * std::pow(density, 1.0 / 6)));
+  return {box, std::clamp(std::min(fits, asked), 1, kMaxFittedSide), density};
 }
 
 std::vector<PixelBounds> objectRectangles(const AntialiasScene& scene, const std::vector<uint32_t>& objectOfTriangle,
@@ -65,13 +65,18 @@ AntialiasPlan regionPlan(const AntialiasView& view, const std::vector<AntialiasR
   plan.ruleOfPixel = Image<uint8_t>(view.width(), view.height());
   std::map<int, uint8_t> ruleOfSide;
   for (const AntialiasRegion& region : regions) {
-    ruleOfSide[region.side] = 0;
+    if (region.side * region.side > outside.pattern->size()) {
+      ruleOfSide[region.side] = 0;
+    }
   }
   for (auto& [side, rule] : ruleOfSide) {  // from few samples to many: at most kMaxSide rules
     rule = static_cast<uint8_t>(plan.rules.size());
     plan.rules.push_back({std::make_shared<SamplePattern>(side, placement), false, maxExactTriangles});
   }
   for (const AntialiasRegion& region : regions) {
+    if (!ruleOfSide.contains(region.side)) {
+      continue;
+    }
     for (int y = region.box.y0; y < region.box.y1; ++y) {
       for (int x = region.box.x0; x < region.box.x1; ++x) {
         uint8_t& rule = plan.ruleOfPixel(x, y);

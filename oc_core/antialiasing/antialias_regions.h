@@ -24,15 +24,18 @@ struct AntialiasRegion {
   double trianglesPerPixel = 0;  ///< that show, or are hidden, there
 };
 
-/// Samples along a pixel's side for each triangle along it: with more, the error hardly becomes smaller.
-inline constexpr double kSamplesATriangleSide = 8;
+/// Samples along a pixel's side where one triangle lies over each pixel. With t of them, edges are about sqrt(t) as
+/// long, and n x n samples, one in each stratum, are off by about t^(1/4) n^(-3/2): the same error takes n = this times
+/// t^(1/6). It is about a step of 8 bits.
+inline constexpr double kSideOfOneTriangle = 16;
+/// The most that is asked for by itself: what masks take (pixel_masks.h).
+inline constexpr int kMaxFittedSide = 32;
 
 /// How many triangles lie over each pixel of a box, on the average; those that lie over several blocks
 /// (antialias_bins.h) count in each.
 double trianglesPerPixel(const AntialiasScene& scene, const PixelBounds& box);
 
-/// The greatest n with which the box fits its tile, at most SamplePattern::kMaxSide, and at least 1; and no more than
-/// its triangles ask for.
+/// The greatest n with which the box fits its tile, at least 1, and no more than its triangles ask for.
 AntialiasRegion fittedRegion(const AntialiasScene& scene, const PixelBounds& box, const AntialiasTile& tile);
 
 /// Rectangles of blocks that more than `dense` triangles a pixel lie over: one around all such blocks that touch.
@@ -43,8 +46,8 @@ std::vector<PixelBounds> denseRectangles(const AntialiasScene& scene, double den
 std::vector<PixelBounds> objectRectangles(const AntialiasScene& scene, const std::vector<uint32_t>& objectOfTriangle,
                                           double dense);
 
-/// The plan: in regions n x n samples a pixel, elsewhere as `outside` says. A pixel in several regions takes the one
-/// with the most samples.
+/// The plan: in regions n x n samples a pixel, elsewhere as `outside` says. Where they overlap a pixel takes what has
+/// the most samples, `outside` included.
 AntialiasPlan regionPlan(const AntialiasView& view, const std::vector<AntialiasRegion>& regions,
                          const SamplePlacement& placement, size_t maxExactTriangles, const PixelRule& outside);
 

@@ -26,8 +26,8 @@ float inPixels(int64_t snappedValue) {
 
 }  // namespace
 
-bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
-                     const RasterVertex& c, const glm::ivec2& base) {
+bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, const RasterVertex& a,
+                     const RasterVertex& b, const RasterVertex& c, const glm::ivec2& base) {
   t.triangle = triangle;
   t.corners = {a, b, c};
   std::array<SnappedPoint, 3> p = {
@@ -40,6 +40,11 @@ bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex
     std::swap(p[1], p[2]);
     std::swap(t.corners[1], t.corners[2]);
     area = -area;
+  }
+  if (!mesh.colors.empty()) {
+    const glm::uvec3& of = mesh.triangles[triangle];
+    t.color = mesh.colors[of.x];
+    t.isOneColor = t.color == mesh.colors[of.y] && t.color == mesh.colors[of.z];
   }
   const SnappedPoint origin{base.x * kSnapped, base.y * kSnapped};
   t.perArea = static_cast<float>(1.0 / static_cast<double>(area));
@@ -69,24 +74,9 @@ bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex
   return true;
 }
 
-bool AntialiasTriangle::isOneColor(const Mesh& mesh) const {
-  if (mesh.colors.empty()) {
-    return true;
-  }
-  const glm::uvec3& t = mesh.triangles[triangle];
-  return mesh.colors[t.x] == mesh.colors[t.y] && mesh.colors[t.x] == mesh.colors[t.z];
-}
-
 glm::vec3 AntialiasTriangle::colorAt(float x, float y, const Mesh& mesh) const {
-  if (mesh.colors.empty()) {
-    return glm::vec3(1);
-  }
-  const glm::uvec3& t = mesh.triangles[triangle];
-  const glm::vec3& first = mesh.colors[t.x];
-  const glm::vec3& second = mesh.colors[t.y];
-  const glm::vec3& third = mesh.colors[t.z];
-  if (first == second && first == third) {
-    return first;
+  if (isOneColor) {
+    return color;
   }
   glm::vec3 weights;
   for (int i = 0; i < 3; ++i) {
@@ -96,7 +86,8 @@ glm::vec3 AntialiasTriangle::colorAt(float x, float y, const Mesh& mesh) const {
   weights /= weights.x + weights.y + weights.z;
   const float b1 = weights.x * corners[0].b1 + weights.y * corners[1].b1 + weights.z * corners[2].b1;
   const float b2 = weights.x * corners[0].b2 + weights.y * corners[1].b2 + weights.z * corners[2].b2;
-  return first * (1 - b1 - b2) + second * b1 + third * b2;
+  const glm::uvec3& t = mesh.triangles[triangle];
+  return mesh.colors[t.x] * (1 - b1 - b2) + mesh.colors[t.y] * b1 + mesh.colors[t.z] * b2;
 }
 
 }  // namespace ocelli

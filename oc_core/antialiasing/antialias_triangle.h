@@ -45,14 +45,15 @@ struct AntialiasTriangle {
   PixelBounds pixels;  ///< that it may show in, of the image; x1 and y1 lie beyond
   std::array<RasterVertex, 3> corners;
   uint32_t triangle = 0;
+  bool isOneColor = true;
+  glm::vec3 color{1};  ///< that of its first vertex
 
-  bool isOneColor(const Mesh& mesh) const;
   /// The linear colour at a point. Beyond its edges (multisampling) the nearest weights that lie within.
   glm::vec3 colorAt(float x, float y, const Mesh& mesh) const;
 };
 
 /// Fills `t` in. False where it covers no area. `base` is in whole pixels of the reference.
-bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
-                     const RasterVertex& c, const glm::ivec2& base);
+bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, const RasterVertex& a,
+                     const RasterVertex& b, const RasterVertex& c, const glm::ivec2& base);
 
 }  // namespace ocelli

@@ -40,7 +40,6 @@ void PixelMasks::start(const ImageBox& square, const SamplePattern& pattern) {
   }
   covered_.fill(0);
   fullRows_ = 0;
-  open_.clear();
 }
 
 bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
@@ -54,8 +53,7 @@ bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
   shown.firstRow = static_cast<int>(std::max(top, 0.0f));
   shown.lastRow = static_cast<int>(std::min(bottom, static_cast<float>(n_ - 1)));
   const int rows = shown.lastRow - shown.firstRow + 1;
-  const auto n = static_cast<double>(n_);
-  const auto side = static_cast<double>(side_);
+  const auto n = static_cast<float>(n_);
   // Along row k from the first on, an edge crosses the row at sample p + k q - offset of the row. A triangle has one or
   // two edges that its samples lie beyond, and one or two before which they lie. Two triangles that share an edge have
   // the same p and q to the last bit.
@@ -65,18 +63,18 @@ bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
   };
   std::array<Crossing, 3> from = {{{-2, 0}, {-2, 0}, {-2, 0}}};
   std::array<Crossing, 3> to = {{{64, 0}, {64, 0}, {64, 0}}};
+  const float stepPerB = side_ / n;
+  const auto firstRow = static_cast<float>(shown.firstRow);
   size_t froms = 0;
   size_t tos = 0;
   for (size_t i = 0; i < 3; ++i) {
     const BlockPlane& edge = t.edges[i];
-    const double step = static_cast<double>(edge.b) * side / n;
-    const double slope = static_cast<double>(edge.a) * side + step;
-    const double atLeft = static_cast<double>(edge.a) * static_cast<double>(square_.lower.x) +
-                          static_cast<double>(edge.b) * static_cast<double>(square_.lower.y) +
-                          static_cast<double>(edge.c) + step * shown.firstRow;
+    const float step = edge.b * stepPerB;
+    const float slope = edge.a * side_ + step;
+    const float atLeft = edge.a * square_.lower.x + edge.b * square_.lower.y + edge.c + step * firstRow;
     // Along an edge that runs with the rows, as good as none: whole rows lie on one side.
-    const double scale = slope != 0 ? n / slope : 1e30;
-    const Crossing crossing{static_cast<float>(-atLeft * scale), static_cast<float>(-step * scale)};
+    const float scale = slope != 0 ? n / slope : 1e30f;
+    const Crossing crossing{-atLeft * scale, -step * scale};
     (slope >= 0 ? from[froms++] : to[tos++]) = crossing;
   }
   const float* offset = offset_.data() + shown.firstRow;
@@ -90,7 +88,7 @@ bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
       const float begin = std::max(from[0].p + from[0].q * row, from[1].p + from[1].q * row) - shift;
       const float end = std::min(to[0].p + to[0].q * row, to[1].p + to[1].q * row) - shift;
       first[static_cast<size_t>(lane)] = ceiling(std::min(std::max(begin, 0.0f), 32.0f));
-      beyond[static_cast<size_t>(lane)] = ceiling(std::min(std::max(end, 0.0f), static_cast<float>(n_)));
+      beyond[static_cast<size_t>(lane)] = ceiling(std::min(std::max(end, 0.0f), n));
     }
     for (int lane = 0; lane < kLanes && k + lane < rows; ++lane) {
       const auto i = static_cast<size_t>(lane);
@@ -133,8 +131,8 @@ glm::vec3 PixelMasks::weighted(const Shown& shown, const Mesh& mesh) const {
     return glm::vec3(0);
   }
   const auto samples = static_cast<float>(count);
-  if (shown.triangle->isOneColor(mesh)) {
-    return shown.triangle->colorAt(0, 0, mesh) * samples;
+  if (shown.triangle->isOneColor) {
+    return shown.triangle->color * samples;
   }
   glm::vec2 sum(0);
   for (int row = shown.firstRow; row <= shown.lastRow; ++row) {
@@ -166,30 +164,32 @@ glm::vec3 PixelMasks::mean(std::span<PixelTriangle> triangles, const ImageBox& s
     return a.nearest != b.nearest ? a.nearest > b.nearest : a.triangle < b.triangle;
   });
   glm::vec3 sum(0);
+  size_t others = 0;  // of open_
   for (const PixelTriangle& each : triangles) {
     // What lies before all that follows keeps its samples.
-    for (size_t i = 0; i < open_.size();) {
+    for (size_t i = 0; i < others;) {
       if (open_[i].farthest > each.nearest) {
         sum += weighted(open_[i], mesh);
-        open_[i] = open_.back();
-        open_.pop_back();
+        open_[i] = open_[--others];
       } else {
         ++i;
       }
     }
-    if (fullRows_ == n_ && open_.empty()) {
+    if (fullRows_ == n_ && others == 0) {
       break;
     }
-    const size_t others = open_.size();
-    Shown& shown = open_.emplace_back();
+    if (others == open_.size()) {
+      open_.emplace_back();
+    }
+    Shown& shown = open_[others];
     shown.triangle = each.triangle;
     shown.farthest = each.farthest;
     if (!cover(*each.triangle, shown)) {
-      open_.pop_back();
       continue;
     }
     if (others == 0) {
       merge(shown, nullptr);
+      ++others;
       continue;
     }
     Rows taken;
@@ -198,9 +198,10 @@ glm::vec3 PixelMasks::mean(std::span<PixelTriangle> triangles, const ImageBox& s
       compare(shown, open_[i], taken);
     }
     merge(shown, &taken);
+    ++others;
   }
-  for (const Shown& each : open_) {
-    sum += weighted(each, mesh);
+  for (size_t i = 0; i < others; ++i) {
+    sum += weighted(open_[i], mesh);
   }
   uint32_t hidden = 0;
   for (int row = 0; row < n_; ++row) {

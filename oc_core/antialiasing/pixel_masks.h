@@ -62,7 +62,7 @@ class PixelMasks {
   std::array<float, kMaxRows + kLanes> offset_{};  ///< where in its stratum a row's samples lie
   Rows covered_{};
   int fullRows_ = 0;         ///< rows that are covered
-  std::vector<Shown> open_;  ///< those whose depths may overlap with what follows
+  std::vector<Shown> open_;  ///< grows; in front those whose depths may overlap with what follows
 };
 
 }  // namespace ocelli

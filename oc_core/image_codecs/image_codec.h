@@ -3,8 +3,9 @@
 // All of them compress with packages of the system, and this is the only room that knows them. A row is missing where
 // the toolkit was built without its package (docs/install.md): OCELLI_WITH_JPEG, OCELLI_WITH_WEBP, OCELLI_WITH_JXL.
 //
-// Recipe for a new one: NAME_codec.h and .cpp with its functions, its row in color_codecs.cpp or depth_codecs.cpp. The
-// tests run over all rows.
+// Recipe for a new one, two places:
+//   1. oc_core/image_codecs/NAME_codec.h and .cpp: its functions; they must hold for hostile bytes what is said below;
+//   2. oc_core/image_codecs/color_codecs.cpp, or depth_codecs.cpp in its place: its row. The tests run over all rows.
 #pragma once
 
 #include <cstddef>

@@ -18,7 +18,10 @@ struct RemoteDepth {
   double inverseFar = 1;   ///< 1/z of the value 1; more than 0, and at most inverseNear
   int levels = kMinLevels;
 
-  double inverseDepth(int value) const { return inverseFar + (inverseNear - inverseFar) * (value - 1) / (levels - 1); }
+  /// Of a value, or of what lies between two.
+  double inverseDepth(double value) const {
+    return inverseFar + (inverseNear - inverseFar) * (value - 1) / (levels - 1);
+  }
 };
 
 /// `t` is z, and 0 where nothing is seen.

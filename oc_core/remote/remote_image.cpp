@@ -10,6 +10,7 @@
 #include "oc_core/camera/gpc_map.h"
 #include "oc_core/image/color.h"
 #include "oc_core/image_codecs/image_codec.h"
+#include "oc_core/remote/depth_smoothing.h"
 #include "oc_core/remote/remote_depth.h"
 
 namespace ocelli {
@@ -165,6 +166,7 @@ ReferenceImage decodeRemoteImage(const std::string& headerJson, std::span<const 
   ReferenceImage image = blankReferenceImage("gpc", header.view, header.size.x, header.size.y);
   image.layout = header.layout;
   const GpcMap map(header.layout, header.size.x, header.size.y);
+  const Image<float> levels = smoothedLevels(depths.values);
   parallelFor(static_cast<size_t>(header.size.y), 8, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
       const int y = static_cast<int>(row);
@@ -172,7 +174,7 @@ ReferenceImage decodeRemoteImage(const std::string& headerJson, std::span<const 
         const Rgb8& rgb = colors(x, y);
         image.color(x, y) = {linearFromSrgbByte(rgb.x), linearFromSrgbByte(rgb.y), linearFromSrgbByte(rgb.z)};
         if (!depths.values.empty() && depths.values(x, y) > 0) {
-          image.t(x, y) = static_cast<float>(1 / depths.inverseDepth(depths.values(x, y)));
+          image.t(x, y) = static_cast<float>(1 / depths.inverseDepth(static_cast<double>(levels(x, y))));
           image.held(x, y) = 1;
           const glm::dvec2 center(x + 0.5, y + 0.5);
           image.displacement(x, y) = glm::vec2(center - map.pinholeFromImage(center));

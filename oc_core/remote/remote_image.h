@@ -55,8 +55,9 @@ struct RemoteImage {
 RemoteImage encodeRemoteImage(const ReferenceImage& image, const RemoteSettings& settings, uint32_t id,
                               uint32_t sequence, double drawSeconds = 0);
 
-/// The other way. Where `depth` is empty, as while it is on its way, no pixel holds a sample, and the colours serve
-/// views from the same eye alone. Throws InputError for whatever bytes are no such image.
+/// The other way; depths are smoothed within half a level (depth_smoothing.h). Where `depth` is empty, as while it is
+/// on its way, no pixel holds a sample, and the colours serve views from the same eye alone. Throws InputError for
+/// whatever bytes are no such image.
 ReferenceImage decodeRemoteImage(const std::string& headerJson, std::span<const std::byte> color,
                                  std::span<const std::byte> depth);
 

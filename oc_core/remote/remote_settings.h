@@ -13,16 +13,16 @@ struct RemoteSettings {
   RemoteSettings();
 
   double reach = 1.4;
-  double size = 1.5;
+  double size = 2;
   double zoom = 2;
   double middle = 0.5;
-  std::string sampling = "cubic";
+  std::string sampling = "quadratic";
   std::string color;
-  double quality = 80;
+  double quality = 90;
   std::string depth = "deflate";
   double translation = 0.1;
-  double depthError = 0.25;
-  int samples = 3;
+  double depthError = 1;
+  int samples = 1;
 
   bool operator==(const RemoteSettings&) const = default;
 };

@@ -31,7 +31,8 @@ constexpr std::array<ImageMode, 5> kModes{{
        settings.zoom = 1;
        return settings;
      }},
-    {"gpc-zoom", "general pinhole images of the screen's view and size, the middle twice as dense, without depth", false,
+    {"gpc-zoom", "general pinhole images of the screen's view and size, the middle twice as dense, without depth",
+     false,
      [](const RemoteSettings& ours, double) {
        RemoteSettings settings = ours;
        settings.reach = 1;
@@ -182,7 +183,8 @@ size_t bytesOnTheWire(size_t imageBytes) {
   return imageBytes + (imageBytes + kPieceBytes - 1) / kPieceBytes * kPieceHeader;
 }
 
-double equalBytesSize(const RemoteScene& scene, const View& view, const glm::ivec2& screen, const RemoteSettings& ours) {
+double equalBytesSize(const RemoteScene& scene, const View& view, const glm::ivec2& screen,
+                      const RemoteSettings& ours) {
   const RemoteRequest request{0, view, screen, {}};
   const auto bytesOf = [&](const RemoteSettings& settings) {
     const RemoteImage image = scene.answer(request, settings, 0);

@@ -1,5 +1,5 @@
-// The pictures of a path: what should be seen at each of its frames. Each is drawn when it is first asked for, and kept in
-// a file without a name, from which the peers encode them.
+// The pictures of a path: what should be seen at each of its frames. Each is drawn when it is first asked for, and kept
+// in a file without a name, from which the peers encode them.
 #pragma once
 
 #include <memory>

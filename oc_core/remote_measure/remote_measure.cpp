@@ -87,7 +87,8 @@ class PathMeasurement {
       const LinkSpeed& link = options_.links[i];
       tell(fmt::format("{} over {}", mode.name, link.name()),
            static_cast<double>(i) / static_cast<double>(options_.links.size()));
-      ImagePlayOptions play{options_.screen, options_.rule, options_.serverSeconds, options_.clientSeconds, options_.every};
+      ImagePlayOptions play{options_.screen, options_.rule, options_.serverSeconds, options_.clientSeconds,
+                            options_.every};
       PictureErrors errors;
       std::vector<size_t> judged;
       std::map<size_t, Image<Rgb8>> kept;

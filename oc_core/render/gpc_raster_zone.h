@@ -68,10 +68,10 @@ class GpcRasterZone {
   static constexpr double kMaxErrorPixels = 1.0 / 1024;
   /// How far the straight edge of a small triangle may lie beside its image.
   static constexpr double kChordPixels = 1.0 / 64;
-  /// The longest second derivative of the image along an edge, for its whole length, that strays by less: a chord is an
-  /// eighth of that off half way. The margin is for what changes along the edge, and for the triangle's middle, 4/3 of
-  /// that.
-  static constexpr float kMaxBend = static_cast<float>(8 * kChordPixels / 1.5);
+  /// The longest second derivative of the image along a straight edge, for its whole length, that strays by less. Half
+  /// way, and anywhere in a triangle, a chord is an eighth of that off; a quarter of the limit is left for the rounding
+  /// of corners to 1/256 pixel and for kMaxErrorPixels.
+  static constexpr float kMaxBend = static_cast<float>(8 * kChordPixels * 0.75);
   /// What boxes are grown by for rounding.
   static constexpr float kBoxSlack = 1.0f / 256;
 

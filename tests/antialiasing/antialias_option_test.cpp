@@ -30,7 +30,7 @@ TEST(AntialiasOption, readsWaysAndTheirKeys) {
   EXPECT_EQ(extreme.dense, 2.5);
   EXPECT_EQ(extreme.maxExactTriangles, 0U);
   EXPECT_EQ(extreme.outside->text, "msaa-16");
-  EXPECT_EQ(antialiasChoice("extreme", "").outside->text, "area-64");
+  EXPECT_EQ(antialiasChoice("extreme", "").outside->text, "area-16");
 }
 
 TEST(AntialiasOption, helpNamesEveryWayAndKey) {

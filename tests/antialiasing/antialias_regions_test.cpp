@@ -60,12 +60,12 @@ TEST(AntialiasRegions, getWhatFitsTheirTile) {
   const TwoClusters it;
   const AntialiasScene scene(it.camera, it.mesh);
   const PixelBounds box{16, 24, 48, 56};
-  // 4,000 triangles, some of which count in two blocks, on 32 x 32 pixels: 4.4 a pixel, and 8 sqrt(4.4) is 16.8. 20
-  // fit.
-  EXPECT_EQ(fittedRegion(scene, box, {640, 640}).side, 17);
+  EXPECT_EQ(fittedRegion(scene, box, {640, 640}).side, 20);
+  // 4,000 triangles, some of which count in two blocks, on 32 x 32 pixels: 4.4 a pixel, and 16 * 4.4^(1/6) is 20.5.
+  EXPECT_EQ(fittedRegion(scene, box, {6400, 6400}).side, 21);
   EXPECT_EQ(fittedRegion(scene, box, {320, 200}).side, 6);
   EXPECT_EQ(fittedRegion(scene, box, {10, 10}).side, 1);
-  EXPECT_LE(fittedRegion(scene, {104, 40, 106, 42}, {30000, 8000}).side, SamplePattern::kMaxSide);
+  EXPECT_EQ(fittedRegion(scene, {0, 88, 8, 96}, {6400, 6400}).side, 8);  // of one triangle on 64 pixels
 }
 
 TEST(AntialiasRegions, overlapsTakeTheMostSamplesAndCountOnce) {
@@ -84,6 +84,10 @@ TEST(AntialiasRegions, overlapsTakeTheMostSamplesAndCountOnce) {
       EXPECT_EQ(both(x, y), (inFirst ? fine : inSecond ? coarse : plain)(x, y)) << x << " " << y;
     }
   }
+  // Outside has as many samples as one of them: it is as good there.
+  const AntialiasPlan plan = regionPlan(it.camera, regions, sheared, 0, squareRule(4, "grid"));
+  EXPECT_EQ(plan.ruleOfPixel(100, 50), 0);
+  EXPECT_EQ(plan.ruleOfPixel(40, 40), 1);
   // Whichever comes first.
   EXPECT_EQ(scene.draw(regionPlan(it.camera, {regions[1], regions[0]}, sheared, 0, squareRule(1, "grid")), kNight),
             both);

@@ -26,7 +26,8 @@ Mesh slantedWall() {
   return mesh;
 }
 
-// 1/z of a plane is linear in the pinhole's image: the largest blocks hold it, and their depths are exact from anywhere.
+// 1/z of a plane is linear in the pinhole's image: the largest blocks hold it, and their depths are exact from
+// anywhere.
 TEST(DepthBlocks, holdAPlaneInTheLargestBlocks) {
   const Mesh wall = slantedWall();
   const ReferenceImage image = clientImage(clientView(20), {320, 160}, clientLayout(2), wall);

@@ -61,9 +61,9 @@ TEST(RemoteClient, isQuietWhereItsImageServes) {
   EXPECT_NEAR(client.tripSeconds(), 0.1, 1e-9);
 }
 
-// The view turns by 2 degrees a second. The image reaches to tan(h) = 2 tan(10) beyond its middle, the view to 10 degrees
-// beyond its own: 0.8 of the reach is where tan(10 + turned) = 0.8 * 2 tan(10). It asks when it will be there after the
-// trip and `aheadSeconds`.
+// The view turns by 2 degrees a second. The image reaches to tan(h) = 2 tan(10) beyond its middle, the view to 10
+// degrees beyond its own: 0.8 of the reach is where tan(10 + turned) = 0.8 * 2 tan(10). It asks when it will be there
+// after the trip and `aheadSeconds`.
 TEST(RemoteClient, asksAheadInTime) {
   const double trip = 0.5;
   RemoteClient client = holding(clientView(20), trip);

@@ -5,6 +5,7 @@
   const {Pinhole} = await load('view_math');
   const {ImageCover, coverLoad, plannedCover} = await load('image_cover');
   const {motionBetween, viewAhead} = await load('view_motion');
+  const {LookPlanner} = await load('look_planner');
   const {decodedDepth} = await load('depth_codec');
   const worst = {};
   const compare = (name, a, b) => {
@@ -49,6 +50,30 @@
     compare('ahead', [...there.eye, ...there.target, ...there.up], [...ahead.eye, ...ahead.target, ...ahead.up]);
     compare('ahead fov', there.fov_vertical_degrees, ahead.fov_vertical_degrees);
   }
+  const requests = all.requests;
+  const planner = new LookPlanner();
+  const images = [];
+  const underWay = [];
+  let count = 0;
+  requests.frames.forEach((view, frame) => {
+    const seconds = frame * requests.frame_seconds;
+    while (underWay.length > 0 && underWay[0].due <= seconds) {
+      const {wish, look} = underWay.shift();
+      images.push({screen: requests.screen, cover: new ImageCover(wish.planned, ...wish.size, wish.layout, requests.near)});
+      images.splice(0, images.length - 4);
+      planner.answered(look.sequence, seconds);
+    }
+    const look = planner.look({view, screen: requests.screen, lenses: [], images, settings: requests.settings, seconds});
+    if (look !== null) {
+      const wish = requests.asked[count++];
+      compare('frames of requests', frame, wish?.frame ?? Infinity);
+      compare('views of requests', [...look.view.eye, ...look.view.target, look.view.fov_vertical_degrees],
+        [...wish.view.eye, ...wish.view.target, wish.view.fov_vertical_degrees]);
+      underWay.push({due: seconds + requests.trip, wish, look});
+    }
+  });
+  compare('number of requests', count, requests.asked.length);
+  worst['requests made'] = count;
   const {size, values, coded} = all.depth;
   for (const [codec, bytes] of Object.entries(coded)) {
     compare(`depth in ${codec}`, [...await decodedDepth(codec, Uint8Array.from(bytes), ...size)], values);

@@ -1,10 +1,12 @@
 // What the page of remote visualisation is compared with: numbers and pictures of the C++ code.
 //
 //   page_reference numbers
-//     prints JSON: maps of general pinholes, rays of views, what images cover, views ahead, plans, and coded depths
+//     prints JSON: maps of general pinholes, rays of views, what images cover, views ahead, plans, when a client asks,
+//     and coded depths
 //   page_reference picture HEADER COLOR DEPTH VIEW WIDTHxHEIGHT OUT.png
 //     what a view of the image shows that these files hold as it came over the link; DEPTH may be empty
-#include <cstdio>
+#include <algorithm>
+#include <deque>
 #include <filesystem>
 #include <fstream>
 #include <glm/common.hpp>
@@ -18,8 +20,8 @@
 #include "oc_core/image_codecs/image_codec.h"
 #include "oc_core/ocri/resample.h"
 #include "oc_core/remote/client/image_cover.h"
+#include "oc_core/remote/client/remote_client.h"
 #include "oc_core/remote/client/view_motion.h"
-#include "oc_core/remote/remote_depth.h"
 #include "oc_core/remote/remote_image.h"
 #include "oc_core/remote/remote_plan.h"
 
@@ -141,6 +143,71 @@ Json motionNumbers() {
   return {{"from", Json::parse(jsonText(lookingAround()))}, {"motions", motions}};
 }
 
+/// What a user looks at, so many seconds from the beginning: rests, a turn, a zoom, and a step to the side.
+View pathView(double seconds) {
+  const auto part = [&](double begin, double end) {
+    return static_cast<float>(std::clamp(seconds, begin, end) - begin);
+  };
+  View view = movedEye(lookingAround(), {0.4f * part(4.2, 5.2), 0, 0});
+  view.target.x += 1.3f * part(1, 2.5);
+  view.fovVerticalDegrees = 30 - 12 * static_cast<double>(part(3.2, 4.2));
+  return view;
+}
+
+/// When the client asks along this path, and for what, with images of a wall that come 0.4 s later.
+Json requestNumbers() {
+  constexpr double kFrame = 1.0 / 32;
+  constexpr double kTrip = 0.4;
+  constexpr float kWallZ = 5;
+  const glm::ivec2 screen(160, 90);
+  const RemoteSettings settings;
+  const auto planned = [&](const View& view) {
+    return planRemoteImage(RemoteRequest{.view = view, .screen = screen}, settings);
+  };
+  RemoteClient client(screen, [&](const View& view) {
+    const RemotePlan plan = planned(view);
+    return ImageCover(plan.reference, plan.layout);
+  });
+  std::deque<std::pair<double, ImageWish>> underWay;
+  Json frames = Json::array();
+  Json asked = Json::array();
+  for (int i = 0; i * kFrame < 7; ++i) {
+    const double seconds = i * kFrame;
+    while (!underWay.empty() && underWay.front().first <= seconds) {
+      const auto [due, wish] = underWay.front();
+      underWay.pop_front();
+      const RemotePlan plan = planned(wish.view);
+      ReferenceImage image =
+          blankReferenceImage("gpc", plan.reference.view(), plan.reference.width(), plan.reference.height());
+      image.layout = plan.layout;
+      for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+          image.set(x, y, kWallZ, glm::vec3(1));
+        }
+      }
+      client.receive(wish.sequence, image, true, seconds);
+    }
+    const View view = pathView(seconds);
+    frames.push_back(Json::parse(jsonText(view)));
+    if (const std::optional<ImageWish> wish = client.look(view, seconds)) {
+      const RemotePlan plan = planned(wish->view);
+      underWay.emplace_back(seconds + kTrip, *wish);
+      asked.push_back({{"frame", i},
+                       {"view", Json::parse(jsonText(wish->view))},
+                       {"planned", Json::parse(jsonText(plan.reference.view()))},
+                       {"size", {plan.reference.width(), plan.reference.height()}},
+                       {"layout", Json::parse(jsonText(plan.layout))}});
+    }
+  }
+  return {{"screen", {screen.x, screen.y}},
+          {"settings", Json::parse(jsonText(settings))},
+          {"frame_seconds", kFrame},
+          {"trip", kTrip},
+          {"near", kWallZ},
+          {"frames", frames},
+          {"asked", asked}};
+}
+
 /// A slope, a step and noise: every branch of the prediction.
 Json depthNumbers() {
   Image<uint16_t> image(37, 23);
@@ -167,11 +234,8 @@ Json depthNumbers() {
 }
 
 void printNumbers() {
-  const Json all{{"maps", mapNumbers()},
-                 {"views", viewNumbers()},
-                 {"cover", coverNumbers()},
-                 {"motion", motionNumbers()},
-                 {"depth", depthNumbers()}};
+  const Json all{{"maps", mapNumbers()},      {"views", viewNumbers()},       {"cover", coverNumbers()},
+                 {"motion", motionNumbers()}, {"requests", requestNumbers()}, {"depth", depthNumbers()}};
   std::cout << all.dump() << '\n';
 }
 

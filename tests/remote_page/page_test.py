@@ -123,6 +123,8 @@ class PageTest(unittest.TestCase):
     def test_numbers_are_those_of_the_cpp_code(self):
         numbers = subprocess.run([REFERENCE, "numbers"], check=True, capture_output=True, text=True).stdout
         worst = self.value((HERE / "page_numbers.js").read_text(encoding="utf-8").strip() + f"({numbers})")
+        # A turn, a zoom and a step to the side need a request each, and those after them.
+        self.assertGreaterEqual(worst.pop("requests made"), 5)
         limits = {
             # Both in double precision.
             "pinholeFromImage": 1e-9, "imageFromPinhole": 1e-9, "rate": 1e-9,
@@ -132,6 +134,8 @@ class PageTest(unittest.TestCase):
             "planned map": 0.05,
             # Per second, over a tenth: ten times the rounding of views to floats.
             "motion": 1e-5, "ahead": 2e-6, "ahead fov": 1e-5,
+            # The same frame; views ahead over up to a second.
+            "frames of requests": 0, "views of requests": 1e-4, "number of requests": 0,
         }
         # Those of this build that browsers decode: without a loss, and nothing for broken bytes.
         for codec in json.loads(numbers)["depth"]["coded"]:

@@ -51,8 +51,8 @@ CoverLoad coverLoad(const ImageCover& image, const PinholeCamera& view, const Co
   const glm::dvec2 size(view.width(), view.height());
   const auto place = [&](const glm::dvec2& pixel) {
     const glm::dvec2 d = (pixel - glm::dvec2(view.centerPixels())) / focal;
-    return placeInPinhole(pinhole, glm::dvec3(view.forward()) + glm::dvec3(view.right()) * d.x +
-                                       glm::dvec3(view.down()) * d.y);
+    return placeInPinhole(pinhole,
+                          glm::dvec3(view.forward()) + glm::dvec3(view.right()) * d.x + glm::dvec3(view.down()) * d.y);
   };
   CoverLoad load;
   const std::array<glm::dvec2, 4> corners{{{0, 0}, {size.x, 0}, {0, size.y}, size}};

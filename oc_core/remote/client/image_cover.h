@@ -5,9 +5,10 @@
 //   reach   how far the corners of the view lie out in the image: the larger of |u - W/2| / (W/2) and |v - H/2| / (H/2)
 //           over the four corners, each where the corner's direction meets the pinhole that the image is made of.
 //           Infinite where one lies behind it. A view is convex, so its corners are enough.
-//   detail  leastDetail / (samples of the image for a pixel of the view, in the middle of the view). There the image has
-//           rate(q) focal(image) / focal(view) samples a pixel, where q is the place of the middle in the image, and rate
-//           that of gpc_map.h. Beyond the image, that of its border.
+//   detail  leastDetail / (samples of the image for a pixel of the view, in the middle of the view). There the image
+//   has
+//           rate(q) focal(image) / focal(view) samples a pixel, where q is the place of the middle in the image, and
+//           rate that of gpc_map.h. Beyond the image, that of its border.
 //   shift   how far near things have moved since the image, in heights of the view: |eye - eye(image)| focal(view) /
 //           (near height), by largestShift. `near` is the z that a twentieth of the samples are nearer than. Infinite
 //           without depth. 0 from the image's own eye.

@@ -16,9 +16,9 @@ namespace {
 constexpr int kTableSteps = 2048;  ///< of a magnification: within 1e-3 pixels of the map between its steps
 constexpr int kBlock = 4;          ///< pixels that share how many samples each stands for
 constexpr int kMaxTaps = 8;
-constexpr float kOneSample = 0.5f;     ///< up to 1 + this many samples a pixel count as one
-constexpr float kHalfSamples = 1.8f;   ///< from so many samples a pixel along both axes on, those of half the size do
-constexpr float kSameDepth = 0.05f;    ///< a gap of a pixel between such depths is closed
+constexpr float kOneSample = 0.5f;    ///< up to 1 + this many samples a pixel count as one
+constexpr float kHalfSamples = 1.8f;  ///< from so many samples a pixel along both axes on, those of half the size do
+constexpr float kSameDepth = 0.05f;   ///< a gap of a pixel between such depths is closed
 constexpr float kLastByteStep = 65535;
 
 using Four = float __attribute__((vector_size(16)));
@@ -232,8 +232,8 @@ void closeSeams(Image<float>& inverse) {
   });
 }
 
-/// Pixels of a row that nothing is known of get the colour of the farther end of their run: of the second pixel there, as
-/// the first may hold a part of the rim. How many there are.
+/// Pixels of a row that nothing is known of get the colour of the farther end of their run: of the second pixel there,
+/// as the first may hold a part of the rim. How many there are.
 size_t fillRow(int width, const float* inverse, const uint8_t* known, Rgb8* colors) {
   size_t holes = 0;
   for (int x = 0; x < width;) {
@@ -268,8 +268,9 @@ QuickImage::Level QuickImage::halved(const Level& level) {
   Level half{(level.width + 1) / 2, (level.height + 1) / 2, {}};
   half.texels.resize(static_cast<size_t>(half.width) * static_cast<size_t>(half.height));
   const auto at = [&](int x, int y) -> const Color& {
-    return level.texels[static_cast<size_t>(std::min(y, level.height - 1)) * static_cast<size_t>(level.width) +
-                        static_cast<size_t>(std::min(x, level.width - 1))]
+    return level
+        .texels[static_cast<size_t>(std::min(y, level.height - 1)) * static_cast<size_t>(level.width) +
+                static_cast<size_t>(std::min(x, level.width - 1))]
         .values;
   };
   parallelFor(static_cast<size_t>(half.height), 16, [&](size_t begin, size_t end) {

@@ -33,8 +33,7 @@ std::optional<View> RemoteClient::wanted(const View& view, double seconds) const
     const bool isRested = seconds - restingSince_ >= rule_.restSeconds;
     return !isExact && isRested && lastWish_ != view ? std::optional(view) : std::nullopt;
   }
-  const View ahead =
-      viewAhead(view, motion, std::min(tripSeconds_ + rule_.aheadSeconds, rule_.maxAheadSeconds));
+  const View ahead = viewAhead(view, motion, std::min(tripSeconds_ + rule_.aheadSeconds, rule_.maxAheadSeconds));
   if (choose(ahead).load.whole() <= rule_.askAt || isAskedFor(ahead)) {
     return std::nullopt;
   }
@@ -50,7 +49,8 @@ std::optional<ImageWish> RemoteClient::look(const View& view, double seconds) {
   }
   std::optional<View> at = wanted(view, seconds);
   past_.emplace_back(seconds, view);
-  if (!at || (rule_.maxRequests > 0 && sequence_ >= rule_.maxRequests) || (sequence_ > 0 && seconds - lastAsked_ < rule_.pauseSeconds)) {
+  if (!at || (rule_.maxRequests > 0 && sequence_ >= rule_.maxRequests) ||
+      (sequence_ > 0 && seconds - lastAsked_ < rule_.pauseSeconds)) {
     return std::nullopt;
   }
   lastAsked_ = seconds;
@@ -70,17 +70,16 @@ void RemoteClient::receive(uint32_t sequence, const ReferenceImage& image, bool 
     }
     asked_.pop_front();
   }
-  const auto held = std::find_if(images_.begin(), images_.end(),
-                                 [&](const ClientImage& each) { return each.sequence == sequence; });
+  const auto held =
+      std::find_if(images_.begin(), images_.end(), [&](const ClientImage& each) { return each.sequence == sequence; });
   if (held != images_.end()) {
     *held = ClientImage{sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth),
                         held->drawnAt};
     return;
   }
   if (images_.size() >= rule_.maxImages) {
-    images_.erase(std::min_element(images_.begin(), images_.end(), [](const ClientImage& a, const ClientImage& b) {
-      return a.drawnAt < b.drawnAt;
-    }));
+    images_.erase(std::min_element(images_.begin(), images_.end(),
+                                   [](const ClientImage& a, const ClientImage& b) { return a.drawnAt < b.drawnAt; }));
   }
   images_.push_back(
       {sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth), seconds});

@@ -12,8 +12,8 @@
 //      more than `askAt` at P, and no image that was asked for will cover P, ask for P.
 //   3. At rest for `restSeconds`, where the best held image has another eye, fewer samples than a pixel in the middle,
 //      or does not cover V, and V was not asked for already: ask for V.
-// A request follows the last one by at least `pauseSeconds`, but for the first, and there are at most `maxRequests`. The server draws the newest one that
-// it has not begun (docs/remote_protocol.md), so those in between cost nothing.
+// A request follows the last one by at least `pauseSeconds`, but for the first, and there are at most `maxRequests`.
+// The server draws the newest one that it has not begun (docs/remote_protocol.md), so those in between cost nothing.
 #pragma once
 
 #include <cstdint>

@@ -12,6 +12,7 @@ const kLongestScaledStep = 1.5;
 /// Side of the largest flat blocks, samples; where lenses bend the picture, which moves corners alone, they are smaller.
 const kLargestBlock = 32;
 const kLargestBentBlock = 8;
+const kSamplesFromRim = 3;
 
 /// Arrays that grow.
 class Growing {
@@ -215,12 +216,16 @@ export class DepthMesh {
     return [u, (i - u) / this.width];
   }
 
-  /// It has the colour of the farther side, one sample away from the rim, where colours are those of both sides.
+  /// It has the colour of the farther side, some samples away from the rim: there colours are those of both sides, by
+  /// averages and by lossy formats.
   addGap(...samples) {
     const byDepth = [...samples].sort((i, k) => this.inverse[i] - this.inverse[k]);
-    const far = byDepth[0];
-    const beyond = 2 * far - byDepth[2];
-    const [u, v] = this.sampleAt(this.isBeside(far, beyond) && this.joins(far, beyond) ? beyond : far);
+    let far = byDepth[0];
+    const step = far - byDepth[2];
+    for (let i = 0; i < kSamplesFromRim && this.isBeside(far, far + step) && this.joins(far, far + step); ++i) {
+      far += step;
+    }
+    const [u, v] = this.sampleAt(far);
     for (const i of samples) {
       this.gaps.push(this.places[2 * i], this.places[2 * i + 1], this.inverse[i], u + 0.5, v + 0.5);
     }

@@ -45,7 +45,9 @@ export class ImageReceiver {
   constructor(events, maxTriangles) {
     this.events = events;
     this.maxTriangles = maxTriangles;
-    this.underWay = new Map();
+    this.underWay = new Map();  // by their ids, which a server gives out from 1 for each connection
+    this.inDecoding = new Map();  // by numbers of their own
+    this.decodings = 0;
     this.worker = new Worker(new URL('./depth_worker.js', import.meta.url), {type: 'module'});
     this.worker.addEventListener('message', ({data}) => this.takeDepth(data));
     this.worker.addEventListener('error', (event) => events.failed(`depths cannot be decoded: ${event.message ?? ''}`));
@@ -64,6 +66,7 @@ export class ImageReceiver {
       header,
       begun: seconds,
       isBent,
+      isGivenUp: false,
       color: new Plane(header.color),
       depth: header.depth ? new Plane(header.depth) : null,
       nearZ: 0,
@@ -72,7 +75,7 @@ export class ImageReceiver {
     };
     this.underWay.set(image.id, image);
     while (this.underWay.size > kMaxUnderWay) {
-      this.underWay.delete(this.underWay.keys().next().value);
+      this.giveUp(this.underWay.values().next().value);
     }
     return image;
   }
@@ -97,6 +100,11 @@ export class ImageReceiver {
     }
   }
 
+  giveUp(image) {
+    image.isGivenUp = true;
+    this.underWay.delete(image.id);
+  }
+
   async decodeColor(image) {
     const {codec, bytes} = image.color;
     try {
@@ -110,14 +118,23 @@ export class ImageReceiver {
         throw new RangeError(`it is ${bitmap.width}x${bitmap.height}, not ${image.width}x${image.height}`);
       }
       image.bitmap = bitmap;
-      this.events.colored(image);
-      if (!image.depth) {
-        this.underWay.delete(image.id);
-      }
     } catch (error) {
+      if (!image.isGivenUp) {
+        this.giveUp(image);
+        this.events.failed(`This browser cannot decode the colours in ${codec} (${error.message}). ` +
+          'Start the server with another "--color", such as webp or png.', image.sequence);
+      }
+      return;
+    }
+    if (!image.isGivenUp) {
+      this.events.colored(image);
+      this.endWhereWhole(image);
+    }
+  }
+
+  endWhereWhole(image) {
+    if (image.bitmap !== null && (image.depth === null || image.mesh !== null)) {
       this.underWay.delete(image.id);
-      this.events.failed(`This browser cannot decode the colours in ${codec} (${error.message}). ` +
-        'Start the server with another "--color", such as webp or png.', image.sequence);
     }
   }
 
@@ -125,23 +142,26 @@ export class ImageReceiver {
     const [width, height] = [image.width, image.height];
     const {inverse_near: inverseNear, inverse_far: inverseFar, levels, codec} = image.header.depth;
     const {focal} = new Pinhole(image.view, width, height);
-    this.worker.postMessage({id: image.id, codec, bytes: image.depth.bytes, width, height, layout: image.layout,
+    this.inDecoding.set(++this.decodings, image);
+    this.worker.postMessage({id: this.decodings, codec, bytes: image.depth.bytes, width, height, layout: image.layout,
       focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, isBent: image.isBent});
   }
 
   takeDepth({id, problem, nearZ, mesh, seconds}) {
-    const image = this.underWay.get(id);
-    if (!image) {
+    const image = this.inDecoding.get(id);
+    this.inDecoding.delete(id);
+    if (image.isGivenUp) {
       return;
     }
-    this.underWay.delete(id);
     if (problem !== undefined) {
+      this.giveUp(image);
       this.events.failed(`The depth in ${image.depth.codec} cannot be decoded: ${problem}. ` +
         'Start the server with "--depth deflate".', image.sequence);
       return;
     }
     Object.assign(image, {nearZ, mesh, decodeSeconds: seconds});
     this.events.deepened(image);
+    this.endWhereWhole(image);
   }
 
   /// Bytes of the images that are on their way: {received, size}.
@@ -154,6 +174,6 @@ export class ImageReceiver {
   }
 
   forget() {
-    this.underWay.clear();
+    [...this.underWay.values()].forEach((image) => this.giveUp(image));
   }
 }

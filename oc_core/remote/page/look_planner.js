@@ -88,7 +88,7 @@ export class LookPlanner {
     }
     const time = Math.min(this.trip + lookRule.aheadSeconds, lookRule.maxAheadSeconds);
     const ahead = viewAhead(view, motion, time);
-    const load = chosenImage(images, ahead, screen, lenses).load.whole;
+    const load = Math.min(...images.map((image) => coverLoad(image.cover, ahead, screen, lenses).whole));
     return load <= lookRule.askAt || this.isAskedFor(ahead, screen, best.image.cover.nearZ) ? null :
       {view: ahead, screen, lenses};
   }

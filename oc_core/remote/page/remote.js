@@ -20,6 +20,7 @@ const kTick = 50;  // milliseconds between looks at what there is to ask
 const kFigureTick = 250;
 const kFineAfter = 150;  // milliseconds without a change, where pictures in motion are quick ones
 const kScreenLimits = [16, 4096];
+const kMaxScreenPixels = 2.5e6;  // of dense screens fewer, as an image has more than twice as many
 const kVersion = 1;
 
 const seconds = () => performance.now() / 1000;
@@ -152,8 +153,10 @@ class RemotePage {
 
   fitScreen() {
     const [least, most] = kScreenLimits;
-    const pixels = (size) => Math.min(most, Math.max(least, Math.round(size * devicePixelRatio)));
-    const [width, height] = [pixels(this.canvas.clientWidth), pixels(this.canvas.clientHeight)];
+    const {clientWidth, clientHeight} = this.canvas;
+    const density = Math.min(devicePixelRatio, Math.sqrt(kMaxScreenPixels / Math.max(1, clientWidth * clientHeight)));
+    const pixels = (size) => Math.min(most, Math.max(least, Math.round(size * density)));
+    const [width, height] = [pixels(clientWidth), pixels(clientHeight)];
     if (width !== this.canvas.width || height !== this.canvas.height) {
       this.canvas.width = width;
       this.canvas.height = height;
@@ -251,7 +254,6 @@ class RemotePage {
     this.scene = scene;
     document.title = `${scene} - Ocelli`;
     byId('scene-name').textContent = scene;
-    this.ids = new Set();
     this.ask();
     this.redraw();
   }
@@ -280,7 +282,9 @@ class RemotePage {
       oldest.bitmap.close();
     }
     this.held.push(image);
-    if (image.depth === null) {
+    if (image.mesh !== null) {
+      this.takeDepths(image);  // it came first
+    } else if (image.depth === null) {
       this.finish(image);
     }
     this.problem = '';
@@ -289,10 +293,11 @@ class RemotePage {
   }
 
   takeDepths(image) {
-    if (this.held.includes(image)) {
-      image.cover = image.cover.withNear(image.nearZ);
-      this.picture.addDepths(image);
+    if (!this.held.includes(image)) {
+      return;  // its colours are to come, or it was dropped
     }
+    image.cover = image.cover.withNear(image.nearZ);
+    this.picture.addDepths(image);
     this.finish(image);
     this.redraw();
   }
