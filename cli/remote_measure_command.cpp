@@ -150,6 +150,10 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
   command.add_option("--every", choice->every, "One of so many frames is judged: PSNR and FLIP")
       ->check(CLI::Range(1, 10000))
       ->type_name("N");
+  command
+      .add_option("--truth-samples", options.truthSamples, "Rays along either axis of a pixel of what should be seen")
+      ->check(CLI::Range(1, 8))
+      ->type_name("N");
   command.add_flag("--quick", choice->quick, "Judge a quarter of those");
   command.add_option("--jpeg-quality", options.jpegQualities, "Of JPEG frames")
       ->delimiter(',')

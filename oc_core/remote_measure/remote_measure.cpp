@@ -25,7 +25,7 @@ class PathMeasurement {
       : scene_(scene),
         options_(options),
         progress_(progress),
-        film_(scene, options.path, options.screen, options.settings.samples) {
+        film_(scene, options.path, options.screen, options.truthSamples) {
     for (size_t i = 0; i < kMoments; ++i) {
       const size_t frame = options.path.views.size() * (2 * i + 1) / (2 * kMoments) / options.every * options.every;
       if (found_.truth.emplace(frame, film_.frame(frame)).second) {

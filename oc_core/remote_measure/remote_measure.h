@@ -22,6 +22,7 @@ struct RemoteMeasureOptions {
   glm::ivec2 screen{1280, 720};
   RemoteSettings settings;
   ClientRule rule;
+  int truthSamples = 3;  ///< rays along either axis of a pixel of what should be seen
   std::vector<LinkSpeed> links = defaultLinks();
   std::vector<std::string> modes;  ///< names of remoteModes(), in the order of the report
   std::vector<double> jpegQualities{10, 50, 90};

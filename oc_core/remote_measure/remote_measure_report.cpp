@@ -130,6 +130,7 @@ std::string remoteMeasureJson(const RemoteMeasureOptions& options, const RemoteM
   json["size"] = {options.screen.x, options.screen.y};
   json["settings"] = Json::parse(jsonText(options.settings));
   json["judged_every"] = options.every;
+  json["truth_samples"] = options.truthSamples;
   json["server_seconds"] = options.serverSeconds ? Json(*options.serverSeconds) : Json();
   json["peer_seconds"] = options.peerSeconds;
   json["stream_rate_factor"] = options.streamFactor;
