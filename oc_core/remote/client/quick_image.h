@@ -5,8 +5,8 @@
 // pinhole do: their magnification is a table along f. From elsewhere the depth of the pixel is known first
 // (depth_blocks.h); with it the place in the image is a projective map too, so there is one way to look up. Pixels that
 // stand for several samples are their average, as resample() has it, but blocks of 4x4 pixels take the number of their
-// middle, up to 1.5 samples count as one, and where a pixel has more than 1.8 along both axes, they are those of the
-// image at half its size, or a quarter, or an eighth.
+// middle, up to 1.5 samples count as one, and where a pixel has more than 1.8 (the geometric mean of both axes), they
+// are those of the image at half its size, or a quarter, or an eighth.
 //
 // Beyond the borders of the image the nearest sample is taken. From elsewhere, pixels that the image knows nothing of
 // get the colour of the farther one of those beside them in their row.
@@ -48,6 +48,7 @@ class QuickImage {
   struct Level {
     int width = 0;
     int height = 0;
+    float scale = 1;  ///< its size by that of the image
     std::vector<Texel> texels;
   };
   static constexpr size_t kLevels = 4;
