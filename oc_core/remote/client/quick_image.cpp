@@ -83,11 +83,17 @@ class QuickLookup {
                uint8_t* known) const {
     for (int x0 = 0; x0 < width; x0 += kBlock) {
       const int count = std::min(kBlock, width - x0);
-      Four depth{0, 0, 0, 0};
-      for (int i = 0; inverse != nullptr && i < count; ++i) {
-        depth[i] = inverse[x0 + i];
-      }
       const auto x = static_cast<float>(x0);
+      Four depth{0, 0, 0, 0};
+      if (inverse != nullptr) {
+        std::memcpy(&depth, inverse + x0, static_cast<size_t>(count) * sizeof(float));
+        if (depth[0] == 0 && depth[1] == 0 && depth[2] == 0 && depth[3] == 0) {
+          std::fill_n(colors + x0, count, Rgb8(0));
+          std::fill_n(known + x0, count,
+                      static_cast<uint8_t>(!holdsAt(x + kBlock / 2.0f, static_cast<float>(y) + 0.5f)));
+          continue;
+        }
+      }
       const Taps& taps = tapsOfBlock[static_cast<size_t>(x0 / kBlock)];
       std::array<Color, kBlock> sums{};
       for (int j = 0; j < taps.down; ++j) {
@@ -146,6 +152,18 @@ class QuickLookup {
     return places;
   }
 
+  /// Whether the image has a sample in the direction of a point of the view.
+  bool holdsAt(float u, float v) const {
+    const Places places = placesOf(Four{} + u, v, Four{});
+    const QuickImage::Level& level = image_.levels_[0];
+    const int x =
+        static_cast<int>(std::clamp(static_cast<float>(places.x[0]), 0.0f, static_cast<float>(level.width - 1)));
+    const int y =
+        static_cast<int>(std::clamp(static_cast<float>(places.y[0]), 0.0f, static_cast<float>(level.height - 1)));
+    return level.texels[static_cast<size_t>(y) * static_cast<size_t>(level.width) + static_cast<size_t>(x)].values[3] >
+           0;
+  }
+
   /// Adds what lies between the four samples around each place, within the borders.
   static void addColors(const QuickImage::Level& level, const Places& places, std::array<Color, kBlock>& sums) {
     const auto within = [](const Four& at, float last) {
@@ -199,7 +217,7 @@ class QuickLookup {
       samples *= 2;
     }
     const auto count = [samples](float step) {
-      return std::clamp(static_cast<int>(std::ceil(step / samples - kOneSample)), 1, kMaxTaps);
+      return static_cast<int>(std::clamp(std::ceil(step / samples - kOneSample), 1.0f, static_cast<float>(kMaxTaps)));
     };
     taps.across = count(across);
     taps.down = count(down);

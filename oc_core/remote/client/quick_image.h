@@ -9,7 +9,8 @@
 // are those of the image at half its size, or a quarter, or an eighth.
 //
 // Beyond the borders of the image the nearest sample is taken. From elsewhere, pixels that the image knows nothing of
-// get the colour of the farther one of those beside them in their row.
+// get the colour of the farther one of those beside them in their row; whether it does is asked once for four pixels
+// without a surface.
 #pragma once
 
 #include <memory>
