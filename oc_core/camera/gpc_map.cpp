@@ -38,6 +38,17 @@ glm::dvec2 GpcZone::magnificationOver(const ImageBox& pinhole) const {
   return {std::min(first, last) * (1 - kRounding), std::max(first, last) * (1 + kRounding)};
 }
 
+ImageBox GpcZone::imageBox(const ImageBox& pinhole) const {
+  const glm::dvec2 factors = magnificationOver(pinhole);
+  const glm::dvec2 lower = glm::dvec2(pinhole.lower) - center_;
+  const glm::dvec2 upper = glm::dvec2(pinhole.upper) - center_;
+  const glm::dvec2 a = center_ + glm::min(lower * factors.x, lower * factors.y);
+  const glm::dvec2 b = center_ + glm::max(upper * factors.x, upper * factors.y);
+  constexpr float kSingle = 1e-6f;  // of rounding to single precision
+  const glm::vec2 slack = glm::max(glm::abs(glm::vec2(a)), glm::abs(glm::vec2(b))) * kSingle;
+  return {glm::vec2(a) - slack, glm::vec2(b) + slack};
+}
+
 GpcMap::GpcMap(GpcLayout layout, int width, int height) : layout_(std::move(layout)) {
   validate(layout_, "general pinhole camera");
   for (const GpcRegion& region : layout_.regions) {

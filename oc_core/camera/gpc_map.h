@@ -57,6 +57,8 @@ class GpcZone {
   glm::dmat2 jacobian(const glm::dvec2& image) const;
   /// What magnification() lies between for the points of the pinhole's image in a box: least, greatest.
   glm::dvec2 magnificationOver(const ImageBox& pinhole) const;
+  /// Around the images of all points of the pinhole in a box: never too small.
+  ImageBox imageBox(const ImageBox& pinhole) const;
 
  private:
   glm::dvec2 center_;

@@ -230,7 +230,7 @@ Playback playImages(const RemoteScene& scene, const RemotePath& path, const Link
       shown = {k, choice.load.isCovered()};
       if (k % options.every == 0) {
         const double from = now();
-        const Image<Rgb8> picture = client.draw(view, seconds);
+        const Image<Rgb8> picture = client.draw(view);
         drawings.push_back(now() - from);
         sink(k, picture);
       }

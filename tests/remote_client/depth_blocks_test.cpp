@@ -12,7 +12,8 @@ namespace ocelli {
 namespace {
 
 DepthBlocks blocksOf(const ReferenceImage& image) {
-  return {image, GpcMap(image.layout, image.width(), image.height()), blockTolerance(ImageCover(image).nearZ)};
+  const DepthSpan span = depthSpanOf(image);
+  return {image, GpcMap(image.layout, image.width(), image.height()), blockTolerance(span.nearZ, span.farZ)};
 }
 
 /// A slanted wall: z of the world grows to the right.

@@ -12,7 +12,8 @@ namespace ocelli {
 namespace {
 
 constexpr int kTile = 16;               ///< samples along a side of the largest block
-constexpr float kMaxShift = 0.06f;      ///< heights of a view: what CoverLimits lets near things move
+constexpr float kMaxParallax = 0.06f;   ///< heights of a view: what CoverLimits lets near things move before far ones
+constexpr double kLeastSpan = 0.02;     ///< of 1/z, by that of near things: a wall has depth, too
 constexpr float kMaxError = 0.2f;       ///< pixels
 constexpr float kJoinedFootprints = 3;  ///< steps of z between two samples of a surface, as in image_mesh.h
 constexpr float kViewLines = 720;
@@ -188,8 +189,13 @@ void drawTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, in
 
 }  // namespace
 
-float blockTolerance(double nearZ) {
-  return nearZ > 0 ? static_cast<float>(static_cast<double>(kMaxError / (kMaxShift * kViewLines)) / nearZ) : 0;
+float blockTolerance(double nearZ, double farZ) {
+  if (!(nearZ > 0)) {
+    return 0;
+  }
+  // Between far and near things there may be kMaxParallax heights: so much is the span of 1/z.
+  const double span = std::max(1 / nearZ - 1 / farZ, kLeastSpan / nearZ);
+  return static_cast<float>(static_cast<double>(kMaxError / (kMaxParallax * kViewLines)) * span);
 }
 
 DepthBlocks::DepthBlocks(const ReferenceImage& image, const GpcMap& map, float tolerance) : eye_(image.view.eye) {

@@ -354,7 +354,8 @@ QuickImage::QuickImage(const ReferenceImage& image, bool hasDepth)
     zones_.push_back(std::move(quick));
   }
   if (hasDepth) {
-    blocks_.emplace(image, map_, blockTolerance(ImageCover(image).nearZ));
+    const DepthSpan span = depthSpanOf(image);
+    blocks_.emplace(image, map_, blockTolerance(span.nearZ, span.farZ));
   }
 }
 

@@ -31,7 +31,7 @@ namespace ocelli {
 
 struct ClientRule {
   CoverLimits limits;
-  double askAt = 0.8;             ///< of the load that ends what is covered
+  double askAt = 0.95;            ///< of the load that ends what is covered
   double firstTripSeconds = 0.5;  ///< taken for the trip until an image has come
   double aheadSeconds = 0.25;
   double maxAheadSeconds = 4;
@@ -53,7 +53,7 @@ struct ClientImage {
   bool hasDepth = false;
   std::shared_ptr<const QuickImage> quick;
   ImageCover cover;
-  double drawnAt = 0;
+  double usedAt = 0;
 };
 
 class RemoteClient {
@@ -74,7 +74,7 @@ class RemoteClient {
   };
   Choice choose(const View& view) const;
   /// A picture of the view from that image; background alone where there is none.
-  Image<Rgb8> draw(const View& view, double seconds);
+  Image<Rgb8> draw(const View& view) const;
 
   const glm::ivec2& screen() const { return screen_; }
   const ClientRule& rule() const { return rule_; }
@@ -87,7 +87,7 @@ class RemoteClient {
     ImageCover cover;
     double seconds = 0;
   };
-  std::optional<View> wanted(const View& view, double seconds) const;
+  std::optional<View> wanted(const View& view, const Choice& now, double seconds) const;
   bool isAskedFor(const View& view) const;
   ViewMotion motionAt(const View& view, double seconds) const;
 
