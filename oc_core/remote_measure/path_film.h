@@ -16,7 +16,8 @@ namespace ocelli {
 
 class PathFilm {
  public:
-  /// Each pixel is the mean of `samples` x `samples` rays. Takes 3 bytes a pixel and frame on disk. The scene must outlive it.
+  /// Each pixel is the mean of `samples` x `samples` rays. Takes 3 bytes a pixel and frame on disk. The scene must
+  /// outlive it.
   PathFilm(const RemoteScene& scene, const RemotePath& path, const glm::ivec2& screen, int samples);
   /// Of frames that are there already: for tests.
   PathFilm(const std::vector<Image<Rgb8>>& frames, double framesPerSecond);
