@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kRemotePageStyle = R"css(.moments { display: grid; gap: 1.5rem; margin-top: 1rem; }
 .moment { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(26rem, 100%), 1fr)); gap: .75rem; }
-.moment img { display: block; width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px; }
+.moment img { display: block; width: 100%; height: auto; aspect-ratio: auto; border: 1px solid var(--line); border-radius: 4px; }
 .moment figure { margin: 0; }
 )css";
 
