@@ -45,7 +45,7 @@ TEST(SceneInfo, TellsOfPoints) {
   const auto info = nlohmann::json::parse(result.output);
   EXPECT_EQ(info["triangles"], 200);
   EXPECT_EQ(info["triangles_in_file"], 0);
-  EXPECT_EQ(info["points"]["count"], 100);
+  EXPECT_EQ(info["points"]["in_file"], 100);
   EXPECT_EQ(info["points"]["panels"], 100);
   EXPECT_TRUE(info["points"]["widths_from_neighbors"]);
   EXPECT_NEAR(info["points"]["median_width"].get<double>(), 1.15, 1e-4);
