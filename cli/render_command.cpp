@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/antialiased_render.h"
 #include "cli/command.h"
 #include "cli/gl_drawing.h"
 #include "cli/output_option.h"
@@ -32,6 +33,7 @@ struct RenderChoice {
   std::string view;
   std::string size;
   std::string identity;
+  std::string antialias = "none";
   std::string output;
 };
 
@@ -90,6 +92,13 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   checkSecondOutput(choice.identity, "--identity", choice.output);
   const ImageSize size = cameraImageSize(choice.camera, choice.size, kRenderSize);
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  if (choice.antialias != "none") {
+    if (!choice.identity.empty()) {
+      throw InputError("averages tell of no single object", "--identity", "leave it out, or draw without --antialias");
+    }
+    return renderAntialiased({choice.scene, choice.camera, choice.method, choice.antialias, choice.output, reference},
+                             context);
+  }
   if (namesConstructor(choice.camera)) {
     return renderMultiperspective(choice, reference, context);
   }
@@ -140,6 +149,7 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
   addGlOption(command, choice->gl);
   addViewOption(command, choice->view);
   addCameraSizeOption(command, choice->size, kRenderSize);
+  addAntialiasOption(command, choice->antialias);
   addOutputOption(command, choice->output,
                   "Where the image goes: PNG, or EXR with depth and offsets, or of graph and curved ray cameras "
                   "with depth, world points and objects",
@@ -151,6 +161,7 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
                  "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
                  "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png\n"
+                 "  ocelli render builtin:town --antialias extreme -o town.png\n"
                  "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png",
                  [choice, context] { render(*choice, context); });
 }

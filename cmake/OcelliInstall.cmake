@@ -34,6 +34,7 @@ install(FILES
 foreach(schema IN ITEMS
     display_sim/frames/profiles/display_profile.schema.json
     display_sim/viewer/viewer_script.schema.json
+    oc_core/antialiasing/antialias_regions.schema.json
     oc_core/camera/view.schema.json
     oc_core/constructor/constructor.schema.json
     oc_core/constructor/curved_ray_camera.schema.json
