@@ -24,6 +24,12 @@ uint32_t bitsIn(uint32_t x) {
   return (x + (x >> 16)) & 0x3fu;
 }
 
+/// The sum of the numbers of the set bits.
+uint32_t columnsOf(uint32_t x) {
+  return bitsIn(x & 0xaaaaaaaau) + 2 * bitsIn(x & 0xccccccccu) + 4 * bitsIn(x & 0xf0f0f0f0u) +
+         8 * bitsIn(x & 0xff00ff00u) + 16 * bitsIn(x & 0xffff0000u);
+}
+
 /// The least whole number that is not below a value, of values from 0 to 32.
 int ceiling(float value) {
   return 64 - static_cast<int>(64 - value);
@@ -136,15 +142,22 @@ glm::vec3 PixelMasks::weighted(const Shown& shown, const Mesh& mesh) const {
   if (const std::optional<glm::vec3> only = shown.triangle->onlyColor(mesh)) {
     return *only * samples;
   }
-  glm::vec2 sum(0);
+  // The sums of the samples' columns, of their shifts and of their rows.
+  uint32_t columns = 0;
+  float shifts = 0;
+  float rows = 0;
   for (int row = shown.firstRow; row <= shown.lastRow; ++row) {
-    for (uint32_t left = shown.samples[static_cast<size_t>(row)]; left != 0; left &= left - 1) {
-      sum += pointOf(row, std::countr_zero(left));
-    }
+    const uint32_t set = shown.samples[static_cast<size_t>(row)];
+    columns += columnsOf(set);
+    const auto inRow = static_cast<float>(bitsIn(set));
+    shifts += inRow * offset_[static_cast<size_t>(row)];
+    rows += inRow * static_cast<float>(row);
   }
+  const auto n = static_cast<float>(n_);
+  const float u = (static_cast<float>(columns) + shifts) / n;
+  const glm::vec2 sum = square_.lower * samples + side_ * glm::vec2(u, (rows + u) / n);
   // Colours are linear over a triangle but for its perspective within one pixel: their mean is that at the mean.
-  sum /= samples;
-  return shown.triangle->colorAt(sum.x, sum.y, mesh) * samples;
+  return shown.triangle->colorAt(sum.x / samples, sum.y / samples, mesh) * samples;
 }
 
 void PixelMasks::merge(Shown& shown, const Rows* taken) {
