@@ -25,6 +25,11 @@ class BlockTriangles {
     kept_.push_back({{a, b, c}, triangle, kNotYet});
     return static_cast<uint32_t>(kept_.size() - 1);
   }
+  /// Asks memory for one that prepared() will be called for soon.
+  void expect(uint32_t number) const {
+    __builtin_prefetch(&kept_[number]);
+    __builtin_prefetch(&kept_[number].prepared);
+  }
   /// None where it covers no area. Valid until start().
   const AntialiasTriangle* prepared(uint32_t number) {
     Kept& kept = kept_[number];

@@ -173,7 +173,10 @@ void PixelMasks::merge(Shown& shown, const Rows* taken) {
 }
 
 bool PixelMasks::draw(std::span<const PixelTriangle> sorted, BlockTriangles& triangles, const Mesh& mesh) {
-  for (const PixelTriangle& each : sorted) {
+  constexpr size_t kAheadOfMasks = 6;
+  for (size_t next = 0; next < sorted.size(); ++next) {
+    const PixelTriangle& each = sorted[next];
+    triangles.expect(sorted[std::min(next + kAheadOfMasks, sorted.size() - 1)].number);
     // What lies before all that follows keeps its samples.
     for (size_t i = 0; i < openCount_;) {
       if (open_[i].farthest > each.nearest) {
