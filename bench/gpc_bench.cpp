@@ -26,6 +26,7 @@ struct GpcBenchChoice {
   int width = 1280;
   int height = 720;
   bool subdivide = true;
+  std::string only;  ///< techniques whose names hold this, and the pinhole
 };
 
 struct GpcTechnique {
@@ -58,6 +59,9 @@ void measureView(const GpcBenchChoice& choice, const char* viewName, const View&
           {name + ", subdivided", [&camera = camera, &mesh] { rasterize(camera, mesh, gpcSubdivision(camera)); }});
     }
   }
+  std::erase_if(techniques, [&](const GpcTechnique& each) {
+    return &each != techniques.data() && each.name.find(choice.only) == std::string::npos;
+  });
   for (int run = 0; run <= choice.runs; ++run) {  // the first is not counted
     for (GpcTechnique& technique : techniques) {
       const double time = processorMilliseconds(technique.draw);
@@ -93,6 +97,7 @@ int main(int argumentCount, char** arguments) {
   program.add_option("--scene", choice.scene, "{} stands for the triangles");
   program.add_option("--triangles", choice.triangles, "How many")->delimiter(',');
   program.add_option("--fov", choice.fovDegrees, "Of the view that the scene fills, degrees")->capture_default_str();
+  program.add_option("--only", choice.only, "Only the techniques whose names hold this, and the pinhole");
   program.add_flag("!--no-subdivision", choice.subdivide, "Leave subdivision out, which takes longest");
   return ocelli::runProgram(program, argumentCount, arguments, choice, ocelli::measure);
 }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "cli/camera_compare.h"
 #include "cli/command.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
@@ -352,13 +353,14 @@ void addEdit(CLI::App& camera, const CommandContext& context) {
 }  // namespace
 
 void addCameraCommand(CLI::App& program, const CommandContext& context) {
-  CLI::App& camera = *program.add_subcommand(
-      "camera", "List cameras and their options; show, describe and edit graph and curved ray cameras");
+  CLI::App& camera =
+      *program.add_subcommand("camera", "List cameras and their options; show, compare, describe and edit them");
   camera.require_subcommand(1);
   addCameraList(camera, context);
   addShow(camera, context);
   addCameraInfo(camera, context);
   addEdit(camera, context);
+  addCameraCompare(camera, context);
 }
 
 }  // namespace ocelli

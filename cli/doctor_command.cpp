@@ -46,6 +46,12 @@ constexpr bool kWithEmulator = true;
 constexpr bool kWithEmulator = false;
 #endif
 
+#ifdef OCELLI_WITH_REMOTE
+constexpr bool kWithRemote = true;
+#else
+constexpr bool kWithRemote = false;
+#endif
+
 struct UsbFindings {
   size_t displays = 0;
   std::string problem;          ///< why USB, or a display on it, cannot be used; empty where all can
@@ -166,6 +172,7 @@ std::string asJson(const Findings& findings) {
        {{"built", kWithEmulator},
         {"works", kWithEmulator && findings.usb.emulatorProblem.empty()},
         {"problem", findings.usb.emulatorProblem}}},
+      {"remote", {{"built", kWithRemote}}},
       {"opengl", anyProvider(findings, "works", true)},
       {"gpu", anyProvider(findings, "software", false)},
       {"providers", findings.providers}};
@@ -226,6 +233,9 @@ std::string asText(const Findings& findings) {
                                         : "not found; it makes films of series of images (apt-get install ffmpeg)");
   text += row("usb", usbText(findings.usb));
   text += row("emulator", emulatorText(findings.usb));
+  text += row("remote", kWithRemote ? "works (ocelli remote serve)"
+                                    : "built without it (OCELLI_WITH_REMOTE=OFF); ocelli remote serve needs "
+                                      "libwebsockets (apt-get install libwebsockets-dev)");
   if (kWithOpenGl) {
     text +=
         row("font", findings.font.value_or("none found; panels use a plain one (apt-get install fonts-dejavu-core)"));

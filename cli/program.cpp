@@ -32,6 +32,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addCameraCommand(program, context);
   addOcriCommand(program, context);
   addResampleCommand(program, context);
+  addRemoteCommand(program, context);
   addSliceCommand(program, context);
   addObserveCommand(program, context);
   addVolumeCommand(program, context);

@@ -68,8 +68,12 @@ std::string listAsJson() {
   return textOfJson(scenes, 2) + "\n";
 }
 
-/// Of the file itself: where it has textures, some are split to bake these to vertices.
-size_t trianglesInFile(const SceneChoice& scene, const Mesh& mesh, const Progress& progress) {
+/// Of the file itself: where it has textures, some are split to bake these to vertices; where it has points, none.
+size_t trianglesInFile(const SceneChoice& scene, const GuidedScene& loaded, const Progress& progress) {
+  const Mesh& mesh = loaded.mesh;
+  if (loaded.points) {
+    return 0;
+  }
   // Neither has textures.
   if (!scene.options.textures || isBuiltinScene(scene.source) || scene.source.ends_with(".ply") ||
       scene.options.motion.seconds) {
@@ -122,23 +126,48 @@ std::unique_ptr<SceneMotion> motionToTell(const SceneChoice& scene, const Progre
 }
 
 /// At the time that is asked for; otherwise at rest, and a folder of meshes at its begin.
-Mesh meshToTell(const SceneChoice& scene, const Progress& progress) {
+GuidedScene sceneToTell(const SceneChoice& scene, const Progress& progress) {
   SceneOptions options = scene.options;
   if (std::filesystem::is_directory(scene.source)) {
     options.motion.seconds = options.motion.seconds.value_or(0);
   } else if (!options.motion.seconds) {
     options.motion = {};
   }
-  return loadScene(scene.source, options, progress);
+  return loadGuidedScene(scene.source, options, progress);
 }
 
-std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFile, const SceneMotion* motion) {
+void appendPoints(std::string& text, const PointFacts& points) {
+  const std::string repeated =
+      points.repeated > 0 ? fmt::format(", {} of them where another one is", points.repeated) : "";
+  text += fmt::format("  points     {}{}: {} flat panels, {} octahedra\n", points.points, repeated, points.panels,
+                      points.solids);
+  text += points.areWidthsChosen ? fmt::format("  width      {:.6g} to {:.6g}, median {:.6g}, from the neighbours\n",
+                                               points.narrowest, points.widest, points.medianWidth)
+                                 : fmt::format("  width      {:.6g}\n", points.medianWidth);
+}
+
+void putPoints(Json& info, const PointFacts& points) {
+  info["points"] = {{"count", points.points},
+                    {"repeated", points.repeated},
+                    {"panels", points.panels},
+                    {"octahedra", points.solids},
+                    {"widths_from_neighbors", points.areWidthsChosen},
+                    {"narrowest", points.narrowest},
+                    {"median_width", points.medianWidth},
+                    {"widest", points.widest}};
+}
+
+std::string infoAsText(const std::string& source, const GuidedScene& loaded, size_t inFile, const SceneMotion* motion) {
+  const Mesh& mesh = loaded.mesh;
   const size_t triangles = mesh.triangles.size();
   const std::string count =
-      triangles == inFile
+      triangles == inFile || loaded.points
           ? std::to_string(triangles)
           : fmt::format("{} in the file, {} after its textures were baked to vertices", inFile, triangles);
   std::string text = fmt::format("{}\n  triangles  {}\n  vertices   {}\n", source, count, mesh.positions.size());
+  if (loaded.points) {
+    appendPoints(text, *loaded.points);
+  }
   appendBox(text, boundsOf(mesh));
   if (motion != nullptr) {
     appendMotion(text, *motion);
@@ -146,11 +175,15 @@ std::string infoAsText(const std::string& source, const Mesh& mesh, size_t inFil
   return text;
 }
 
-std::string infoAsJson(const std::string& source, const Mesh& mesh, size_t inFile, const SceneMotion* motion) {
+std::string infoAsJson(const std::string& source, const GuidedScene& loaded, size_t inFile, const SceneMotion* motion) {
+  const Mesh& mesh = loaded.mesh;
   Json info{{"scene", source},
             {"triangles", mesh.triangles.size()},
             {"triangles_in_file", inFile},
             {"vertices", mesh.positions.size()}};
+  if (loaded.points) {
+    putPoints(info, *loaded.points);
+  }
   putBox(info, boundsOf(mesh));
   if (motion != nullptr) {
     putMotion(info, *motion);
@@ -220,10 +253,10 @@ void addSceneInfo(CLI::App& parent, const CommandContext& context) {
                      return;
                    }
                    const std::unique_ptr<SceneMotion> motion = motionToTell(*scene, context.progress());
-                   const Mesh mesh = meshToTell(*scene, context.progress());
-                   const size_t inFile = trianglesInFile(*scene, mesh, context.progress());
-                   context.print(*asJson ? infoAsJson(scene->source, mesh, inFile, motion.get())
-                                         : infoAsText(scene->source, mesh, inFile, motion.get()));
+                   const GuidedScene loaded = sceneToTell(*scene, context.progress());
+                   const size_t inFile = trianglesInFile(*scene, loaded, context.progress());
+                   context.print(*asJson ? infoAsJson(scene->source, loaded, inFile, motion.get())
+                                         : infoAsText(scene->source, loaded, inFile, motion.get()));
                  });
 }
 

@@ -43,6 +43,15 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
       ->type_name("NAME");
   command.add_flag_callback(
       "--no-textures", [&choice] { choice.options.textures = false; }, "Leave the textures of a file out");
+  command
+      .add_option_function<std::string>(
+          "--point-size",
+          [&choice](const std::string& width) {
+            choice.options.points.width = pointWidthFromText(width, "--point-size");
+          },
+          "Of a file of points: how wide each is, in the units of the file; auto: from its nearest neighbours")
+      ->default_str("auto")
+      ->type_name("WIDTH|auto");
 }
 
 void addMotionOptions(CLI::App& command, SceneChoice& choice) {

@@ -89,4 +89,15 @@ double ratioFromText(const std::string& text, const std::string& option) {
   return numbers.size() == 1 ? numbers[0] : numbers[0] / numbers[1];
 }
 
+std::optional<double> pointWidthFromText(const std::string& text, const std::string& option) {
+  if (text == "auto") {
+    return std::nullopt;
+  }
+  const std::vector<double> numbers = numbersFromText<double>(text, ',');
+  if (numbers.size() != 1 || !(numbers[0] > 0)) {
+    fail(option, text, "a width above 0, in the units of the scene, or auto", "0.01");
+  }
+  return numbers[0];
+}
+
 }  // namespace ocelli

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 
 namespace ocelli {
@@ -24,5 +25,8 @@ float cellSideFromText(const std::string& text, const std::string& option);
 size_t frameNumber(int64_t number, const std::string& option);
 /// "1/25" or "0.04"; finite.
 double ratioFromText(const std::string& text, const std::string& option);
+
+/// "auto", which is nothing, or a width above 0.
+std::optional<double> pointWidthFromText(const std::string& text, const std::string& option);
 
 }  // namespace ocelli

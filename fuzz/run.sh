@@ -37,6 +37,8 @@ ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
 material scene/image_corpus $seconds
 shade shade/corpus $seconds
+remote_message remote/message_corpus $seconds
+image_codecs image_codecs/corpus $seconds
 END
 wait "$campaign" || status=1
 exit "$status"

@@ -95,12 +95,7 @@ void openEffectPane(ViewerState& state) {
 
 void closeEffectPane(ViewerState& state) {
   state.effect.on = false;
-  if (state.maximised == Pane::kEffect) {
-    state.maximised.reset();
-  }
-  if (state.active == Pane::kEffect) {
-    state.active = Pane::kReconstruction;
-  }
+  leavePane(state, Pane::kEffect);
 }
 
 }  // namespace ocelli

@@ -2,30 +2,21 @@
 #pragma once
 
 #include "display_sim/viewer/effect_work.h"
-#include "display_sim/viewer/pane_target.h"
-#include "display_sim/viewer/reconstruction_pane.h"
+#include "display_sim/viewer/shown_picture.h"
 
 namespace ocelli {
 
-/// Where the picture lies in a pane: as the reconstruction does, so that both show the same.
-ReconstructionPane::Place effectPlace(const ViewerState& state, const glm::ivec2& paneSize);
-
 class EffectPane {
  public:
-  explicit EffectPane(GlContext& context) : context_(&context), target_(context) {}
+  explicit EffectPane(GlContext& context) : shown_(context) {}
 
   /// Returns whether it drew: not where nothing has changed since the last call. Hold a GlScope.
   bool draw(const ViewerState& state, const EffectStatus& status, const glm::ivec2& size);
 
-  const PaneTarget& target() const { return target_; }
+  const PaneTarget& target() const { return shown_.target(); }
 
  private:
-  void upload(const Image<Rgb8>& image);
-
-  GlContext* context_;
-  PaneTarget target_;
-  GlObject texture_;
-  GlObject framebuffer_;
+  ShownPicture shown_;
   /// What the image was drawn for.
   struct Key {
     std::shared_ptr<const EffectPicture> picture;

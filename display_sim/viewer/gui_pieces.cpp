@@ -2,6 +2,8 @@
 
 #include <imgui.h>
 
+#include <array>
+
 namespace ocelli {
 
 void beginFixedWindow(const char* name, const WindowRect& rect, GuiColor background, int moreFlags) {
@@ -30,6 +32,14 @@ bool comboOfNames(const char* label, int& index, int count, const std::function<
     ImGui::EndCombo();
   }
   return changed;
+}
+
+bool inputText(const char* label, std::string& text) {
+  std::array<char, 1024> buffer{};  // ImGui edits text in place
+  text.copy(buffer.data(), buffer.size() - 1);
+  const bool entered = ImGui::InputText(label, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
+  text = buffer.data();
+  return entered;
 }
 
 void noteText(const std::string& text) {

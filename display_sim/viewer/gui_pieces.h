@@ -24,6 +24,9 @@ bool comboOf(const char* label, Enum& value, int count) {
   return changed;
 }
 
+/// A field for text; true where Enter was pressed in it.
+bool inputText(const char* label, std::string& text);
+
 /// Text that wraps, dim.
 void noteText(const std::string& text);
 /// A heading of a section, with room above.

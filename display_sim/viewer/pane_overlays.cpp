@@ -8,6 +8,7 @@
 #include "display_sim/viewer/display_pane.h"
 #include "display_sim/viewer/effect_overlays.h"
 #include "display_sim/viewer/gui_pieces.h"
+#include "display_sim/viewer/lens_overlays.h"
 #include "display_sim/viewer/viewer_colors.h"
 
 namespace ocelli {
@@ -117,6 +118,8 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
     }
     case Pane::kEffect:
       return effectDetail(state, facts.effect);
+    case Pane::kLenses:
+      return lensDetail(state, facts.lenses);
   }
   return {};
 }
@@ -162,6 +165,21 @@ void drawHeader(const PanelDrawing& drawing, const PaneLayout& layout) {
   ImGui::End();
 }
 
+/// Of the sampling rates over the picture with lenses.
+std::vector<LegendEntry> rateLegend(const ViewerState& state) {
+  std::vector<LegendEntry> entries;
+  if (!state.lenses.rates) {
+    return entries;
+  }
+  const RateRange range = rateRangeOf(state.work.camera.gpc);
+  for (const double share : {1.0, 0.5, 0.0}) {
+    const double rate = range.least * std::pow(range.greatest / range.least, share);
+    const Rgb8 color = rateColor(rate, range);
+    entries.push_back({{color.x, color.y, color.z}, fmt::format("{:.2f} samples for each one of a pinhole", rate)});
+  }
+  return entries;
+}
+
 std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
   const ViewerState& state = drawing.state;
   const ViewerFacts& facts = drawing.facts;
@@ -173,6 +191,9 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
     return {{kRampLight, fmt::format("differs by {} of 255 or more", kHottestDifference)},
             {kRampDark, "differs by 1"},
             {{32, 32, 32}, "as traced: dark grey"}};
+  }
+  if (pane == Pane::kLenses) {
+    return rateLegend(state);
   }
   if (!facts.data->camera) {
     return {};
@@ -213,6 +234,7 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
       return {};
     case Pane::kDisplay:
     case Pane::kEffect:
+    case Pane::kLenses:
       return {};
   }
   return {};
@@ -240,6 +262,12 @@ void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
   if (layout.pane == Pane::kEffect) {
     drawNote(layout.image,
              noteThatFits(layout.image, effectNotes(drawing.state, facts.effect, facts.showTimes), drawing.scale),
+             drawing.scale);
+    return;
+  }
+  if (layout.pane == Pane::kLenses) {
+    drawNote(layout.image,
+             noteThatFits(layout.image, lensNotes(drawing.state, facts.lenses, facts.showTimes), drawing.scale),
              drawing.scale);
     return;
   }
@@ -290,6 +318,9 @@ void drawPaneOverlays(const PanelDrawing& drawing) {
     WindowRect room = layout.image;
     if (layout.pane == Pane::kEffect) {
       room.height -= drawEffectSwitch(drawing, room);
+    }
+    if (layout.pane == Pane::kLenses) {
+      drawLensOutlines(drawing, layout.image);
     }
     drawLegend(layout.pane, room, legendOf(drawing, layout.pane), drawing.scale);
     drawNotes(drawing, layout);

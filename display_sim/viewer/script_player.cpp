@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 
 namespace ocelli {
 namespace {
@@ -163,24 +164,46 @@ void ScriptPlayer::perform(const ShowStep& step) {
 }
 
 void ScriptPlayer::perform(const SaveStep& step) {
-  viewer_.waitForEffect();
+  viewer_.waitForPictures();
   settle();  // a panel that has just opened is laid out in its first frame, and shows in the next
   write(step.file, viewer_.screenshot());
 }
 
 void ScriptPlayer::perform(const SaveEffectStep& step) {
-  viewer_.waitForEffect();
+  viewer_.waitForPictures();
   write(step.file, viewer_.effectPicture());
 }
 
-void ScriptPlayer::write(const std::string& file, const Image<Rgb8>& image) {
-  const std::filesystem::path path = folder_ / file;
+void ScriptPlayer::perform(const SaveLensPictureStep& step) {
+  viewer_.waitForPictures();
+  write(step.file, viewer_.lensPicture());
+}
+
+void ScriptPlayer::perform(const SaveCameraStep& step) {
+  const std::filesystem::path path = pathOf(step.file);
+  OutputFile file(path);
+  file.write(viewer_.lensFile());
+  file.commit();
+  tell(path);
+}
+
+std::filesystem::path ScriptPlayer::pathOf(const std::string& file) const {
+  std::filesystem::path path = folder_ / file;
   std::error_code ignored;
   std::filesystem::create_directories(path.parent_path(), ignored);
-  writePng(path, image);
+  return path;
+}
+
+void ScriptPlayer::tell(const std::filesystem::path& path) const {
   if (saved_) {
     saved_(path.string());
   }
+}
+
+void ScriptPlayer::write(const std::string& file, const Image<Rgb8>& image) {
+  const std::filesystem::path path = pathOf(file);
+  writePng(path, image);
+  tell(path);
 }
 
 }  // namespace ocelli

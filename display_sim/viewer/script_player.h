@@ -19,7 +19,8 @@ class ScriptPlayer {
 
   /// Throws InputError where the first scene cannot be loaded or a step closes the viewer before the last one,
   /// WorkError where an image cannot be written or the viewer does not come to rest, GlError. InputError where the
-  /// effect pane has nothing to save. All else that goes wrong shows in the window, as it would for a person.
+  /// effect pane, or that of the lenses, has nothing to save. All else that goes wrong shows in the window, as it would
+  /// for a person.
   void play(const ViewerScript& script);
   void play(const ScriptStep& step);
 
@@ -46,6 +47,11 @@ class ScriptPlayer {
   void perform(const ShowStep& step);
   void perform(const SaveStep& step);
   void perform(const SaveEffectStep& step);
+  void perform(const SaveLensPictureStep& step);
+  void perform(const SaveCameraStep& step);
+  /// Where a file goes; its folder is made.
+  std::filesystem::path pathOf(const std::string& file) const;
+  void tell(const std::filesystem::path& path) const;
   void write(const std::string& file, const Image<Rgb8>& image);
 
   Viewer& viewer_;

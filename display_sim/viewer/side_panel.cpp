@@ -4,7 +4,6 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 #include "display_sim/frames/display_profile.h"
@@ -21,15 +20,6 @@ constexpr float kValueWidth = 184;
 float valueWidth(float scale) {
   constexpr float kMaxShare = 0.6f;
   return std::min(kValueWidth * scale, kMaxShare * ImGui::GetContentRegionAvail().x);
-}
-
-/// ImGui edits text in place.
-bool inputText(const char* label, std::string& text) {
-  std::array<char, 1024> buffer{};
-  text.copy(buffer.data(), buffer.size() - 1);
-  const bool entered = ImGui::InputText(label, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
-  text = buffer.data();
-  return entered;
 }
 
 std::vector<CameraName> offeredCameras() {
@@ -123,6 +113,9 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
   noteText(descriptionOf(state.work.camera.name));
   if (drawCameraForm(state.work.camera, valueWidth(drawing.scale))) {
     cameraChanged(state);
+  }
+  if (hasLenses(state)) {
+    lensForm_.draw(drawing, valueWidth(drawing.scale));
   }
   drawImageSize(drawing);
   if (ImGui::Button("Reference view to your eye")) {

@@ -1,6 +1,7 @@
 // The panel on the left: the scene, the camera and its parameters, the display, and what each pane shows.
 #pragma once
 
+#include "display_sim/viewer/lens_form.h"
 #include "display_sim/viewer/viewer_facts.h"
 
 namespace ocelli {
@@ -20,6 +21,7 @@ class SidePanel {
   static void drawShown(const PanelDrawing& drawing);
 
   bool wantsFocus_ = false;
+  LensForm lensForm_;
   std::string source_;       ///< as it is being typed
   std::string knownSource_;  ///< of the state when that was typed
   glm::ivec2 size_{0};       ///< as it is being typed

@@ -9,6 +9,8 @@
 #include "display_sim/viewer/effect_choice.h"
 #include "display_sim/viewer/error_message.h"
 #include "display_sim/viewer/free_file_name.h"
+#include "display_sim/viewer/lens_choice.h"
+#include "display_sim/viewer/lens_file.h"
 #include "display_sim/viewer/pane_overlays.h"
 #include "display_sim/viewer/viewer_colors.h"
 #include "display_sim/viewer/window_overlays.h"
@@ -21,13 +23,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kMessageSeconds = 5;
-constexpr double kTurnPerPaneHeight = kPi;  // a drag over the whole pane turns half around
-constexpr double kZoomPerScroll = 1.15;
 constexpr double kFrameSmoothing = 0.8;  // of the frame time that is shown
-
-bool popupIsOpen() {
-  return ImGui::IsPopupOpen(nullptr, ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
-}
 
 }  // namespace
 
@@ -74,136 +70,6 @@ glm::ivec2 Viewer::pixelsOf(const WindowRect& rect) const {
       glm::ivec2(1));
 }
 
-void Viewer::handle(const InputEvent& event) {
-  if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    handleKey(*key);
-    return;
-  }
-  gui_.handle(event);
-  if (const auto* resize = std::get_if<ResizeEvent>(&event)) {
-    window_ = *resize;
-  } else if (const auto* button = std::get_if<PointerButtonEvent>(&event)) {
-    handleButton(*button);
-  } else if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
-    handleMove({move->x, move->y});
-  } else if (const auto* scroll = std::get_if<ScrollEvent>(&event)) {
-    handleScroll(*scroll);
-  } else if (const auto* drop = std::get_if<DropEvent>(&event)) {
-    if (!drop->files.empty()) {
-      attempt([&] { openDropped(drop->files.front()); });
-    }
-  } else if (std::holds_alternative<CloseEvent>(event)) {
-    wantsClose_ = true;
-  }
-}
-
-void Viewer::handleKey(const KeyEvent& event) {
-  const bool typing = gui_.wantsText() || popupIsOpen();
-  if (typing || panelHasKeys_ || !event.pressed) {
-    gui_.handle(event);
-  }
-  if (!event.pressed || typing) {
-    return;
-  }
-  if (event.key == Key::kEscape && (panelHasKeys_ || facts_.messageIsError)) {
-    leavePanel();
-    say("", false);
-    return;
-  }
-  const std::optional<ViewerAction> action = actionOf(event);
-  if (action && (!panelHasKeys_ || *action == ViewerAction::kQuit)) {
-    perform(*action);
-  }
-}
-
-void Viewer::handleButton(const PointerButtonEvent& event) {
-  if (!event.pressed) {
-    drag_.reset();
-    return;
-  }
-  const ViewerLayout where = layout();
-  const PaneLayout* pane = gui_.wantsPointer() ? nullptr : where.paneAt(pointer_);
-  if (pane == nullptr) {
-    return;
-  }
-  leavePanel();
-  state_.active = pane->pane;
-  drag_ = Drag{pane->pane, event.button == PointerButton::kLeft && !event.modifiers.shift};
-}
-
-void Viewer::leavePanel() {
-  leavesPanel_ = panelHasKeys_;
-  panelHasKeys_ = false;
-}
-
-void Viewer::handleMove(const glm::vec2& to) {
-  const glm::vec2 by = to - pointer_;
-  pointer_ = to;
-  const ViewerLayout where = layout();
-  const PaneLayout* pane = drag_ ? where.find(drag_->pane) : nullptr;
-  if (pane == nullptr) {
-    return;
-  }
-  const ReferenceImage* image = shownImage(state_, data_);
-  if (drag_->pane == Pane::kReference) {
-    if (image != nullptr) {
-      dragImage(state_.reference, {image->width(), image->height()}, pixelsOf(pane->image),
-                by * static_cast<float>(window_.pixelsPerUnit));
-    }
-    return;
-  }
-  // What is seen follows the pointer: the eye goes the other way.
-  const glm::dvec2 share = glm::dvec2(by) / static_cast<double>(pane->image.height);
-  if (drag_->turns) {
-    orbitPane(state_, drag_->pane, -share.x * kTurnPerPaneHeight, share.y * kTurnPerPaneHeight);
-  } else {
-    panPane(state_, drag_->pane, -share.x, share.y);
-  }
-}
-
-void Viewer::handleScroll(const ScrollEvent& event) {
-  const ViewerLayout where = layout();
-  const PaneLayout* pane = gui_.wantsPointer() ? nullptr : where.paneAt(pointer_);
-  if (pane == nullptr) {
-    return;
-  }
-  const double factor = std::pow(kZoomPerScroll, event.up);
-  const ReferenceImage* image = shownImage(state_, data_);
-  if (pane->pane == Pane::kReference && image != nullptr) {
-    const glm::vec2 at =
-        (pointer_ - glm::vec2(pane->image.x, pane->image.y)) * static_cast<float>(window_.pixelsPerUnit);
-    zoomAt(state_.reference, {image->width(), image->height()}, pixelsOf(pane->image), at, factor);
-    return;
-  }
-  zoomPane(state_, pane->pane, factor);
-  if (pane->pane == Pane::kScene) {  // towards the pointer
-    const WindowRect& area = pane->image;
-    const glm::vec2 fromMiddle = pointer_ - glm::vec2(area.x + area.width / 2, area.y + area.height / 2);
-    const glm::dvec2 share = glm::dvec2(fromMiddle) / static_cast<double>(area.height) * (factor - 1);
-    panPane(state_, pane->pane, share.x, -share.y);
-  }
-}
-
-void Viewer::openDropped(const std::string& file) {
-  if (!file.ends_with(".json")) {
-    open(file);
-    return;
-  }
-  const nlohmann::json json = readJsonFile(file);
-  if (json.contains("objects")) {
-    state_.effect.on = true;
-    state_.effect.rolesFile = file;
-    ++state_.effect.rolesRead;
-    say("roles of " + file, false);
-  } else if (json.contains("camera")) {
-    chooseCamera(state_, file);
-    say("camera of " + file, false);
-  } else {
-    chooseReference(state_, readView(file));
-    say("reference view of " + file, false);
-  }
-}
-
 void Viewer::open(const std::string& source) {
   if (state_.work.sceneRevision == loadedRevision_) {
     effectBefore_ = state_.effect;
@@ -233,6 +99,23 @@ const Image<Rgb8>& Viewer::effectPicture() const {
   return *shown;
 }
 
+const Image<Rgb8>& Viewer::lensPicture() const {
+  const auto& picture = facts_.lenses.picture;
+  if (!picture) {
+    throw InputError("the lens pane shows no picture", "the viewer",
+                     facts_.lenses.error.empty() ? "choose the camera \"gpc\" and show pane 6" : facts_.lenses.error);
+  }
+  return picture->image;
+}
+
+std::string Viewer::lensFile() const {
+  if (!hasLenses(state_)) {
+    throw InputError("camera \"" + state_.work.camera.name + "\" has no lenses", "the viewer",
+                     "choose the camera \"gpc\"");
+  }
+  return lensFileText(state_.work.camera.gpc);
+}
+
 void Viewer::choose(const std::string& camera) {
   attempt([&] { chooseCamera(state_, camera); });
 }
@@ -246,6 +129,8 @@ void Viewer::perform(ViewerAction action) {
       wantsScreenshot_ = true;  // of the next frame
     } else if (action == ViewerAction::kSaveView) {
       saveView();
+    } else if (action == ViewerAction::kSaveLenses) {
+      saveLenses();
     } else if (action == ViewerAction::kFocusPanel) {
       state_.panel = true;
       panelHasKeys_ = true;
@@ -276,6 +161,15 @@ void Viewer::saveView() {
   file.write(jsonText(state_.reconstruction.view) + "\n");
   file.commit();
   say("wrote " + path.string() + ": give it to --view, or drop it here", false);
+}
+
+void Viewer::saveLenses() {
+  const std::string text = lensFile();
+  const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli-lenses", ".json");
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+  say("wrote " + path.string() + ": give it to --camera, or drop it here", false);
 }
 
 void Viewer::saveScreenshot() {
@@ -318,6 +212,7 @@ void Viewer::update(double seconds) {
   if (!facts_.messageIsError && (messageSeconds_ -= seconds) <= 0) {
     facts_.message.clear();
   }
+  followLenses(state_, false);
   work_.want(state_.work);
   while (const std::optional<WorkResult> result = work_.take()) {
     take(*result);
@@ -325,6 +220,8 @@ void Viewer::update(double seconds) {
   work_.want(state_.work);  // what failed may have been taken back
   facts_.work = work_.status();
   takeEffect();
+  lenses_.want(lensWanted());
+  facts_.lenses = lenses_.status();
   if (data_.camera && static_cast<size_t>(state_.reference.image) >= data_.camera->representation.images.size()) {
     state_.reference.image = 0;
   }
@@ -355,7 +252,7 @@ EffectWanted Viewer::effectWanted() const {
   wanted.referenceSize = size == glm::ivec2(kDefaultWidth, kDefaultHeight) ? glm::ivec2(0) : size;
   wanted.environmentHeight = options_.environmentHeight;
   wanted.view = state_.reconstruction.view;
-  wanted.size = pane != nullptr ? effectPlace(state_, pixelsOf(pane->image)).size : glm::ivec2(1);
+  wanted.size = pane != nullptr ? picturePlace(state_, pixelsOf(pane->image)).size : glm::ivec2(1);
   wanted.content = state_.effect.content;
   return wanted;
 }
@@ -385,16 +282,37 @@ void Viewer::takeEffect() {
   wantEffect();  // what has come to be known changes it
 }
 
-void Viewer::waitUntilMade() {
-  work_.waitUntilIdle();
-  effects_.waitUntilIdle();
+LensWanted Viewer::lensWanted() const {
+  LensWanted wanted;
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = where.find(Pane::kLenses);
+  wanted.shows = pane != nullptr && window_.width > 0 && data_.scene;
+  if (!wanted.shows) {
+    return wanted;
+  }
+  wanted.scene = data_.scene;
+  wanted.view = state_.reconstruction.view;
+  wanted.size = picturePlace(state_, pixelsOf(pane->image)).size;
+  wanted.layout = state_.work.camera.gpc;
+  wanted.method = state_.lenses.method;
+  wanted.rates = state_.lenses.rates;
+  return wanted;
 }
 
-void Viewer::waitForEffect() {
+void Viewer::waitUntilMade() {
+  followLenses(state_, true);
+  work_.want(state_.work);
+  work_.waitUntilIdle();
+  effects_.waitUntilIdle();
+  lenses_.waitUntilIdle();
+}
+
+void Viewer::waitForPictures() {
   do {
     effects_.waitUntilIdle();
+    lenses_.waitUntilIdle();
     update(0);
-  } while (facts_.effect.busy);
+  } while (isDrawing());
 }
 
 bool Viewer::isMoving() const {
@@ -403,7 +321,7 @@ bool Viewer::isMoving() const {
                       where.find(Pane::kReconstruction) != nullptr;
   const bool turns = state_.display.running && data_.volume && where.find(Pane::kDisplay) != nullptr &&
                      !looksSteady(state_.display, data_.volume->volume.profile());
-  return facts_.work.busy || turns || blinks || isSettling() || wantsScreenshot_ ||
+  return facts_.work.busy || state_.lenses.changedAt || turns || blinks || isSettling() || wantsScreenshot_ ||
          (!facts_.message.empty() && !facts_.messageIsError);
 }
 
@@ -443,6 +361,8 @@ bool Viewer::drawAnew(const PaneLayout& pane) {
       return drawing_->display.draw(state_, data_, size, lineScale);
     case Pane::kEffect:
       return drawing_->effect.draw(state_, facts_.effect, size);
+    case Pane::kLenses:
+      return drawing_->lenses.draw(state_, facts_.lenses, size);
   }
   OC_CHECK(false, "every pane is drawn");
 }
@@ -503,6 +423,8 @@ const PaneTarget& Viewer::Drawing::targetOf(Pane pane) const {
       return display.target();
     case Pane::kEffect:
       return effect.target();
+    case Pane::kLenses:
+      return lenses.target();
   }
   OC_CHECK(false, "every pane has its image");
 }
@@ -529,6 +451,9 @@ void Viewer::drawGui() {
   }
   if (!wishes.open.empty()) {
     open(wishes.open);
+  }
+  if (!wishes.camera.empty()) {
+    choose(wishes.camera);
   }
   if (wishes.dismissMessage) {
     say("", false);

@@ -12,6 +12,8 @@
 
 #include "display_sim/viewer/display_pane.h"
 #include "display_sim/viewer/effect_pane.h"
+#include "display_sim/viewer/lens_overlays.h"
+#include "display_sim/viewer/lens_pane.h"
 #include "display_sim/viewer/reconstruction_pane.h"
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_pane.h"
@@ -66,10 +68,12 @@ class Viewer {
   bool isSettling() const;
   /// Until nothing is being made any more. Update and draw afterwards.
   void waitUntilMade();
-  /// Until the picture of the effect is whole, where its pane shows. Draw afterwards.
-  void waitForEffect();
+  /// Until the pictures of the effect and of the lenses are whole, where their panes show. Draw afterwards.
+  void waitForPictures();
+  /// Whether pictures of the effect or of the lenses are being drawn.
+  bool isDrawing() const { return facts_.effect.busy || facts_.lenses.busy; }
   /// Whether something is being made.
-  bool isMaking() const { return facts_.work.busy || facts_.effect.busy; }
+  bool isMaking() const { return facts_.work.busy || isDrawing() || state_.lenses.changedAt; }
 
   /// As if these had been asked for in the window.
   void open(const std::string& source);
@@ -80,6 +84,10 @@ class Viewer {
 
   /// What the effect pane shows, as large as there, without texts over it. Throws InputError where it shows nothing.
   const Image<Rgb8>& effectPicture() const;
+  /// The same of the lens pane, without outlines.
+  const Image<Rgb8>& lensPicture() const;
+  /// The camera file of its lenses. Throws InputError where there are none.
+  std::string lensFile() const;
 
  private:
   /// What draws, made under one GlScope.
@@ -91,6 +99,7 @@ class Viewer {
           reconstruction(context),
           display(context),
           effect(context),
+          lenses(context),
           image(context) {}
 
     const PaneTarget& targetOf(Pane pane) const;
@@ -101,6 +110,7 @@ class Viewer {
     ReconstructionPane reconstruction;
     DisplayPane display;
     EffectPane effect;
+    LensPane lenses;
     PaneTarget image;
   };
   struct Drag {
@@ -122,6 +132,8 @@ class Viewer {
   EffectWanted effectWanted() const;
   void wantEffect();
   void takeEffect();
+  LensWanted lensWanted() const;
+  void saveLenses();
   void saveScreenshot();
   void saveView();
   void pickPixel();
@@ -143,6 +155,8 @@ class Viewer {
   DisplayProfile profile_;
   BackgroundWork work_;
   EffectWork effects_;
+  LensWork lenses_;
+  LensPointer lensPointer_;
   EffectWanted lastWanted_;
   EffectShown effectBefore_;        ///< while another scene is being loaded
   std::optional<View> eyeAtStart_;  ///< which goes to the view of the effect, unless it has moved

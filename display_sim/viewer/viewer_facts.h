@@ -4,6 +4,7 @@
 #include <array>
 
 #include "display_sim/viewer/effect_work.h"
+#include "display_sim/viewer/lens_work.h"
 #include "display_sim/viewer/reconstruction_pane.h"
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_lines.h"
@@ -25,6 +26,7 @@ struct ViewerFacts {
   std::optional<PickedPixel> picked;
   std::string displayProblem;
   EffectStatus effect;
+  LensStatus lenses;
   std::array<std::string, kPaneCount> failures;  ///< why OpenGL could not draw a pane; empty where it could
   std::string message;
   bool messageIsError = false;
@@ -33,7 +35,8 @@ struct ViewerFacts {
 /// What a person asked for through the panels, other than what they changed in the state themselves.
 struct PanelWishes {
   std::vector<ViewerAction> actions;
-  std::string open;  ///< a scene; empty for none
+  std::string open;    ///< a scene; empty for none
+  std::string camera;  ///< the file of one; empty for none
   bool dismissMessage = false;
 };
 

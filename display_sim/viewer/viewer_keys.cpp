@@ -4,6 +4,7 @@
 #include <array>
 
 #include "display_sim/viewer/effect_choice.h"
+#include "display_sim/viewer/lens_choice.h"
 
 namespace ocelli {
 namespace {
@@ -110,11 +111,12 @@ const std::vector<KeyBinding>& keyBindings() {
 
       {Key::kTab, kNextPane, kPanesGroup, "Tab  Shift + Tab", "next, previous pane"},
       {Key::kTab, kPreviousPane, kPanesGroup, "", "", true},
-      {Key::k1, kMaximise1, kPanesGroup, "1  2  3  4  5", "one pane alone; 5 is the effect"},
+      {Key::k1, kMaximise1, kPanesGroup, "1  2  3  4  5  6", "one pane alone; 5: effect, 6: lenses"},
       {Key::k2, kMaximise2, kPanesGroup, "", ""},
       {Key::k3, kMaximise3, kPanesGroup, "", ""},
       {Key::k4, kMaximise4, kPanesGroup, "", ""},
       {Key::k5, kMaximise5, kPanesGroup, "", ""},
+      {Key::k6, kMaximise6, kPanesGroup, "", ""},
       {Key::k0, kShowAll, kPanesGroup, "0", "all panes"},
 
       {Key::kC, kNextCamera, kCameraGroup, "C  Shift + C", "next, previous camera"},
@@ -157,6 +159,7 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kF6, kFocusPanel, kWindow, "F6", "into the panel; Escape leaves"},
       {Key::kS, kScreenshot, kWindow, "S", "save an image of the window"},
       {Key::kJ, kSaveView, kWindow, "J", "save your view, for --view"},
+      {Key::kS, kSaveLenses, kWindow, "Shift + S", "save the lenses, for --camera", true},
       {Key::kEscape, kEscape, kWindow, "Escape", "leave help, a message, or a lone pane"},
       {Key::kQ, kQuit, kWindow, "Ctrl + Q", "quit", false, true},
   };
@@ -211,6 +214,9 @@ bool applyAction(ViewerState& state, ViewerAction action) {
       return true;
     case kMaximise5:
       openEffectPane(state);
+      return true;
+    case kMaximise6:
+      openLensPane(state);
       return true;
     case kShowAll:
       state.maximised.reset();
@@ -335,6 +341,7 @@ bool applyAction(ViewerState& state, ViewerAction action) {
     case kFocusPanel:
     case kScreenshot:
     case kSaveView:
+    case kSaveLenses:
     case kQuit:
       return false;
   }

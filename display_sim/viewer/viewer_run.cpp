@@ -10,11 +10,12 @@ namespace {
 
 /// Where nothing moves, a window looks whether something is made at least so often.
 constexpr double kRestSeconds = 0.5;
-/// ... and so often where pictures of an effect may come, which are drawn by the same cores as the window.
+/// ... and so often where pictures of an effect, or of lenses, may come, which are drawn by the same cores as the
+/// window.
 constexpr double kEffectRestSeconds = 0.02;
 
 double restOf(const Viewer& viewer) {
-  return viewer.isMoving() ? 0 : viewer.facts().effect.busy ? kEffectRestSeconds : kRestSeconds;
+  return viewer.isMoving() ? 0 : viewer.isDrawing() ? kEffectRestSeconds : kRestSeconds;
 }
 
 }  // namespace

@@ -109,10 +109,10 @@ ScriptStep readInside(JsonFields& fields, const std::string& name, const std::st
   return step;
 }
 
-std::string readImageFile(JsonFields& fields, const std::string& name) {
+std::string readFileName(JsonFields& fields, const std::string& name, const std::string& ending = ".png") {
   const std::string file = readName(fields, name);
-  if (!file.ends_with(".png")) {
-    fields.fail(name, "must be a file that ends in .png");
+  if (!file.ends_with(ending)) {
+    fields.fail(name, "must be a file that ends in " + ending);
   }
   return file;
 }
@@ -182,9 +182,13 @@ const std::map<std::string, StepReader>& stepReaders() {
          });
        }},
       {"show", [](JsonFields& fields, const auto&) { return readShow(fields); }},
-      {"save", [](JsonFields& fields, const auto&) { return SaveStep{readImageFile(fields, "save")}; }},
+      {"save", [](JsonFields& fields, const auto&) { return SaveStep{readFileName(fields, "save")}; }},
       {"save_effect",
-       [](JsonFields& fields, const auto&) { return SaveEffectStep{readImageFile(fields, "save_effect")}; }},
+       [](JsonFields& fields, const auto&) { return SaveEffectStep{readFileName(fields, "save_effect")}; }},
+      {"save_lenses",
+       [](JsonFields& fields, const auto&) { return SaveLensPictureStep{readFileName(fields, "save_lenses")}; }},
+      {"save_camera",
+       [](JsonFields& fields, const auto&) { return SaveCameraStep{readFileName(fields, "save_camera", ".json")}; }},
   };
   return readers;
 }

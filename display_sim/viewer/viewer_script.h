@@ -77,7 +77,8 @@ struct EffectStep {
 struct ShowStep {
   EffectShown::Content content = EffectShown::Content::kByWay;
 };
-/// An image of the window, with the picture of the effect as it is once it is whole; a PNG file.
+/// An image of the window, with the pictures of the effect and of the lenses as they are once they are whole; a PNG
+/// file.
 struct SaveStep {
   std::string file;
 };
@@ -87,9 +88,18 @@ struct SaveEffectStep {
   std::string file;
 };
 
-using ScriptStep =
-    std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep, ScrollStep,
-                 ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep, SaveEffectStep>;
+/// The picture of the lens pane by itself, without outlines; a PNG file.
+struct SaveLensPictureStep {
+  std::string file;
+};
+/// The camera with its lenses; a JSON file.
+struct SaveCameraStep {
+  std::string file;
+};
+
+using ScriptStep = std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep,
+                                ScrollStep, ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep,
+                                SaveEffectStep, SaveLensPictureStep, SaveCameraStep>;
 
 struct ViewerScript {
   int width = 1280;

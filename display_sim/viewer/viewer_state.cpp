@@ -6,6 +6,7 @@
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/viewer/view_motion.h"
 #include "oc_core/base/check.h"
+#include "oc_core/ocri/representation_kind.h"
 
 namespace ocelli {
 namespace {
@@ -66,7 +67,7 @@ std::string_view named(std::initializer_list<std::string_view> names, Enum value
 }  // namespace
 
 std::string_view titleOf(Pane pane) {
-  return named({"Scene", "Reference image", "Reconstruction", "Display", "Effect"}, pane);
+  return named({"Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses"}, pane);
 }
 
 std::string_view nameOf(ReferenceShown::Quantity quantity) {
@@ -81,8 +82,16 @@ std::string_view nameOf(EffectShown::Content content) {
   return named({"way", "traced", "difference"}, content);
 }
 
+std::string_view nameOf(LensesShown::Method method) {
+  return named({"raster", "rays"}, method);
+}
+
+bool hasLenses(const ViewerState& state) {
+  return static_cast<bool>(state.work.camera.kind->layout);
+}
+
 bool isOffered(const ViewerState& state, Pane pane) {
-  return pane != Pane::kEffect || state.effect.on;
+  return pane == Pane::kEffect ? state.effect.on : pane == Pane::kLenses ? hasLenses(state) : true;
 }
 
 ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
@@ -101,9 +110,18 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
     resetPane(state, pane);
   }
   // On the edge of the view cell, where something is missing.
-  const float half = camera.cellSideRadii / 2;
+  const float half = hasLenses(state) ? 0 : camera.cellSideRadii / 2;
   state.reconstruction.view = movedEye(reference, {-half, half, 0});
   return state;
+}
+
+void leavePane(ViewerState& state, Pane pane) {
+  if (state.maximised == pane) {
+    state.maximised.reset();
+  }
+  if (state.active == pane) {
+    state.active = Pane::kReconstruction;
+  }
 }
 
 void openScene(ViewerState& state, const std::string& source) {
@@ -112,6 +130,7 @@ void openScene(ViewerState& state, const std::string& source) {
 }
 
 void cameraChanged(ViewerState& state) {
+  state.lenses.changedAt.reset();
   state.work.cameraRevision = ++state.work.lastRevision;
 }
 
@@ -122,6 +141,11 @@ void displayChanged(ViewerState& state) {
 void chooseCamera(ViewerState& state, const std::string& nameOrFile) {
   state.work.camera = cameraChoice(nameOrFile, cellOf(state.work.camera));
   state.reference.image = 0;
+  state.lenses.chosen.reset();
+  state.lenses.locked.clear();
+  if (!hasLenses(state)) {
+    leavePane(state, Pane::kLenses);
+  }
   cameraChanged(state);
 }
 
@@ -175,6 +199,7 @@ void orbitPane(ViewerState& state, Pane pane, double right, double up) {
       return;
     case Pane::kReconstruction:
     case Pane::kEffect:
+    case Pane::kLenses:
       state.reconstruction.view = orbited(state.reconstruction.view, right, up);
       return;
     case Pane::kDisplay:
@@ -196,6 +221,7 @@ void panPane(ViewerState& state, Pane pane, double right, double up) {
     }
     case Pane::kReconstruction:
     case Pane::kEffect:
+    case Pane::kLenses:
       state.reconstruction.view = panned(state.reconstruction.view, right, up);
       return;
     case Pane::kDisplay:  // an observer looks at the middle of the display
@@ -214,6 +240,7 @@ void zoomPane(ViewerState& state, Pane pane, double factor) {
       return;
     case Pane::kReconstruction:
     case Pane::kEffect:
+    case Pane::kLenses:
       state.reconstruction.view = zoomed(state.reconstruction.view, 1 / factor);
       return;
     case Pane::kDisplay:
@@ -233,6 +260,7 @@ void resetPane(ViewerState& state, Pane pane) {
       state.reference.zoom = 1;
       return;
     case Pane::kReconstruction:
+    case Pane::kLenses:
       state.reconstruction.view = state.work.reference;
       return;
     case Pane::kEffect:

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "oc_core/camera/view.h"
 #include "oc_core/ocri/camera_choice.h"
@@ -15,11 +16,11 @@
 
 namespace ocelli {
 
-enum class Pane { kScene, kReference, kReconstruction, kDisplay, kEffect };
-inline constexpr size_t kPaneCount = 5;
-inline constexpr std::array kPanes{Pane::kScene, Pane::kReference, Pane::kReconstruction, Pane::kDisplay,
-                                   Pane::kEffect};
-/// "Scene", "Reference image", "Reconstruction", "Display", "Effect".
+enum class Pane { kScene, kReference, kReconstruction, kDisplay, kEffect, kLenses };
+inline constexpr size_t kPaneCount = 6;
+inline constexpr std::array kPanes{Pane::kScene,   Pane::kReference, Pane::kReconstruction,
+                                   Pane::kDisplay, Pane::kEffect,    Pane::kLenses};
+/// "Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses".
 std::string_view titleOf(Pane pane);
 
 /// What has to be made. Code that changes a part of it must give that part the next revision.
@@ -103,6 +104,18 @@ inline constexpr std::array kEffectContents{EffectShown::Content::kByWay, Effect
                                             EffectShown::Content::kDifference};
 std::string_view nameOf(EffectShown::Content content);
 
+/// The lens pane: what the user's eye sees through a camera with regions of detail (`gpc`). These are lenses, to be
+/// edited by hand (lens_choice.h); they stand in `work.camera.gpc`.
+struct LensesShown {
+  enum class Method { kRaster, kRays };
+  Method method = Method::kRaster;
+  std::optional<size_t> chosen;     ///< the lens that keys edit
+  std::vector<bool> locked;         ///< those that no edit changes; as far as it reaches
+  bool rates = false;               ///< sampling rates in false colours over the picture
+  std::optional<double> changedAt;  ///< when an edit was made that the other panes have not followed yet
+};
+std::string_view nameOf(LensesShown::Method method);
+
 struct ViewerState {
   WorkWanted work;
   SceneShown scene;
@@ -110,6 +123,7 @@ struct ViewerState {
   ReconstructionShown reconstruction;
   DisplayShown display;
   EffectShown effect;
+  LensesShown lenses;
   /// Where Home brings the user's eye in the effect pane: the view of the effect, once that is known.
   std::optional<View> effectHome;
 
@@ -121,12 +135,16 @@ struct ViewerState {
 };
 
 /// Of a scene seen through a camera. The size is that of the reference image. The user's eye starts at an edge of the
-/// view cell.
+/// view cell; with a camera that has lenses, which is made for one eye, at the reference view.
 ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
                         const View& reference, int width, int height, const std::string& profile);
 
+/// Whether the camera has regions of detail, which are edited as lenses.
+bool hasLenses(const ViewerState& state);
 /// Whether a pane has a place among the others.
 bool isOffered(const ViewerState& state, Pane pane);
+/// Where it is alone or active, others show and one of them is.
+void leavePane(ViewerState& state, Pane pane);
 
 /// Shows another scene. The views stay as they are.
 void openScene(ViewerState& state, const std::string& source);
@@ -153,7 +171,8 @@ inline constexpr int kMinImageSide = 16;
 inline constexpr int kMaxImageSide = 8192;
 
 /// Turns, moves or zooms what a pane shows; `right` and `up` as the eye goes. Angles in radians, distances in heights
-/// of the pane. In the image, both move it. The reconstruction and the effect are seen by one eye, the user's.
+/// of the pane. In the image, both move it. The reconstruction, the effect and the lenses are seen by one eye, the
+/// user's.
 void orbitPane(ViewerState& state, Pane pane, double right, double up);
 void panPane(ViewerState& state, Pane pane, double right, double up);
 /// Above 1 nearer.

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "display_sim/viewer/gui_pieces.h"
+#include "display_sim/viewer/lens_keys.h"
 
 namespace ocelli {
 namespace {
@@ -68,6 +69,19 @@ void drawKeyHelp(const std::string& group, float keyWidth) {
   for (const KeyBinding& binding : keyBindings()) {
     if (binding.group == group && *binding.keys != '\0') {
       helpRow(binding.keys, binding.text);
+    }
+  }
+  ImGui::EndTable();
+}
+
+void drawLensHelp(float keyWidth) {
+  beginHelpGroup("In the pane of lenses (6), before all else", keyWidth);
+  for (const PointerBinding& binding : lensPointerBindings()) {
+    helpRow(binding.what, binding.text);
+  }
+  for (const LensKey& each : lensKeys()) {
+    if (*each.keys != '\0') {
+      helpRow(each.keys, each.text);
     }
   }
   ImGui::EndTable();
@@ -135,6 +149,9 @@ void drawHelp(const PanelDrawing& drawing) {
     const size_t inFirst = groups.size() / 2;
     ImGui::TableNextColumn();
     drawPointerHelp(keyWidth);
+    if (hasLenses(drawing.state)) {
+      drawLensHelp(keyWidth);
+    }
     for (size_t i = 0; i < inFirst; ++i) {
       drawKeyHelp(groups[i], keyWidth);
     }

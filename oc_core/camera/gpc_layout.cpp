@@ -7,6 +7,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/camera/gpc_fold.h"
 
 namespace ocelli {
 namespace {
@@ -34,17 +35,6 @@ void checkRange(double value, double least, double most, const char* what, const
   }
 }
 
-/// The least zoom that does not fold, above the given one, which does.
-double leastZoom(const GpcSampling& sampling, double zoom, double outer) {
-  double folds = zoom;
-  double works = 1;
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (folds + works) / 2;
-    (GpcProfile(sampling, middle, outer).isIncreasing() ? works : folds) = middle;
-  }
-  return works;
-}
-
 void validateAlone(const GpcRegion& region, const GpcSampling& sampling, const std::string& where) {
   for (int axis = 0; axis < 2; ++axis) {
     checkRange(static_cast<double>(region.center[axis]), 0, 1, "\"center\"", where);
@@ -64,7 +54,7 @@ void validateAlone(const GpcRegion& region, const GpcSampling& sampling, const s
   if (!GpcProfile(sampling, zoom, region.outer()).isIncreasing()) {
     throw InputError(fmt::format("its transition is too narrow for a zoom of {:g}: samples would fold", zoom), where,
                      fmt::format("widen \"transition_width\", or zoom by more than {:.4g}",
-                                 leastZoom(sampling, zoom, region.outer())));
+                                 leastUnfoldedZoom(sampling, region.outer())));
   }
 }
 

@@ -25,7 +25,9 @@ std::string rootStyle(std::string_view scheme, uint32_t PageColor::*value, std::
 
 std::string pageColorsStyle(PageScheme scheme) {
   const bool follows = scheme == PageScheme::kFollowsScreen;
-  std::string style = rootStyle(follows ? "light dark" : "light", &PageColor::light, kFonts);
+  std::string style = scheme == PageScheme::kDark
+                          ? rootStyle("dark", &PageColor::dark, kFonts)
+                          : rootStyle(follows ? "light dark" : "light", &PageColor::light, kFonts);
   if (follows) {
     style += fmt::format("@media (prefers-color-scheme: dark) {{\n{}}}\n@media print {{\n{}}}\n",
                          rootStyle("dark", &PageColor::dark, ""), rootStyle("light", &PageColor::print, ""));

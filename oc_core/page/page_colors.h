@@ -48,9 +48,9 @@ inline constexpr std::array<PageColor, 15> kAll{kGround, kCard, kTint,      kTex
 
 }  // namespace page_color
 
-/// The style that defines the colours and the fonts (--sans, --serif, --mono): of a page that is light everywhere, or
-/// follows the screen and the printer.
-enum class PageScheme { kLight, kFollowsScreen };
+/// The style that defines the colours and the fonts (--sans, --serif, --mono): of a page that is light everywhere, dark
+/// everywhere, or follows the screen and the printer.
+enum class PageScheme { kLight, kDark, kFollowsScreen };
 std::string pageColorsStyle(PageScheme scheme);
 
 }  // namespace ocelli

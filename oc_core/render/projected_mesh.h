@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "oc_core/camera/pinhole_camera.h"
@@ -64,6 +65,7 @@ class ProjectedMesh {
   const PinholeCamera& camera() const { return camera_; }
   const Mesh& mesh() const { return *mesh_; }
   const ProjectedVertex& vertex(uint32_t i) const { return vertices_[i]; }
+  std::span<const ProjectedVertex> vertices() const { return vertices_; }
   /// Whether a triangle covers no pixel centre for sure.
   bool missesCentres(const glm::uvec3& triangle) const {
     return CentreCell::missCentres(cells_[triangle.x], cells_[triangle.y], cells_[triangle.z]);

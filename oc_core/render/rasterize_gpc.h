@@ -20,6 +20,9 @@ namespace ocelli {
 FragmentImage rasterizeGpc(const GpcCamera& camera, const Mesh& mesh);
 /// The same for a mesh that was projected by the camera's reference.
 FragmentImage rasterizeGpc(const GpcCamera& camera, const ProjectedMesh& projected);
+/// The same without straight edges in transitions: each pixel there is tried where its sample lies. Slower; what the
+/// others are tested against.
+FragmentImage rasterizeGpcExactly(const GpcCamera& camera, const ProjectedMesh& projected);
 
 /// With which subdivision (rasterize_subdivided.h) draws this camera without tearing what it zooms.
 SubdivisionOptions gpcSubdivision(const GpcCamera& camera);

@@ -13,6 +13,7 @@
 #include <string>
 
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/point_cloud.h"
 
 namespace ocelli {
 
@@ -25,6 +26,14 @@ Mesh readPly(const std::filesystem::path& path);
 /// The same of a stream of `size` bytes; `where` stands in messages.
 Mesh readPly(std::istream& stream, uint64_t size, const std::string& where);
 
+/// Whether a PLY file holds points: it has vertices, and no faces and no strips of triangles. Throws InputError where
+/// its header is malformed.
+bool plyHoldsPoints(const std::filesystem::path& path);
+/// The vertices of such a file, with their normals (nx, ny, nz), where they have some; what readPly() says holds for
+/// the rest of them. Throws as that does, and where there are more than kMaxScenePoints.
+PointCloud readPlyPoints(const std::filesystem::path& path);
+PointCloud readPlyPoints(std::istream& stream, uint64_t size, const std::string& where);
+
 /// What a PLY file holds, one after the other: for meshes that need not fit into memory.
 class PlyVisitor {
  public:
@@ -33,6 +42,8 @@ class PlyVisitor {
   virtual void beginVertices(uint64_t count, bool colored) = 0;
   /// `color` is linear, and has no meaning where vertices have none.
   virtual void addVertex(const glm::vec3& position, const glm::vec3& color) = 0;
+  /// After each vertex, where vertices have normals.
+  virtual void addNormal(const glm::vec3& /*normal*/) {}
   /// Before the first face, of which each has one triangle or more.
   virtual void beginFaces(uint64_t count) = 0;
   /// Each corner is a vertex that came before.

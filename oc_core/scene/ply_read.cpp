@@ -16,6 +16,7 @@
 #include "oc_core/image/color.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/ply_header.h"
+#include "oc_core/scene/point_cloud.h"
 #include "oc_core/scene/scene.h"
 
 namespace ocelli {
@@ -153,14 +154,22 @@ float linearColor(double value, Type type) {
   return linearFromSrgb(static_cast<float>(encoded));
 }
 
+/// How many rows a file may have, and what of it there must be.
+struct PlyLimits {
+  uint64_t maxTriangles = 0;
+  uint64_t maxVertices = 0;
+  bool needsFaces = true;
+};
+
 class PlyReader {
  public:
-  PlyReader(std::istream& stream, uint64_t bytes, const std::string& where, PlyVisitor& visitor, uint64_t maxTriangles)
+  PlyReader(std::istream& stream, uint64_t bytes, const std::string& where, PlyVisitor& visitor,
+            const PlyLimits& limits)
       : where_(where),
         header_(ply::readHeader(stream, where)),
         scalars_(stream, header_.encoding),
         visitor_(visitor),
-        maxTriangles_(maxTriangles) {
+        limits_(limits) {
     checkSize(bytes - static_cast<uint64_t>(stream.tellg()));
   }
 
@@ -176,7 +185,7 @@ class PlyReader {
         skip(element);
       }
     }
-    if (!hasFaces) {
+    if (limits_.needsFaces && !hasFaces) {
       fail("the file has no faces", "export it as a triangle mesh, not as points or strips");
     }
   }
@@ -192,8 +201,12 @@ class PlyReader {
   }
 
   std::string whatIfTooLarge() const {
-    return maxTriangles_ > kMaxSceneTriangles ? "reduce the mesh"
-                                              : "reduce the mesh, or pack it with ocelli scene pack, which takes more";
+    if (!limits_.needsFaces) {
+      return "leave points out";
+    }
+    return limits_.maxTriangles > kMaxSceneTriangles
+               ? "reduce the mesh"
+               : "reduce the mesh, or pack it with ocelli scene pack, which takes more";
   }
 
   /// A count that the file cannot hold is found before any memory is taken for it.
@@ -206,7 +219,7 @@ class PlyReader {
              "copy or export it again: it looks truncated");
       }
       left -= element.count * row;
-      const uint64_t most = element.name == "face" ? maxTriangles_ : 3 * maxTriangles_;
+      const uint64_t most = element.name == "face" ? limits_.maxTriangles : limits_.maxVertices;
       if (element.count > most) {
         fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", whatIfTooLarge());
       }
@@ -252,8 +265,8 @@ class PlyReader {
   }
 
   void readVertices(const Element& element) {
-    std::vector<int> slots;  // of each property: 0..2 position, 3..5 colour, -1 neither
-    std::array<bool, 6> found{};
+    std::vector<int> slots;  // of each property: 0..2 position, 3..5 colour, 6..8 normal, -1 neither
+    std::array<bool, 9> found{};
     for (const Property& property : element.properties) {
       slots.push_back(property.isList ? -1 : slotNamed(property.name));
       if (slots.back() >= 0) {
@@ -267,10 +280,12 @@ class PlyReader {
       fail("there are two lists of vertices", "export it again");
     }
     const bool colored = found[3] && found[4] && found[5];
+    const bool hasNormals = found[6] && found[7] && found[8];
     visitor_.beginVertices(element.count, colored);
     for (uint64_t row = 0; row < element.count; ++row) {
       glm::vec3 position(0);
       glm::vec3 color(1);
+      glm::vec3 normal(0);
       for (size_t i = 0; i < slots.size(); ++i) {
         const Property& property = element.properties[i];
         if (slots[i] < 0) {
@@ -280,22 +295,30 @@ class PlyReader {
         const double scalar = value(element, row, property.type);
         if (slots[i] < 3) {
           position[slots[i]] = static_cast<float>(scalar);
+        } else if (slots[i] >= 6) {
+          normal[slots[i] - 6] = static_cast<float>(scalar);
         } else if (colored) {
           color[slots[i] - 3] = linearColor(scalar, property.type);
         }
       }
       visitor_.addVertex(position, color);
+      if (hasNormals) {
+        visitor_.addNormal(normal);
+      }
     }
     vertices_ = element.count;
   }
 
   static int slotNamed(const std::string& name) {
-    static constexpr std::array<std::array<const char*, 4>, 6> kNames{{{"x", "x", "x", "x"},
+    static constexpr std::array<std::array<const char*, 4>, 9> kNames{{{"x", "x", "x", "x"},
                                                                        {"y", "y", "y", "y"},
                                                                        {"z", "z", "z", "z"},
                                                                        {"red", "r", "diffuse_red", "Red"},
                                                                        {"green", "g", "diffuse_green", "Green"},
-                                                                       {"blue", "b", "diffuse_blue", "Blue"}}};
+                                                                       {"blue", "b", "diffuse_blue", "Blue"},
+                                                                       {"nx", "normal_x", "nx", "nx"},
+                                                                       {"ny", "normal_y", "ny", "ny"},
+                                                                       {"nz", "normal_z", "nz", "nz"}}};
     for (size_t slot = 0; slot < kNames.size(); ++slot) {
       if (std::find(kNames[slot].begin(), kNames[slot].end(), name) != kNames[slot].end()) {
         return static_cast<int>(slot);
@@ -331,8 +354,8 @@ class PlyReader {
              "repair the mesh, or export it again");
       }
     }
-    if (triangles_ + items_.size() > maxTriangles_ + 2) {
-      fail("the file has more than " + std::to_string(maxTriangles_) + " triangles", whatIfTooLarge());
+    if (triangles_ + items_.size() > limits_.maxTriangles + 2) {
+      fail("the file has more than " + std::to_string(limits_.maxTriangles) + " triangles", whatIfTooLarge());
     }
     for (size_t i = 2; i < items_.size(); ++i) {
       visitor_.addTriangle(
@@ -348,7 +371,7 @@ class PlyReader {
   ScalarStream scalars_;
   std::vector<double> items_;
   PlyVisitor& visitor_;
-  uint64_t maxTriangles_;
+  PlyLimits limits_;
   uint64_t vertices_ = 0;
   uint64_t triangles_ = 0;
 };
@@ -376,6 +399,30 @@ class MeshVisitor final : public PlyVisitor {
   bool colored_ = false;
 };
 
+/// Of points in memory.
+class PointVisitor final : public PlyVisitor {
+ public:
+  void beginVertices(uint64_t count, bool colored) override {
+    cloud.positions.reserve(count);
+    cloud.colors.reserve(colored ? count : 0);
+    colored_ = colored;
+  }
+  void addVertex(const glm::vec3& position, const glm::vec3& color) override {
+    cloud.positions.push_back(position);
+    if (colored_) {
+      cloud.colors.push_back(color);
+    }
+  }
+  void addNormal(const glm::vec3& normal) override { cloud.normals.push_back(normal); }
+  void beginFaces(uint64_t /*count*/) override {}
+  void addTriangle(const glm::uvec3& /*corners*/) override {}
+
+  PointCloud cloud;
+
+ private:
+  bool colored_ = false;
+};
+
 /// A stream of a file, and how many bytes it has.
 std::pair<std::ifstream, uint64_t> opened(const fs::path& path) {
   std::error_code error;
@@ -396,8 +443,31 @@ Mesh readPly(const fs::path& path) {
 
 Mesh readPly(std::istream& stream, uint64_t size, const std::string& where) {
   MeshVisitor visitor;
-  PlyReader(stream, size, where, visitor, kMaxSceneTriangles).read();
+  PlyReader(stream, size, where, visitor, {kMaxSceneTriangles, 3 * kMaxSceneTriangles}).read();
   return std::move(visitor.mesh);
+}
+
+bool plyHoldsPoints(const fs::path& path) {
+  auto [stream, bytes] = opened(path);
+  bool hasVertices = false;
+  for (const Element& element : ply::readHeader(stream, path.string()).elements) {
+    if ((element.name == "face" && element.count > 0) || element.name == "tristrips") {
+      return false;
+    }
+    hasVertices = hasVertices || element.name == "vertex";
+  }
+  return hasVertices;
+}
+
+PointCloud readPlyPoints(const fs::path& path) {
+  auto [stream, bytes] = opened(path);
+  return readPlyPoints(stream, bytes, path.string());
+}
+
+PointCloud readPlyPoints(std::istream& stream, uint64_t size, const std::string& where) {
+  PointVisitor visitor;
+  PlyReader(stream, size, where, visitor, {0, kMaxScenePoints, false}).read();
+  return std::move(visitor.cloud);
 }
 
 uint64_t plyFaceCount(const fs::path& path) {
@@ -412,7 +482,7 @@ uint64_t plyFaceCount(const fs::path& path) {
 void visitPly(const fs::path& path, PlyVisitor& visitor, uint64_t maxTriangles) {
   auto [stream, bytes] = opened(path);
   const std::string where = path.string();
-  PlyReader(stream, bytes, where, visitor, maxTriangles).read();
+  PlyReader(stream, bytes, where, visitor, {maxTriangles, 3 * maxTriangles}).read();
 }
 
 }  // namespace ocelli

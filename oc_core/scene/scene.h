@@ -3,10 +3,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/point_cloud.h"
 #include "oc_core/scene/scene_guides.h"
 
 namespace ocelli {
@@ -24,6 +26,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   SceneGuides guides;
+  std::optional<PointFacts> points;   ///< of a file of points; its mesh has them as geometry
   std::vector<std::string> warnings;  ///< what the user should know of the file, such as a missing texture
 
   /// Adds a mesh and one copy of it.

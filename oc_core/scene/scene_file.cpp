@@ -11,6 +11,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/scene/animated_scene.h"
 #include "oc_core/scene/ply_file.h"
+#include "oc_core/scene/point_mesh.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
 #include "oc_core/scene/texture_bake.h"
@@ -87,7 +88,11 @@ Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const
   checkFile(path);
   Scene scene;
   // What claims to be PLY never reaches Assimp.
-  if (isPlyFile(path)) {
+  if (isPlyFile(path) && plyHoldsPoints(path)) {
+    PointMesh points = meshOfPoints(readPlyPoints(path), options.points, path.string(), progress);
+    scene.add(std::move(points.mesh));
+    scene.points = points.facts;
+  } else if (isPlyFile(path)) {
     scene.add(readPly(path));
     dropUnusedVertices(scene.meshes.back());
   } else {

@@ -18,13 +18,15 @@ struct SceneFileOptions {
   bool textures = true;  ///< bake them to vertex colours; else materials have their plain colours
   /// Triangles that may be added, in all, so that textures survive (texture_bake.h).
   size_t textureTriangles = 1'000'000;
+  PointOptions points{};  ///< of a file of points
 };
 
 /// Whether a file is PLY by its name or its first bytes.
 bool isPlyFile(const std::filesystem::path& path);
 
-/// Reads a file with its node transforms and copies. Polygons are triangulated, points and lines left out, vertices
-/// that no triangle uses dropped, and formats that repeat a vertex for each triangle (OBJ, STL) get shared ones back.
+/// Reads a file with its node transforms and copies. A PLY file of points becomes geometry (point_mesh.h). Of other
+/// files polygons are triangulated, points and lines left out, vertices that no triangle uses dropped, and formats that
+/// repeat a vertex for each triangle (OBJ, STL) get shared ones back.
 ///
 /// Colours are those of the vertices, else the diffuse or base colours of the materials, times their diffuse texture,
 /// plus their emissive colour times its texture; there are none where the file says nothing of colours. Textures may be

@@ -44,6 +44,7 @@ Mesh partOf(const GuidedScene& scene, uint32_t object) {
 Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const Progress& progress) {
   SceneOptions own = options;
   own.fit = true;
+  own.points = {};
   const Mesh mesh = loadScene(object.source, own, progress);
   const std::vector<glm::mat4> places = placesOf(object);
   if (places.size() * mesh.triangles.size() > kMaxSceneTriangles) {

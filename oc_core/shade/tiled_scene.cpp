@@ -22,8 +22,7 @@ Scene unlitScene(const std::string& source, const SceneOptions& options, const P
   if (options.motion.seconds) {
     throw InputError("a scene that moves has no relief tiles", source, "leave out --time, or the role \"relief\"");
   }
-  return isBuiltinScene(source) ? makeBuiltinScene(source)
-                                : readSceneFile(source, {.textures = options.textures}, progress);
+  return isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
 }
 
 bool isRelief(const std::vector<RoledObject>& roles, uint32_t object) {
@@ -86,6 +85,7 @@ TiledScene loadTiledScene(const std::string& source, const std::vector<RoledObje
     }
     SceneOptions own = options;
     own.fit = true;
+    own.points = {};
     own.shading = Shading::kNone;
     if (!role.has(kIsRelief)) {
       append(tiled.around, loadScene(role.source, own, progress), placesOf(role)[0]);

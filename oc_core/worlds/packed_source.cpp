@@ -135,7 +135,8 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
   }
   report(progress, "loading the scene", 0);
   Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
-                                       : readSceneFile(source, {.textures = options.textures}, progress);
+                                       : readSceneFile(source, fileOptionsOf(options), progress);
+  refuseUnusedPoints(scene.points, options);
   for (const std::string& warning : scene.warnings) {
     if (options.warn) {
       options.warn(warning);

@@ -48,7 +48,8 @@ std::unique_ptr<MovingScene> readSeries(const std::string& folder, const SceneOp
   std::vector<Mesh> meshes;
   for (const fs::path& file : files) {
     report(progress, "loading the series", static_cast<double>(meshes.size()) / static_cast<double>(files.size()));
-    const Scene scene = readSceneFile(file, {.textures = options.textures}, progress);
+    const Scene scene = readSceneFile(file, fileOptionsOf(options), progress);
+    refuseUnusedPoints(scene.points, options);
     tell(options, scene.warnings);
     meshes.push_back(flatten(scene));
     validate(meshes.back(), file.string());
@@ -64,6 +65,7 @@ std::unique_ptr<MovingScene> openMotion(const std::string& source, const SceneOp
   if (isFolder(source)) {
     return readSeries(source, options, progress);
   }
+  refuseUnusedPoints({}, options);
   if (isBuiltinScene(source)) {
     return makeBuiltinMotion(source);
   }

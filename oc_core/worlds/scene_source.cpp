@@ -18,7 +18,7 @@ namespace {
 
 /// Takes the scene, so that it is gone when its mesh is worked on.
 GuidedScene flattened(Scene scene) {
-  return {flatten(scene), objectOfTriangles(scene), std::move(scene.guides), glm::mat4(1)};
+  return {flatten(scene), objectOfTriangles(scene), std::move(scene.guides), glm::mat4(1), scene.points};
 }
 
 /// What other commands take.
@@ -66,6 +66,16 @@ void refuseUnusedMotion(const std::string& source, const SceneOptions& options) 
 
 }  // namespace
 
+SceneFileOptions fileOptionsOf(const SceneOptions& options) {
+  return {.textures = options.textures, .points = options.points};
+}
+
+void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOptions& options) {
+  if (!points && options.points.width) {
+    throw InputError("this scene has triangles, and no points of a size", "--point-size", "leave it out");
+  }
+}
+
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
   report(progress, "loading the scene", 0);
@@ -74,12 +84,14 @@ GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& optio
   }
   refuseUnusedMotion(source, options);
   if (isPackedScene(source)) {
+    refuseUnusedPoints({}, options);
     Mesh mesh = unpackedMesh(openPacked(source, options));
     std::vector<uint32_t> objects(mesh.triangles.size(), 0);
     return {std::move(mesh), std::move(objects), {}, glm::mat4(1)};
   }
-  Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
-                                       : readSceneFile(source, {.textures = options.textures}, progress);
+  Scene scene =
+      isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
+  refuseUnusedPoints(scene.points, options);
   for (const std::string& warning : scene.warnings) {
     if (options.warn) {
       options.warn(warning);

@@ -13,6 +13,8 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/scene/mesh.h"
 #include "oc_core/scene/mesh_series.h"
+#include "oc_core/scene/point_cloud.h"
+#include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/scene_guides.h"
 
 namespace ocelli {
@@ -36,9 +38,15 @@ struct SceneOptions {
   Shading shading = Shading::kLambert;
   bool textures = true;  ///< bake the textures of a file to vertex colours
   MotionOptions motion{};
+  PointOptions points{};  ///< of a scene of points
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };
+
+/// What of them concerns the files of a scene.
+SceneFileOptions fileOptionsOf(const SceneOptions& options);
+/// Throws InputError where something is said of points and the scene has none.
+void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOptions& options);
 
 /// A scene with what its mesh alone does not say.
 struct GuidedScene {
@@ -46,9 +54,11 @@ struct GuidedScene {
   std::vector<uint32_t> objectOfTriangle;  ///< the identity of each triangle of `mesh`; 0 is structure
   SceneGuides guides;                      ///< in the world of `mesh`
   glm::mat4 worldFromScene{1};             ///< what fitted it: a uniform scale and a translation
+  std::optional<PointFacts> points = {};   ///< of a scene of points, in its units before it was fitted
 };
 
-/// Throws InputError for a spec or a file that is wrong, and where a moment is asked of a scene that stands still.
+/// Throws InputError for a spec or a file that is wrong, where a moment is asked of a scene that stands still, and
+/// where the size of points is told of a scene that has none.
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options = {}, const Progress& progress = {});
 
 /// The scene as one validated mesh. Throws InputError for a spec or a file that is wrong.

@@ -120,51 +120,5 @@ TEST(GpcMap, ratesByHand) {
   EXPECT_DOUBLE_EQ(both.y, 2);
 }
 
-TEST(GpcZone, imageBoxHoldsEveryPoint) {
-  std::mt19937 random(10);
-  std::uniform_real_distribution<float> any(0, 1);
-  for (const GpcSampling& each : gpcSamplings()) {
-    const GpcMap map = twoZones(each.name);
-    for (int i = 0; i < 4000; ++i) {
-      const glm::vec2 from(kMapWidth * any(random), kMapHeight * any(random));
-      const float size = std::exp2(-10 * any(random));
-      const ImageBox box{from, from + glm::vec2(kMapWidth * any(random), kMapHeight * any(random)) * size};
-      for (const GpcZone& zone : map.zones()) {
-        const ImageBox image = zone.imageBox(box);
-        for (int k = 0; k < 20; ++k) {
-          const glm::dvec2 p =
-              glm::mix(glm::dvec2(box.lower), glm::dvec2(box.upper), glm::dvec2(any(random), any(random)));
-          const glm::dvec2 q = zone.imageFromPinhole(p);
-          ASSERT_TRUE(q.x >= double(image.lower.x) && q.y >= double(image.lower.y) && q.x <= double(image.upper.x) &&
-                      q.y <= double(image.upper.y))
-              << each.name << " " << p.x << " " << p.y;
-        }
-      }
-    }
-  }
-}
-
-// A box of half a pixel, on average over a zone: a pixel more than what its corners become, which bounds it from below.
-TEST(GpcZone, imageBoxIsTight) {
-  for (const GpcSampling& each : gpcSamplings()) {
-    const GpcMap map = textsMap(each.name);
-    const GpcZone& zone = map.zones()[0];
-    double wider = 0;
-    int boxes = 0;
-    for (float y = 0; y < kMapHeight - 1; y += 7) {
-      for (float x = 0; x < kMapWidth - 1; x += 7) {
-        const ImageBox box{{x, y}, {x + 0.5f, y + 0.5f}};
-        const ImageBox image = zone.imageBox(box);
-        const glm::dvec2 a = zone.imageFromPinhole({x, y});
-        const glm::dvec2 b = zone.imageFromPinhole({x + 0.5, y + 0.5});
-        wider += (glm::dvec2(image.upper - image.lower) - glm::abs(b - a)).x;
-        ++boxes;
-      }
-    }
-    EXPECT_LT(wider / boxes, 1) << each.name;
-    EXPECT_GT(wider / boxes, 0) << each.name;
-  }
-}
-
 }  // namespace
 }  // namespace ocelli

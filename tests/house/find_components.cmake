@@ -1,6 +1,6 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
-# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE: whether there is a component "opengl", "mpi",
+# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE, WITH_REMOTE: whether there is a component "opengl", "mpi",
 # "live". DOCUMENTATION: docs/install.md.
 
 # Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
@@ -160,6 +160,12 @@ if(WITH_LIVE_PAGE)
     LACKS assimp::assimp ${windows} ${usb} ${statistics})
 else()
   must_fail_saying("There is no component \"live\"" "find_package(Ocelli REQUIRED COMPONENTS live)")
+endif()
+if(WITH_REMOTE)
+  find_needs(serving TARGETS Ocelli::remote Ocelli::remote_server PACKAGES Eigen3 Boost assimp glfw3 SQLiteCpp
+    LACKS assimp::assimp SQLiteCpp ${windows} ${usb} ${statistics})
+else()
+  must_fail_saying("There is no component \"serving\"" "find_package(Ocelli REQUIRED COMPONENTS serving)")
 endif()
 if(WITH_OPENGL)
   find_needs(opengl TARGETS Ocelli::viewer Ocelli::study_screen Ocelli::gl PACKAGES Eigen3 Boost assimp

@@ -113,7 +113,8 @@ TEST(Footprint, isTight) {
   }
   test::forEachSmallCamera([&](const char* name, const auto& camera) {
     if constexpr (std::is_same_v<std::decay_t<decltype(camera)>, GpcCamera>) {
-      return;  // what it magnifies by varies over a box of 3 pixels more: gpc_map_test.cpp, imageBoxIsTight
+      return;  // what it magnifies by varies over a box, by 3 pixels more here; its own renderer has
+               // GpcRasterZone::imageBox
     }
     for (size_t i = 0; i < mesh.triangles.size(); ++i) {
       const PixelBox box = footprint(camera, inCameraSpace(referenceOf(camera), mesh, i));

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/worlds/scene_source.h"
@@ -86,6 +87,65 @@ TEST(RasterizeGpc, leavesNoGaps) {
     // one.
     EXPECT_LT(worst, 0.005f) << jsonText(layout);
   }
+}
+
+// Small triangles, most of which are filled with straight edges: as those that are tried pixel by pixel, but for what
+// lies within a chord of an edge.
+TEST(RasterizeGpc, straightEdgesAreWithinAChordOfBentOnes) {
+  const Mesh mesh = loadScene("builtin:statues,triangles=100000");
+  View view;
+  view.target = {0, -0.2f, 0};
+  view.fovVerticalDegrees = 8;
+  const PinholeCamera pinhole(view, 720, 480);
+  for (const GpcLayout& layout : layouts()) {
+    const GpcCamera camera(pinhole, layout);
+    const ProjectedMesh projected(pinhole, mesh);
+    const FragmentImage drawn = rasterizeGpc(camera, projected);
+    const FragmentImage exact = rasterizeGpcExactly(camera, projected);
+    size_t covered = 0;
+    size_t others = 0;
+    size_t different = 0;
+    for (size_t i = 0; i < drawn.size(); ++i) {
+      covered += exact[i].covered();
+      others += drawn[i].triangle != exact[i].triangle;
+      different += drawn[i].covered() != exact[i].covered();
+      if (drawn[i].covered() && drawn[i].triangle == exact[i].triangle) {
+        // Of these triangles no point is a chord away in depth: they are a hundredth of the distance large.
+        ASSERT_NEAR(drawn[i].t, exact[i].t, 1e-3f * exact[i].t);
+      }
+    }
+    EXPECT_GT(covered, drawn.size() / 3) << jsonText(layout);
+    // Triangles are a few pixels large, so some thousandths of the pixels lie within a chord of an edge between two,
+    // and which of them they show is open. Less than a tenth of the edges that are seen are silhouettes.
+    EXPECT_LE(others, covered / 200) << jsonText(layout);
+    EXPECT_LE(different, covered / 5000) << jsonText(layout);
+    EXPECT_GT(others, 0u) << "all is drawn pixel by pixel";
+  }
+}
+
+TEST(RasterizeGpc, isTheSameForAnyNumberOfThreads) {
+  const Mesh mesh = loadScene("builtin:statues,triangles=20000");
+  const GpcCamera camera(largerPinhole(), test::twoRegions("cubic"));
+  setThreadCount(1);
+  const FragmentImage one = rasterizeGpc(camera, mesh);
+  setThreadCount(3);
+  const FragmentImage three = rasterizeGpc(camera, mesh);
+  setThreadCount(0);
+  EXPECT_EQ(one, three);
+}
+
+// As many zones as there may be.
+TEST(RasterizeGpc, drawsManyRegions) {
+  GpcLayout layout{findGpcSampling("cubic"), {}};
+  for (size_t i = 0; i < GpcLayout::kMaxRegions; ++i) {
+    const glm::vec2 cell(static_cast<float>(i % 16), static_cast<float>(i / 16));
+    layout.regions.push_back({(cell + 0.5f) / 16.0f, glm::vec2(0.03f), 2, 0.9f});
+  }
+  const Mesh mesh = test::randomTriangles(300, 29);
+  const GpcCamera camera(largerPinhole(), layout);
+  const Disagreement found = disagreement(rasterizeGpc(camera, mesh), raycast(camera, mesh, RayScene(mesh)));
+  EXPECT_GT(found.covered, 20000u);
+  EXPECT_LE(found.coverage + found.depth, found.covered / 1000);
 }
 
 // Without a region, and with a zoom of 1, it is the pinhole: bit for bit around the zones.

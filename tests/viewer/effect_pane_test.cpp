@@ -72,7 +72,7 @@ TEST_P(EffectPaneTest, theWindowShowsThePictureToTheByte) {
   test.settle();
   const Image<Rgb8>& picture = test.viewer.effectPicture();
   const Image<Rgb8> pane = test.paneImage(Pane::kEffect);
-  const auto place = effectPlace(test.viewer.state(), {pane.width(), pane.height()});
+  const auto place = picturePlace(test.viewer.state(), {pane.width(), pane.height()});
   ASSERT_EQ(place.size, glm::ivec2(picture.width(), picture.height()));
   // Texts stand over its upper part, buttons over its lower one.
   size_t different = 0;

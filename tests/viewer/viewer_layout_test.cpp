@@ -49,8 +49,10 @@ TEST(ViewerLayout, nothingOverlapsOrLeavesTheWindow) {
 
 TEST(ViewerLayout, panesAreFoundByTheirPlace) {
   ViewerState state = layoutState();
-  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), kPaneCount - 1);
+  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), kPaneCount - 2);
   state.effect.on = true;
+  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), kPaneCount - 1);
+  chooseCamera(state, "gpc");
   const ViewerLayout layout = viewerLayout(state, {1280, 800}, 1);
   ASSERT_EQ(layout.panes.size(), kPaneCount);
   for (const Pane pane : kPanes) {

@@ -1,0 +1,113 @@
+// Which image a picture is drawn from, and when to ask for another: the rule of oc_core/remote/client/remote_client.h,
+// which has it in words. It is told the time, so that tests can tell it theirs.
+import {coverLimits, coverLoad, plannedCover} from './image_cover.js';
+import {isResting, motionBetween, viewAhead} from './view_motion.js';
+
+export const lookRule = {
+  askAt: 0.8,  // of the load that ends what is covered
+  firstTripSeconds: 0.5,
+  aheadSeconds: 0.25,
+  maxAheadSeconds: 4,
+  restSeconds: 0.3,
+  motionSeconds: 0.1,
+  pauseSeconds: 0.25,
+  maxAsked: 8,  // requests that are remembered while they wait for an answer
+};
+
+const sameText = (a, b) => JSON.stringify(a) === JSON.stringify(b);
+
+/// Of the held images one that covers the view from its own eye, as there pictures are exact; else, or of several, the one
+/// with the least load; of equals the newest, which comes last.
+export function chosenImage(images, view, screen, lenses) {
+  let best = null;
+  for (const image of images) {
+    const load = coverLoad(image.cover, view, screen, lenses);
+    const isExact = load.shift === 0 && load.whole <= 1;
+    if (best === null || (isExact === best.isExact ? load.whole <= best.load.whole : isExact)) {
+      best = {image, load, isExact};
+    }
+  }
+  return best;
+}
+
+export class LookPlanner {
+  constructor() {
+    this.sequence = 0;
+    this.trip = lookRule.firstTripSeconds;
+    this.forget();
+  }
+
+  /// Nothing is under way any more: the server is another, or was away.
+  forget() {
+    this.asked = [];
+    this.past = [];
+    this.lastWish = null;
+    this.lastAsked = -Infinity;
+    this.restingSince = -Infinity;
+  }
+
+  /// The look to send now, {sequence, view, screen, lenses}, or null. `settings` are those of the server.
+  look({view, screen, lenses, images, settings, seconds}) {
+    const state = {view, screen, lenses};
+    const {past} = this;
+    while (past.length > 1 && past[1].seconds <= seconds - lookRule.motionSeconds) {
+      past.shift();
+    }
+    if (past.length === 0 || !sameText(past[past.length - 1].state, state)) {
+      this.restingSince = seconds;
+    }
+    const wish = this.wish(state, images, settings, seconds);
+    past.push({seconds, state});
+    if (wish === null || seconds - this.lastAsked < lookRule.pauseSeconds) {
+      return null;
+    }
+    this.lastAsked = seconds;
+    this.lastWish = wish;
+    const look = {sequence: ++this.sequence, ...wish};
+    this.asked.push({look, seconds, cover: plannedCover(wish.view, screen, settings)});
+    if (this.asked.length > lookRule.maxAsked) {
+      this.asked.shift();
+    }
+    return look;
+  }
+
+  wish(state, images, settings, seconds) {
+    const {view, screen, lenses} = state;
+    const best = chosenImage(images, view, screen, lenses);
+    if (best === null) {
+      return this.asked.length === 0 ? state : null;
+    }
+    const first = this.past[0];
+    const motion = first ? motionBetween(first.state.view, view, seconds - first.seconds) : null;
+    if (motion === null || isResting(motion)) {
+      // `detail` is 1 where there are leastDetail samples a pixel, and leastDetail where there is one a pixel.
+      const isExact = best.load.shift === 0 && best.load.reach <= 1 &&
+        best.load.detail <= coverLimits.leastDetail * 1.001 && sameText(best.image.screen, screen);
+      const isRested = seconds - this.restingSince >= lookRule.restSeconds;
+      return !isExact && isRested && !sameText(this.lastWish, state) ? state : null;
+    }
+    const time = Math.min(this.trip + lookRule.aheadSeconds, lookRule.maxAheadSeconds);
+    const ahead = viewAhead(view, motion, time);
+    const load = Math.min(...images.map((image) => coverLoad(image.cover, ahead, screen, lenses).whole));
+    return load <= lookRule.askAt || this.isAskedFor(ahead, screen, best.image.cover.nearZ) ? null :
+      {view: ahead, screen, lenses};
+  }
+
+  isAskedFor(view, screen, nearZ) {
+    return this.asked.some(({cover}) => coverLoad(cover.withNear(nearZ), view, screen).whole <= 1);
+  }
+
+  /// The answer to a request is here: as a whole, or (`isWhole` false) refused.
+  answered(sequence, seconds, isWhole = true) {
+    const own = this.asked.find(({look}) => look.sequence === sequence);
+    if (own && isWhole) {
+      this.trip = seconds - own.seconds;
+    }
+    this.asked = this.asked.filter(({look}) => look.sequence > sequence);
+  }
+
+  /// Whether an answer is awaited.
+  get isWaiting() {
+    return this.asked.length > 0;
+  }
+}

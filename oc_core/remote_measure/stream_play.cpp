@@ -1,0 +1,36 @@
+#include "oc_core/remote_measure/stream_play.h"
+
+#include "oc_core/base/check.h"
+#include "oc_core/remote_measure/image_play.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kArrivalRounding = 1e-9;
+
+}  // namespace
+
+Playback playStream(const RemotePath& path, const LinkSpeed& speed, std::span<const size_t> frameBytes,
+                    double serverSeconds) {
+  OC_CHECK(frameBytes.size() == path.views.size(), "a stream has each frame of its path");
+  VirtualLink link(speed);
+  Playback playback;
+  std::vector<double> arrivals;
+  for (size_t j = 0; j < frameBytes.size(); ++j) {
+    const double ready = path.secondsOf(j) + speed.oneWaySeconds() + serverSeconds;
+    arrivals.push_back(link.arrival(ready, bytesOnTheWire(frameBytes[j])));
+  }
+  size_t come = 0;
+  for (size_t k = 0; k < frameBytes.size(); ++k) {
+    while (come < arrivals.size() && arrivals[come] <= path.secondsOf(k) + kArrivalRounding) {
+      ++come;
+    }
+    playback.shown.push_back(come > 0 ? ShownView{come - 1} : ShownView{});
+  }
+  playback.bytes = link.sentBytes();
+  playback.images = frameBytes.size();
+  playback.firstPictureSeconds = arrivals.front();
+  return playback;
+}
+
+}  // namespace ocelli

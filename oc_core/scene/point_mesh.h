@@ -1,0 +1,34 @@
+// Points as geometry, so that all that takes meshes takes them.
+#pragma once
+
+#include <string>
+
+#include "oc_core/base/progress.h"
+#include "oc_core/scene/mesh.h"
+#include "oc_core/scene/point_cloud.h"
+
+namespace ocelli {
+
+struct PointMesh {
+  Mesh mesh;
+  PointFacts facts;
+};
+
+/// Each point in its colour, in the order of the file, where another point does not stand there before it:
+///
+/// - where it has a normal, or its neighbours lie about in a plane, a rectangular panel in that plane, of two
+/// triangles,
+///   just so large that the surface is closed: it holds the Voronoi cell among the neighbours (point_shape.h);
+/// - otherwise, as along a line, in a cloud that fills space, or at a sharp edge, a closed octahedron that reaches the
+///   neighbours.
+///
+/// Estimated normals are turned outwards (point_orientation.h). A point far from all others is no larger than four
+/// times the median. With PointOptions::width panels are squares, and octahedra as high, of that width.
+///
+/// Throws InputError naming `where` where there is no point or a coordinate is not a finite number, where all points
+/// stand at one place and no width is given, or where the mesh would have more than kMaxSceneTriangles. Takes about 100
+/// bytes a point besides the mesh.
+PointMesh meshOfPoints(PointCloud cloud, const PointOptions& options, const std::string& where,
+                       const Progress& progress = {});
+
+}  // namespace ocelli

@@ -1,0 +1,125 @@
+#include "oc_core/remote_measure/image_play.h"
+
+#include <gtest/gtest.h>
+
+#include "oc_core/worlds/scene_source.h"
+#include "tests/remote_measure/measured_paths.h"
+
+namespace ocelli {
+namespace {
+
+const RemoteScene& playedScene() {
+  static const RemoteScene scene(loadScene("builtin:statues"));
+  return scene;
+}
+
+RemoteSettings lightSettings() {
+  RemoteSettings settings;
+  settings.color = "png";
+  settings.samples = 1;
+  return settings;
+}
+
+ImagePlayOptions fixedTimes(double clientSeconds = 0.001) {
+  ImagePlayOptions options;
+  options.screen = {64, 36};
+  options.serverSeconds = 0.05;
+  options.clientFrameSeconds = clientSeconds;
+  return options;
+}
+
+const ImageMode& modeOf(const char* name) {
+  return *findImageMode(name);
+}
+
+Playback play(const RemotePath& path, const LinkSpeed& speed, const char* mode,
+              const ImagePlayOptions& options = fixedTimes()) {
+  const RemoteSettings settings = modeOf(mode).settings(lightSettings(), 1);
+  return playImages(playedScene(), path, speed, modeOf(mode), settings, options, [](size_t, const Image<Rgb8>&) {});
+}
+
+TEST(ImagePlay, showsTheFirstImageWhenItsColorsHaveCome) {
+  const RemotePath path = turningPath(30, 10, 0);
+  const RemoteImage image = playedScene().answer({1, path.views[0], {64, 36}, {}}, lightSettings(), 1);
+  const Playback playback = play(path, {10e3, 0.2}, "gpc");
+  EXPECT_EQ(playback.images, 1u);
+  // 0.1 s up, 0.05 s on the server, its bytes, 0.1 s down.
+  const double color = static_cast<double>(image.headerJson.size() + 16 + bytesOnTheWire(image.color.size()));
+  EXPECT_NEAR(playback.firstPictureSeconds, 0.25 + color / 10e3, 0.004);  // two times in the header, of up to 20 digits
+  EXPECT_NEAR(static_cast<double>(playback.bytes), color + static_cast<double>(bytesOnTheWire(image.depth.size())), 40);
+  for (size_t k = 0; k < 30; ++k) {
+    EXPECT_EQ(playback.shown[k].frame.has_value(), path.secondsOf(k) >= playback.firstPictureSeconds) << k;
+  }
+  EXPECT_EQ(coveredShare(playback.shown), 1);
+}
+
+TEST(ImagePlay, showsEveryViewWithinTheCoveredRegion) {
+  const RemotePath path = turningPath(60, 60, 0.001);
+  const Playback playback = play(path, {1e6, 0.2}, "gpc");
+  EXPECT_EQ(playback.images, 1u);
+  EXPECT_EQ(stallsOf(path, playback.shown, false).count, 0u);
+  for (size_t k = 30; k < 60; ++k) {
+    EXPECT_EQ(playback.shown[k].frame, k);
+  }
+}
+
+// A client that takes 0.25 s to draw shows the view of the moment at which the last drawing that has ended began: at
+// 0.5 s that of 0.25 s, at 0.75 s that of 0.5 s.
+TEST(ImagePlay, isAsSlowAsItsClient) {
+  const RemotePath path = turningPath(10, 10, 0.001);
+  const Playback playback = play(path, {10e6, 0}, "gpc", fixedTimes(0.25));
+  EXPECT_EQ(playback.shown[5].frame, 2u);
+  EXPECT_EQ(playback.shown[7].frame, 2u);
+  EXPECT_EQ(playback.shown[8].frame, 5u);
+  EXPECT_GT(stallsOf(path, playback.shown, true).count, 0u);
+}
+
+TEST(ImagePlay, asksForMoreWhereTheViewLeaves) {
+  const RemotePath path = turningPath(120, 60, 0.02);
+  const Playback fast = play(path, {10e6, 0.02}, "gpc");
+  EXPECT_GT(fast.images, 1u);
+  EXPECT_EQ(coveredShare(fast.shown), 1);
+  // Over a slow link images do not come in time.
+  const Playback slow = play(path, {3e3, 0.2}, "gpc");
+  EXPECT_LT(coveredShare(slow.shown), 1);
+  EXPECT_LT(slow.images, fast.images);
+}
+
+TEST(ImagePlay, isTheSameEachTime) {
+  const RemotePath path = turningPath(60, 60, 0.02);
+  const Playback first = play(path, {30e3, 0.02}, "gpc");
+  const Playback second = play(path, {30e3, 0.02}, "gpc");
+  EXPECT_EQ(framesShown(first), framesShown(second));
+  EXPECT_EQ(first.images, second.images);
+}
+
+TEST(ImagePlay, zoomsWithAQuarterOfMipmappingsPixels) {
+  const RemoteSettings ours = lightSettings();
+  const auto pixels = [&](const char* name) {
+    const RemotePlan plan = planRemoteImage({0, turningPath(1, 1).views[0], {128, 72}, {}}, modeOf(name).settings(ours, 1));
+    return plan.reference.width() * plan.reference.height();
+  };
+  EXPECT_EQ(pixels("mipmap"), 4 * 128 * 72);
+  EXPECT_EQ(4 * pixels("gpc-zoom"), pixels("mipmap"));
+  // Both have two samples a pixel in the middle.
+  const RemotePath path = remotePath("zoom", turningPath(1, 1).views[0], 225, 60);
+  const Playback zoom = play(path, {1e6, 0.02}, "gpc-zoom");
+  const Playback mipmap = play(path, {1e6, 0.02}, "mipmap");
+  EXPECT_EQ(zoom.images, mipmap.images);
+  EXPECT_LT(zoom.bytes, mipmap.bytes);
+}
+
+TEST(ImagePlay, makesPlainImagesOfAsManyBytes) {
+  const View view = turningPath(1, 1).views[0];
+  const RemoteSettings ours = lightSettings();
+  const double size = equalBytesSize(playedScene(), view, {96, 54}, ours);
+  const auto bytesOf = [&](const RemoteSettings& settings) {
+    const RemoteImage image = playedScene().answer({1, view, {96, 54}, {}}, settings, 1);
+    return static_cast<double>(image.color.size() + image.depth.size());
+  };
+  EXPECT_NEAR(bytesOf(modeOf("di").settings(ours, size)) / bytesOf(ours), 1, 0.03);
+  EXPECT_EQ(findImageMode("nothing"), nullptr);
+}
+
+}  // namespace
+}  // namespace ocelli
