@@ -47,7 +47,10 @@ class TransitionTriangle {
     // lie a chord beside: pixels so near to it belong to both.
     constexpr double kRounding = 1e-6;
     const auto outside = [&](bool isChord, const glm::dvec2& along) {
-      return -std::abs(perArea_) * glm::length(along) * (isChord ? GpcRasterZone::kChordPixels : kRounding);
+      // Its length, or up to 1.09 times that.
+      const glm::dvec2 size = glm::abs(along);
+      const double length = std::max(size.x, size.y) + 0.41421357 * std::min(size.x, size.y);
+      return -std::abs(perArea_) * length * (isChord ? GpcRasterZone::kChordPixels : kRounding);
     };
     onEdge_ = {outside(triangle.isChord[0], ac_ - ab_), outside(triangle.isChord[1], ac_),
                outside(triangle.isChord[2], ab_)};
@@ -93,6 +96,52 @@ class TransitionTriangle {
   double perArea_;
   glm::dvec3 onEdge_{0};
   bool isEmpty_;
+};
+
+/// The straight triangle between three corners and what is not farther from it than `stray`, row by row.
+class WidenedTriangle {
+ public:
+  WidenedTriangle(const GpcVertex& a, const GpcVertex& b, const GpcVertex& c, float stray) {
+    const float turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0 ? -1.0f : 1.0f;
+    sides_ = {sideOf(a, b, turn, stray), sideOf(b, c, turn, stray), sideOf(c, a, turn, stray)};
+  }
+
+  /// The part of [first, last] that holds the pixels of a row with their centres in it.
+  void clip(int row, int& first, int& last) const {
+    const float y = static_cast<float>(row) + 0.5f;
+    float left = static_cast<float>(first);
+    float right = static_cast<float>(last);
+    for (const Side& side : sides_) {
+      const float x = side.offset + side.slope * y;
+      left = side.isLeft ? std::max(left, x - 0.5f) : left;
+      right = side.isLeft ? right : std::min(right, x - 0.5f);
+    }
+    first = left > right ? last + 1 : static_cast<int>(std::ceil(left));
+    last = left > right ? last : static_cast<int>(std::floor(right));
+  }
+
+ private:
+  /// x = offset + slope y, on the left or on the right.
+  struct Side {
+    float slope = 0;
+    float offset = 0;
+    bool isLeft = true;
+  };
+  static Side sideOf(const GpcVertex& from, const GpcVertex& to, float turn, float stray) {
+    const float dx = to.x - from.x;
+    const float dy = to.y - from.y;
+    constexpr float kFar = 1e9f;
+    if (dy == 0) {
+      return {0, -kFar, true};  // the rows of the box say all
+    }
+    // Inside, turn (dx (y - from.y) - dy (x - from.x)) is positive.
+    const bool isLeft = -turn * dy > 0;
+    const float slope = dx / dy;
+    const float beside = stray * std::sqrt(1 + slope * slope);
+    return {slope, from.x - slope * from.y + (isLeft ? -beside : beside), isLeft};
+  }
+
+  std::array<Side, 3> sides_;
 };
 
 std::vector<GpcRasterZone> rasterZones(const GpcCamera& camera) {
@@ -158,7 +207,8 @@ class GpcTriangles {
         if (size.x * size.x + size.y * size.y <= zone.longestSquared()) {
           // A chord strays by an eighth of the second derivative at most; twice that for what changes along it.
           const float stray = most(size.x, size.y) * (GpcRasterZone::kMaxBend / 4) + GpcRasterZone::kBoxSlack;
-          drawBent(buffer, triangle, zone, whole, {image.lower - stray, image.upper + stray});
+          drawSlightlyBent(buffer, triangle, zone, whole, WidenedTriangle(a, b, c, stray),
+                           pixelsWithin(zone, {image.lower - stray, image.upper + stray}));
           return;
         }
       }
@@ -255,14 +305,36 @@ class GpcTriangles {
              zone.imageBox({glm::max(part.box.lower, outer.lower), glm::min(part.box.upper, outer.upper)}));
   }
 
+  static PixelBounds pixelsWithin(const GpcRasterZone& zone, const ImageBox& image) {
+    const PixelBounds& pixels = zone.outerPixels();
+    return {std::max(static_cast<int>(std::ceil(image.lower.x - 0.5f)), pixels.x0),
+            std::max(static_cast<int>(std::ceil(image.lower.y - 0.5f)), pixels.y0),
+            std::min(static_cast<int>(std::floor(image.upper.x - 0.5f)) + 1, pixels.x1),
+            std::min(static_cast<int>(std::floor(image.upper.y - 0.5f)) + 1, pixels.y1)};
+  }
+
+  /// In the pixels of a triangle that is known to lie in a straight one, widened.
+  void drawSlightlyBent(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const GpcTriangle& part,
+                        const WidenedTriangle& widened, const PixelBounds& within) const {
+    if (within.x0 >= within.x1 || within.y0 >= within.y1) {
+      return;
+    }
+    const TransitionTriangle bent(part);
+    if (bent.isEmpty()) {
+      return;
+    }
+    for (int y = within.y0; y < within.y1; ++y) {
+      int first = within.x0;
+      int last = within.x1 - 1;
+      widened.clip(y, first, last);
+      drawPixels(buffer, triangle, zone, bent, {first, y, last + 1, y + 1});
+    }
+  }
+
   /// In the pixels of the transition that lie in a box.
   void drawBent(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const GpcTriangle& part,
                 const ImageBox& image) const {
-    const PixelBounds& pixels = zone.outerPixels();
-    const PixelBounds within{std::max(static_cast<int>(std::ceil(image.lower.x - 0.5f)), pixels.x0),
-                             std::max(static_cast<int>(std::ceil(image.lower.y - 0.5f)), pixels.y0),
-                             std::min(static_cast<int>(std::floor(image.upper.x - 0.5f)) + 1, pixels.x1),
-                             std::min(static_cast<int>(std::floor(image.upper.y - 0.5f)) + 1, pixels.y1)};
+    const PixelBounds within = pixelsWithin(zone, image);
     if (within.x0 >= within.x1 || within.y0 >= within.y1) {
       return;
     }
