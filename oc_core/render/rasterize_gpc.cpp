@@ -58,17 +58,27 @@ class TransitionTriangle {
 
   bool isEmpty() const { return isEmpty_; }
 
-  /// Whether all of some pixels lie outside of one edge.
-  bool misses(const GpcRasterZone::SampleBounds& samples, double greatestSpacing) const {
-    const glm::dvec2 lower = samples.lower - pa_;
-    const glm::dvec2 upper = samples.upper - pa_;
-    const glm::dvec2 forB = glm::dvec2(ac_.y, -ac_.x) * perArea_;
-    const glm::dvec2 forC = glm::dvec2(-ab_.y, ab_.x) * perArea_;
-    const auto greatest = [&](const glm::dvec2& slope) {
-      return std::max(slope.x * lower.x, slope.x * upper.x) + std::max(slope.y * lower.y, slope.y * upper.y);
+  /// The part of the pixels `first` to `last` of a line whose samples may be covered: the first of them lies at `at`,
+  /// each next one a step farther. Never too small.
+  void clip(const glm::dvec2& at, const glm::dvec2& step, double spacing, int& first, int& last) const {
+    const glm::dvec2 p = at - pa_;
+    const double b = (p.x * ac_.y - p.y * ac_.x) * perArea_;
+    const double c = (ab_.x * p.y - ab_.y * p.x) * perArea_;
+    const double stepB = (step.x * ac_.y - step.y * ac_.x) * perArea_;
+    const double stepC = (ab_.x * step.y - ab_.y * step.x) * perArea_;
+    double from = 0;
+    double to = last - first;
+    const auto clipEdge = [&](double share, double change, double least) {
+      const double crossing = (least - share) / change;  // not finite where the line runs along the edge
+      from = change > 0 && crossing > from ? crossing : from;
+      to = change < 0 && crossing < to ? crossing : to;
     };
-    return 1 + greatest(-forB - forC) < onEdge_.x * greatestSpacing || greatest(forB) < onEdge_.y * greatestSpacing ||
-           greatest(forC) < onEdge_.z * greatestSpacing;
+    clipEdge(1 - b - c, -stepB - stepC, onEdge_.x * spacing);
+    clipEdge(b, stepB, onEdge_.y * spacing);
+    clipEdge(c, stepC, onEdge_.z * spacing);
+    // A pixel more at either end, for rounding.
+    last = to < 0 || to < from - 2 ? first - 1 : std::min(last, first + static_cast<int>(to) + 1);
+    first = from > last - first + 2 ? last + 1 : first + std::max(static_cast<int>(from) - 1, 0);
   }
 
   /// Calls `emit(z, weights)` where the triangle covers a sample at `at`, whose neighbours are `spacing` away.
@@ -96,52 +106,6 @@ class TransitionTriangle {
   double perArea_;
   glm::dvec3 onEdge_{0};
   bool isEmpty_;
-};
-
-/// The straight triangle between three corners and what is not farther from it than `stray`, row by row.
-class WidenedTriangle {
- public:
-  WidenedTriangle(const GpcVertex& a, const GpcVertex& b, const GpcVertex& c, float stray) {
-    const float turn = (b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x) < 0 ? -1.0f : 1.0f;
-    sides_ = {sideOf(a, b, turn, stray), sideOf(b, c, turn, stray), sideOf(c, a, turn, stray)};
-  }
-
-  /// The part of [first, last] that holds the pixels of a row with their centres in it.
-  void clip(int row, int& first, int& last) const {
-    const float y = static_cast<float>(row) + 0.5f;
-    float left = static_cast<float>(first);
-    float right = static_cast<float>(last);
-    for (const Side& side : sides_) {
-      const float x = side.offset + side.slope * y;
-      left = side.isLeft ? std::max(left, x - 0.5f) : left;
-      right = side.isLeft ? right : std::min(right, x - 0.5f);
-    }
-    first = left > right ? last + 1 : static_cast<int>(std::ceil(left));
-    last = left > right ? last : static_cast<int>(std::floor(right));
-  }
-
- private:
-  /// x = offset + slope y, on the left or on the right.
-  struct Side {
-    float slope = 0;
-    float offset = 0;
-    bool isLeft = true;
-  };
-  static Side sideOf(const GpcVertex& from, const GpcVertex& to, float turn, float stray) {
-    const float dx = to.x - from.x;
-    const float dy = to.y - from.y;
-    constexpr float kFar = 1e9f;
-    if (dy == 0) {
-      return {0, -kFar, true};  // the rows of the box say all
-    }
-    // Inside, turn (dx (y - from.y) - dy (x - from.x)) is positive.
-    const bool isLeft = -turn * dy > 0;
-    const float slope = dx / dy;
-    const float beside = stray * std::sqrt(1 + slope * slope);
-    return {slope, from.x - slope * from.y + (isLeft ? -beside : beside), isLeft};
-  }
-
-  std::array<Side, 3> sides_;
 };
 
 std::vector<GpcRasterZone> rasterZones(const GpcCamera& camera) {
@@ -207,8 +171,7 @@ class GpcTriangles {
         if (size.x * size.x + size.y * size.y <= zone.longestSquared()) {
           // A chord strays by an eighth of the second derivative at most; twice that for what changes along it.
           const float stray = most(size.x, size.y) * (GpcRasterZone::kMaxBend / 4) + GpcRasterZone::kBoxSlack;
-          drawSlightlyBent(buffer, triangle, zone, whole, WidenedTriangle(a, b, c, stray),
-                           pixelsWithin(zone, {image.lower - stray, image.upper + stray}));
+          drawBent(buffer, triangle, zone, whole, {image.lower - stray, image.upper + stray});
           return;
         }
       }
@@ -231,8 +194,6 @@ class GpcTriangles {
     }
     return result;
   }
-
-  static constexpr int kTile = 8;
 
   size_t index(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
@@ -313,24 +274,6 @@ class GpcTriangles {
             std::min(static_cast<int>(std::floor(image.upper.y - 0.5f)) + 1, pixels.y1)};
   }
 
-  /// In the pixels of a triangle that is known to lie in a straight one, widened.
-  void drawSlightlyBent(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const GpcTriangle& part,
-                        const WidenedTriangle& widened, const PixelBounds& within) const {
-    if (within.x0 >= within.x1 || within.y0 >= within.y1) {
-      return;
-    }
-    const TransitionTriangle bent(part);
-    if (bent.isEmpty()) {
-      return;
-    }
-    for (int y = within.y0; y < within.y1; ++y) {
-      int first = within.x0;
-      int last = within.x1 - 1;
-      widened.clip(y, first, last);
-      drawPixels(buffer, triangle, zone, bent, {first, y, last + 1, y + 1});
-    }
-  }
-
   /// In the pixels of the transition that lie in a box.
   void drawBent(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const GpcTriangle& part,
                 const ImageBox& image) const {
@@ -342,38 +285,53 @@ class GpcTriangles {
     if (bent.isEmpty()) {
       return;
     }
-    if (within.x1 - within.x0 <= kTile && within.y1 - within.y0 <= kTile) {
-      drawPixels(buffer, triangle, zone, bent, within);
+    constexpr int kFew = 16;
+    if ((within.x1 - within.x0) * (within.y1 - within.y0) <= kFew) {
+      for (int y = within.y0; y < within.y1; ++y) {
+        for (int x = within.x0; x < within.x1; ++x) {
+          if (!zone.isInner(x, y)) {
+            drawPixel(buffer, triangle, zone, bent, x, y);
+          }
+        }
+      }
       return;
     }
-    // The boxes of large triangles hold much that they do not: those tiles are left out.
-    for (int y = within.y0; y < within.y1; y += kTile) {
-      for (int x = within.x0; x < within.x1; x += kTile) {
-        const PixelBounds tile{x, y, std::min(x + kTile, within.x1), std::min(y + kTile, within.y1)};
-        if (!bent.misses(zone.samplesOf(tile), zone.greatestSpacing())) {
-          drawPixels(buffer, triangle, zone, bent, tile);
+    // Row by row above and below the region, column by column beside it: along these lines samples are equally far
+    // apart, so that the edges tell which pixels they cover.
+    const glm::dvec2 center = zone.zone().center();
+    for (int y = within.y0; y < within.y1; ++y) {
+      const GpcRasterZone::Line& row = zone.row(y);
+      GpcRasterZone::Range x = zone.columnsNearerThan(row, within.x0, within.x1 - 1);
+      if (row.r > 1 && x.first <= x.last) {
+        const glm::dvec2 at = center + glm::dvec2(zone.column(x.first).offset, row.offset) * row.scale;
+        bent.clip(at, {row.scale, 0}, row.spacing, x.first, x.last);
+        for (; x.first <= x.last; ++x.first) {
+          drawPixel(buffer, triangle, zone, bent, x.first, y);
+        }
+      }
+    }
+    for (int x = within.x0; x < within.x1; ++x) {
+      const GpcRasterZone::Line& column = zone.column(x);
+      GpcRasterZone::Range y = zone.rowsNoFartherThan(column, within.y0, within.y1 - 1);
+      if (column.r > 1 && y.first <= y.last) {
+        const glm::dvec2 at = center + glm::dvec2(column.offset, zone.row(y.first).offset) * column.scale;
+        bent.clip(at, {0, column.scale}, column.spacing, y.first, y.last);
+        for (; y.first <= y.last; ++y.first) {
+          drawPixel(buffer, triangle, zone, bent, x, y.first);
         }
       }
     }
   }
 
-  void drawPixels(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone,
-                  const TransitionTriangle& bent, const PixelBounds& pixels) const {
-    const glm::dvec2 center = zone.zone().center();
-    for (int y = pixels.y0; y < pixels.y1; ++y) {
-      const GpcRasterZone::Line& row = zone.row(y);
-      for (int x = pixels.x0; x < pixels.x1; ++x) {
-        if (zone.isInner(x, y)) {
-          x = zone.innerPixels().x1 - 1;
-          continue;
-        }
-        const GpcRasterZone::Line& column = zone.column(x);
-        const GpcRasterZone::Line& line = column.r >= row.r ? column : row;
-        const glm::dvec2 at = center + glm::dvec2(column.offset, row.offset) * line.scale;
-        bent.sample(at, line.spacing,
-                    [&](float z, const PixelWeights& weights) { buffer.offer(index(x, y), z, triangle, weights); });
-      }
-    }
+  /// A pixel of the transition.
+  void drawPixel(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const TransitionTriangle& bent,
+                 int x, int y) const {
+    const GpcRasterZone::Line& row = zone.row(y);
+    const GpcRasterZone::Line& column = zone.column(x);
+    const GpcRasterZone::Line& line = column.r >= row.r ? column : row;
+    const glm::dvec2 at = zone.zone().center() + glm::dvec2(column.offset, row.offset) * line.scale;
+    bent.sample(at, line.spacing,
+                [&](float z, const PixelWeights& weights) { buffer.offer(index(x, y), z, triangle, weights); });
   }
 
   const ProjectedMesh& projected_;
