@@ -137,6 +137,7 @@ class GpcTriangles {
     }
   }
 
+  /// Fetches what draw() reads first of a triangle: the vertices of large meshes are in no cache.
   void prefetch(size_t triangle) const {
     const glm::uvec3& t = projected_.mesh().triangles[triangle];
     __builtin_prefetch(&vertices_[t.x]);
@@ -346,11 +347,12 @@ class GpcTriangles {
 };
 
 FragmentImage drawGpc(const GpcCamera& camera, const ProjectedMesh& projected, bool hasStraightEdges) {
+  constexpr size_t kAhead = 12;  // triangles
   const GpcTriangles triangles(camera, projected, hasStraightEdges);
   return drawParallel(camera.width(), camera.height(), projected.mesh().triangles.size(),
                       [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
                         for (size_t i = begin; i < end; ++i) {
-                          triangles.prefetch(i + 12 < end ? i + 12 : i);
+                          triangles.prefetch(std::min(i + kAhead, end - 1));
                           triangles.draw(buffer, static_cast<uint32_t>(i));
                         }
                       });
