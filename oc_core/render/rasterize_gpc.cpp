@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "oc_core/render/draw_parallel.h"
@@ -117,6 +118,54 @@ std::vector<GpcRasterZone> rasterZones(const GpcCamera& camera) {
   return zones;
 }
 
+/// Which zones a box of the pinhole's image may touch, by square cells of the image.
+class ZoneCells {
+ public:
+  ZoneCells(std::span<const GpcRasterZone> zones, const glm::ivec2& size)
+      : zones_(zones), cells_((size.x - 1) / kCell + 1, (size.y - 1) / kCell + 1) {
+    for (uint32_t zone = 0; zone < zones.size(); ++zone) {
+      forEachCell(zones[zone].outerBox(), [&](int x, int y) { cells_(x, y).push_back(zone); });
+    }
+  }
+
+  /// Calls `visit(zone)` for the zones whose outer rectangle touches a box, each once.
+  template <class Visit>
+  void forEachTouching(const ImageBox& box, const Visit& visit) const {
+    forEachCell(box, [&](int x, int y) {
+      for (const uint32_t index : cells_(x, y)) {
+        const GpcRasterZone& zone = zones_[index];
+        const ImageBox& outer = zone.outerBox();
+        // In the first cell of both, so that it comes once.
+        if (boxesOverlap(box, outer) && x == cellAt(std::max(box.lower.x, outer.lower.x), cells_.width()) &&
+            y == cellAt(std::max(box.lower.y, outer.lower.y), cells_.height())) {
+          visit(zone);
+        }
+      }
+    });
+  }
+
+ private:
+  static constexpr int kCell = 32;  ///< pixels
+
+  /// That of the border for what is beyond: zones lie in the image.
+  static int cellAt(float pixel, int count) {
+    return std::clamp(static_cast<int>(std::floor(pixel / kCell)), 0, count - 1);
+  }
+  template <class Visit>
+  void forEachCell(const ImageBox& box, const Visit& visit) const {
+    const int x1 = cellAt(box.upper.x, cells_.width());
+    const int y1 = cellAt(box.upper.y, cells_.height());
+    for (int y = cellAt(box.lower.y, cells_.height()); y <= y1; ++y) {
+      for (int x = cellAt(box.lower.x, cells_.width()); x <= x1; ++x) {
+        visit(x, y);
+      }
+    }
+  }
+
+  std::span<const GpcRasterZone> zones_;
+  Image<std::vector<uint32_t>> cells_;
+};
+
 class GpcTriangles {
  public:
   GpcTriangles(const GpcCamera& camera, const ProjectedMesh& projected, bool hasStraightEdges)
@@ -126,10 +175,10 @@ class GpcTriangles {
         height_(camera.height()),
         longestChord_(hasStraightEdges ? 1.0f : -1.0f),
         zones_(rasterZones(camera)),
+        cells_(zones_, {width_, height_}),
         vertices_(zones_, projected),
         isOfZone_(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0) {
     for (const GpcRasterZone& zone : zones_) {
-      around_ = {glm::min(around_.lower, zone.outerBox().lower), glm::max(around_.upper, zone.outerBox().upper)};
       const PixelBounds& pixels = zone.outerPixels();
       for (int y = pixels.y0; y < pixels.y1; ++y) {
         std::fill_n(isOfZone_.begin() + static_cast<ptrdiff_t>(index(pixels.x0, y)), pixels.x1 - pixels.x0, 1);
@@ -218,20 +267,16 @@ class GpcTriangles {
   void drawPieces(VisibilityBuffer& buffer, uint32_t triangle, const GpcTriangle& part) const {
     bool isCovered = false;  // by one zone: nothing of it is around the regions
     bool touches = false;
-    if (boxesOverlap(part.box, around_)) {
-      for (const GpcRasterZone& zone : zones_) {
-        if (boxesOverlap(part.box, zone.outerBox())) {
-          touches = true;
-          isCovered = isCovered || boxHolds(zone.outerBox(), part.box);
-          if (boxesOverlap(part.box, zone.innerBox())) {
-            drawInner(buffer, triangle, zone, part);
-          }
-          if (!boxHolds(zone.innerBox(), part.box)) {
-            drawTransition(buffer, triangle, zone, part);
-          }
-        }
+    cells_.forEachTouching(part.box, [&](const GpcRasterZone& zone) {
+      touches = true;
+      isCovered = isCovered || boxHolds(zone.outerBox(), part.box);
+      if (boxesOverlap(part.box, zone.innerBox())) {
+        drawInner(buffer, triangle, zone, part);
       }
-    }
+      if (!boxHolds(zone.innerBox(), part.box)) {
+        drawTransition(buffer, triangle, zone, part);
+      }
+    });
     if (!touches) {
       buffer.draw(triangle, part.a, part.b, part.c);
     } else if (!isCovered) {
@@ -341,9 +386,9 @@ class GpcTriangles {
   int height_;
   float longestChord_;  ///< how much a straight edge may bend (GpcBend); negative for none
   std::vector<GpcRasterZone> zones_;
+  ZoneCells cells_;
   GpcVertices vertices_;
-  std::vector<uint8_t> isOfZone_;                         ///< whether a pixel is one of a zone
-  ImageBox around_{glm::vec2(1e30f), glm::vec2(-1e30f)};  ///< all zones
+  std::vector<uint8_t> isOfZone_;  ///< whether a pixel is one of a zone
 };
 
 FragmentImage drawGpc(const GpcCamera& camera, const ProjectedMesh& projected, bool hasStraightEdges) {
