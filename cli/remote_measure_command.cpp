@@ -141,13 +141,18 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
   command.add_option("--rate", choice->framesPerSecond, "Frames a second")->check(numberCheck(1, 240))->type_name("HZ");
   command.add_option("--screen", choice->screen, "The client's screen")->type_name("WIDTHxHEIGHT");
   command
-      .add_option("--link", choice->links,
-                  "Bytes a second and round trip of a link, once for each; without it 300KB/s, 1MB/s and 12.5MB/s, each "
-                  "with 20ms and 200ms")
+      .add_option(
+          "--link", choice->links,
+          "Bytes a second and round trip of a link, once for each; without it 300KB/s, 1MB/s and 12.5MB/s, each "
+          "with 20ms and 200ms")
       ->type_name("RATE:DELAY");
   command.add_option("--modes", choice->modes, modeHelp())->delimiter(',')->type_name("NAME,...");
   command.add_option("--every", choice->every, "One of so many frames is judged: PSNR and FLIP")
       ->check(CLI::Range(1, 10000))
+      ->type_name("N");
+  command
+      .add_option("--truth-samples", options.truthSamples, "Rays along either axis of a pixel of what should be seen")
+      ->check(CLI::Range(1, 8))
       ->type_name("N");
   command.add_flag("--quick", choice->quick, "Judge a quarter of those");
   command.add_option("--jpeg-quality", options.jpegQualities, "Of JPEG frames")
@@ -174,9 +179,15 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
       ->check(numberCheck(-1, 1e5))
       ->type_name("MS");
   command
-      .add_option("--peer-ms", choice->peerMilliseconds, "What the server of frames and streams takes to draw and encode one")
+      .add_option("--peer-ms", choice->peerMilliseconds,
+                  "What the server of frames and streams takes to draw and encode one")
       ->check(numberCheck(0, 1e5))
       ->type_name("MS");
+  command
+      .add_option("--images", options.rule.maxRequests,
+                  "How many images the client may ask for; 0: as many as it takes")
+      ->check(CLI::Range(0, 100000))
+      ->type_name("N");
   addRemoteSettingsOptions(command, options.settings);
   addFiguresOption(command, choice->json);
   command.add_option("--csv", choice->csv, "Also write the figures here, a line a mode and link")->type_name("FILE");

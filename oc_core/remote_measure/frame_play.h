@@ -17,8 +17,8 @@ namespace ocelli {
 struct FramePacing {
   const char* name;
   const char* meaning;
-  /// Whether the server sends on as soon as the link is free, always the newest view it knows. Otherwise the client asks
-  /// for the next frame when the last one has come.
+  /// Whether the server sends on as soon as the link is free, always the newest view it knows. Otherwise the client
+  /// asks for the next frame when the last one has come.
   bool sendsOn;
 };
 std::span<const FramePacing> framePacings();

@@ -15,7 +15,7 @@ constexpr size_t kPieceBytes = size_t{32} << 10;
 constexpr size_t kPieceHeader = 12 + 4;  ///< of the message, and of WebSocket's frame
 constexpr int kSizeSteps = 4;
 
-constexpr std::array<ImageMode, 4> kModes{{
+constexpr std::array<ImageMode, 5> kModes{{
     {"gpc", "general pinhole images with depth, wider than the screen and denser in the middle", true,
      [](const RemoteSettings& ours, double) { return ours; }},
     {"di", "plain pinhole images with depth, as wide and of as many bytes", true,
@@ -25,7 +25,14 @@ constexpr std::array<ImageMode, 4> kModes{{
        settings.size = equalSize;
        return settings;
      }},
-    {"gpc-zoom", "general pinhole images of the screen's view and size, the middle twice as dense, without depth", false,
+    {"di-pixels", "plain pinhole images with depth, as wide and of as many pixels", true,
+     [](const RemoteSettings& ours, double) {
+       RemoteSettings settings = ours;
+       settings.zoom = 1;
+       return settings;
+     }},
+    {"gpc-zoom", "general pinhole images of the screen's view and size, the middle twice as dense, without depth",
+     false,
      [](const RemoteSettings& ours, double) {
        RemoteSettings settings = ours;
        settings.reach = 1;
@@ -176,7 +183,8 @@ size_t bytesOnTheWire(size_t imageBytes) {
   return imageBytes + (imageBytes + kPieceBytes - 1) / kPieceBytes * kPieceHeader;
 }
 
-double equalBytesSize(const RemoteScene& scene, const View& view, const glm::ivec2& screen, const RemoteSettings& ours) {
+double equalBytesSize(const RemoteScene& scene, const View& view, const glm::ivec2& screen,
+                      const RemoteSettings& ours) {
   const RemoteRequest request{0, view, screen, {}};
   const auto bytesOf = [&](const RemoteSettings& settings) {
     const RemoteImage image = scene.answer(request, settings, 0);
@@ -222,7 +230,7 @@ Playback playImages(const RemoteScene& scene, const RemotePath& path, const Link
       shown = {k, choice.load.isCovered()};
       if (k % options.every == 0) {
         const double from = now();
-        const Image<Rgb8> picture = client.draw(view, seconds);
+        const Image<Rgb8> picture = client.draw(view);
         drawings.push_back(now() - from);
         sink(k, picture);
       }

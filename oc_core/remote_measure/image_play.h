@@ -20,8 +20,8 @@ struct ImageMode {
   const char* name;
   const char* meaning;
   bool hasDepth;
-  /// Its images for the settings of the general pinhole's; `equalSize` is the size that makes a plain image take as many
-  /// bytes.
+  /// Its images for the settings of the general pinhole's; `equalSize` is the size that makes a plain image take as
+  /// many bytes.
   RemoteSettings (*settings)(const RemoteSettings& ours, double equalSize);
 };
 std::span<const ImageMode> imageModes();

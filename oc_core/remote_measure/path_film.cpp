@@ -49,8 +49,8 @@ Image<Rgb8> PathFilm::frame(size_t index) const {
     draw(index);
   }
   Image<Rgb8> image(screen_.x, screen_.y);
-  std::memcpy(reinterpret_cast<std::byte*>(image.data()), file_->map().subspan(index * frameBytes(), frameBytes()).data(),
-              frameBytes());
+  std::memcpy(reinterpret_cast<std::byte*>(image.data()),
+              file_->map().subspan(index * frameBytes(), frameBytes()).data(), frameBytes());
   return image;
 }
 

@@ -1,5 +1,5 @@
-// The pictures of a path: what should be seen at each of its frames. Each is drawn when it is first asked for, and kept in
-// a file without a name, from which the peers encode them.
+// The pictures of a path: what should be seen at each of its frames. Each is drawn when it is first asked for, and kept
+// in a file without a name, from which the peers encode them.
 #pragma once
 
 #include <memory>
@@ -16,8 +16,8 @@ namespace ocelli {
 
 class PathFilm {
  public:
-  /// Each pixel is the mean of `samples` x `samples` rays, as in the images that a server sends. Takes 3 bytes a pixel
-  /// and frame on disk. The scene must outlive it.
+  /// Each pixel is the mean of `samples` x `samples` rays. Takes 3 bytes a pixel and frame on disk. The scene must
+  /// outlive it.
   PathFilm(const RemoteScene& scene, const RemotePath& path, const glm::ivec2& screen, int samples);
   /// Of frames that are there already: for tests.
   PathFilm(const std::vector<Image<Rgb8>>& frames, double framesPerSecond);

@@ -38,7 +38,8 @@ StallFigures stallsOf(const RemotePath& path, const std::vector<ShownView>& show
   StallFigures figures;
   size_t run = 0;
   for (size_t k = 0; k <= lags.size(); ++k) {
-    const bool stalls = k < lags.size() && lags[k] > kMaxLagSeconds + kTimeRounding && (!onlyCovered || shown[k].isCovered);
+    const bool stalls =
+        k < lags.size() && lags[k] > kMaxLagSeconds + kTimeRounding && (!onlyCovered || shown[k].isCovered);
     if (stalls) {
       ++run;
       continue;

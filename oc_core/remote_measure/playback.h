@@ -14,7 +14,7 @@ namespace ocelli {
 
 struct ShownView {
   std::optional<size_t> frame{};  ///< of the path; nothing before the first picture
-  bool isCovered = true;          ///< the client's image covers the view (image_cover.h); frames from a server are exact
+  bool isCovered = true;  ///< the client's image covers the view (image_cover.h); frames from a server are exact
 };
 
 struct Playback {

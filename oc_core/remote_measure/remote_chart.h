@@ -10,8 +10,8 @@ namespace ocelli {
 struct ChartSeries {
   std::string name;
   std::vector<std::pair<double, double>> points;
-  size_t style = 0;         ///< as in all figures (oc_core/drawing/series_style.h)
-  bool isLine = true;       ///< its points are joined
+  size_t style = 0;    ///< as in all figures (oc_core/drawing/series_style.h)
+  bool isLine = true;  ///< its points are joined
   bool hasMarkers = false;
 };
 

@@ -25,7 +25,7 @@ class PathMeasurement {
       : scene_(scene),
         options_(options),
         progress_(progress),
-        film_(scene, options.path, options.screen, options.settings.samples) {
+        film_(scene, options.path, options.screen, options.truthSamples) {
     for (size_t i = 0; i < kMoments; ++i) {
       const size_t frame = options.path.views.size() * (2 * i + 1) / (2 * kMoments) / options.every * options.every;
       if (found_.truth.emplace(frame, film_.frame(frame)).second) {
@@ -48,7 +48,10 @@ class PathMeasurement {
   }
 
  private:
-  void tell(const std::string& what, double fraction = 0) const { report(progress_, what, fraction); }
+  void tell(const std::string& what) {
+    stage_ = what;
+    report(progress_, stage_, 0);
+  }
 
   bool keeps(size_t frame, const LinkSpeed& link) const {
     return link == options_.links.front() && found_.truth.contains(frame);
@@ -57,6 +60,7 @@ class PathMeasurement {
   void judge(const Image<Rgb8>& picture, size_t truthFrame, PictureErrors& errors) const {
     const Image<Rgb8> truth = film_.frame(truthFrame);
     errors.add(flip(picture, truth), meanSquaredError(picture, truth));
+    report(progress_, stage_, static_cast<double>(truthFrame) / static_cast<double>(film_.frames()));
   }
 
   ModeFigures figuresOf(const std::string& mode, const std::string& variant, const LinkSpeed& link,
@@ -83,11 +87,10 @@ class PathMeasurement {
       found_.equalSize = equalBytesSize(scene_, options_.path.views.front(), options_.screen, options_.settings);
     }
     const RemoteSettings settings = mode.settings(options_.settings, found_.equalSize);
-    for (size_t i = 0; i < options_.links.size(); ++i) {
-      const LinkSpeed& link = options_.links[i];
-      tell(fmt::format("{} over {}", mode.name, link.name()),
-           static_cast<double>(i) / static_cast<double>(options_.links.size()));
-      ImagePlayOptions play{options_.screen, options_.rule, options_.serverSeconds, options_.clientSeconds, options_.every};
+    for (const LinkSpeed& link : options_.links) {
+      tell(fmt::format("{} over {}", mode.name, link.name()));
+      ImagePlayOptions play{options_.screen, options_.rule, options_.serverSeconds, options_.clientSeconds,
+                            options_.every};
       PictureErrors errors;
       std::vector<size_t> judged;
       std::map<size_t, Image<Rgb8>> kept;
@@ -206,6 +209,7 @@ class PathMeasurement {
   const RemoteMeasureOptions& options_;
   const Progress& progress_;
   PathFilm film_;
+  std::string stage_;
   RemoteMeasurement found_;
 };
 

@@ -1,5 +1,6 @@
 // Remote visualisation measured (section 5.3.1.3): one path over several links, with images that the client draws from,
-// with compressed frames and with streams of video; what each shows is compared with what should be seen at that moment.
+// with compressed frames and with streams of video; what each shows is compared with what should be seen at that
+// moment.
 //
 // So latency counts as an error. Beside it stands the error without latency: of each frame that was shown against the
 // view that it is of.
@@ -21,15 +22,16 @@ struct RemoteMeasureOptions {
   glm::ivec2 screen{1280, 720};
   RemoteSettings settings;
   ClientRule rule;
+  int truthSamples = 3;  ///< rays along either axis of a pixel of what should be seen
   std::vector<LinkSpeed> links = defaultLinks();
   std::vector<std::string> modes;  ///< names of remoteModes(), in the order of the report
   std::vector<double> jpegQualities{10, 50, 90};
   std::vector<double> rateFactors{14, 20, 26, 32, 38};  ///< of the curves that compare bytes at equal error
-  double streamFactor = 20;                              ///< of streams over a link, as far as it carries that
-  size_t every = 15;                                     ///< one of so many frames is judged
-  std::optional<double> serverSeconds{};                 ///< to draw and encode an image; nothing: what it takes
-  std::optional<double> clientSeconds{};                 ///< to draw a picture; nothing: what it takes
-  double peerSeconds = 0.01;                             ///< to draw and encode a frame
+  double streamFactor = 20;                             ///< of streams over a link, as far as it carries that
+  size_t every = 15;                                    ///< one of so many frames is judged
+  std::optional<double> serverSeconds{};                ///< to draw and encode an image; nothing: what it takes
+  std::optional<double> clientSeconds{};                ///< to draw a picture; nothing: what it takes
+  double peerSeconds = 0.01;                            ///< to draw and encode a frame
 };
 
 struct RemoteModeName {

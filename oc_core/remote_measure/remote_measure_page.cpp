@@ -15,7 +15,7 @@ namespace {
 
 constexpr const char* kRemotePageStyle = R"css(.moments { display: grid; gap: 1.5rem; margin-top: 1rem; }
 .moment { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(26rem, 100%), 1fr)); gap: .75rem; }
-.moment img { display: block; width: 100%; height: auto; border: 1px solid var(--line); border-radius: 4px; }
+.moment img { display: block; width: 100%; height: auto; aspect-ratio: auto; border: 1px solid var(--line); border-radius: 4px; }
 .moment figure { margin: 0; }
 )css";
 
@@ -40,7 +40,8 @@ constexpr RemoteColumn kColumns[] = {
     {"Shown", "covered, %", [](const ModeFigures& r) { return fmt::format("{:.1f}", 100 * r.covered); }},
     {"FLIP", "mean", [](const ModeFigures& r) { return errorText(r.shown, r.shown.meanFlip()); }},
     {"FLIP", "95 %", [](const ModeFigures& r) { return errorText(r.shown, r.shown.flip95()); }},
-    {"FLIP", "no latency", [](const ModeFigures& r) { return errorText(r.withoutLatency, r.withoutLatency.meanFlip()); }},
+    {"FLIP", "no latency",
+     [](const ModeFigures& r) { return errorText(r.withoutLatency, r.withoutLatency.meanFlip()); }},
     {"PSNR", "dB",
      [](const ModeFigures& r) {
        const double value = r.shown.psnrDecibels();
@@ -180,17 +181,20 @@ std::string equalSection(const RemoteMeasurement& measurement) {
     }
     for (const StreamCurve& curve : measurement.curves) {
       const std::optional<double> bytes = bytesOfEqualStream(measurement, curve.mode, row);
-      rows += fmt::format("<tr><th scope=\"row\">{}</th><td>{:.4f}</td><td>{:.3f}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-                          htmlFromText(row.link.name()), row.shown.meanFlip(), static_cast<double>(row.bytes) / 1e6,
-                          htmlFromText(curve.mode), bytes ? fmt::format("{:.3f}", *bytes / 1e6) : "beyond its curve",
-                          bytes ? fmt::format("{:.3f}", static_cast<double>(row.bytes) / *bytes) : "\u2013");
+      rows += fmt::format(
+          "<tr><th scope=\"row\">{}</th><td>{:.4f}</td><td>{:.3f}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
+          htmlFromText(row.link.name()), row.shown.meanFlip(), static_cast<double>(row.bytes) / 1e6,
+          htmlFromText(curve.mode), bytes ? fmt::format("{:.3f}", *bytes / 1e6) : "beyond its curve",
+          bytes ? fmt::format("{:.3f}", static_cast<double>(row.bytes) / *bytes) : "\u2013");
     }
   }
   if (rows.empty()) {
     return "";
   }
-  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Bytes at equal error\"><table><caption>Bytes "
-         "over the path at equal error: the stream\u2019s without latency</caption>\n<thead><tr><th scope=\"col\">Link</th>"
+  return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Bytes at equal "
+         "error\"><table><caption>Bytes "
+         "over the path at equal error: the stream\u2019s without latency</caption>\n<thead><tr><th "
+         "scope=\"col\">Link</th>"
          "<th scope=\"col\">FLIP</th><th scope=\"col\">gpc, MB</th><th scope=\"col\">stream</th><th scope=\"col\">its "
          "MB</th><th scope=\"col\">ratio</th></tr></thead>\n<tbody>\n" +
          rows + "</tbody></table></div>\n";
@@ -206,14 +210,16 @@ std::string meaningSection(const RemoteMeasureOptions& options) {
       html += entry(mode.name, mode.meaning + ".");
     }
   }
-  html += entry("FLIP, PSNR",
-                fmt::format("What is on the screen at a moment against the view wanted at that moment: latency counts. One "
-                            "of {} frames is judged. Before the first picture nothing is.",
-                            options.every));
+  html +=
+      entry("FLIP, PSNR",
+            fmt::format("What is on the screen at a moment against the view wanted at that moment: latency counts. One "
+                        "of {} frames is judged. Before the first picture nothing is.",
+                        options.every));
   html += entry("No latency", "Each shown frame against the view that it is of.");
-  html += entry("Stalls",
-                "Times in which what is shown is of a view more than 100 ms old, or, of images, is not covered for longer "
-                "than that. The last column counts views that the client\u2019s image covers only.");
+  html +=
+      entry("Stalls",
+            "Times in which what is shown is of a view more than 100 ms old, or, of images, is not covered for longer "
+            "than that. The last column counts views that the client\u2019s image covers only.");
   html += entry("Covered", "Frames whose view the client\u2019s image reaches, with its detail and near its eye.");
   return html + "</dl>\n";
 }

@@ -1,5 +1,5 @@
-// The page of `ocelli remote measure`: figures, charts and pictures side by side. Plain HTML and CSS, no script, nothing
-// from the network.
+// The page of `ocelli remote measure`: figures, charts and pictures side by side. Plain HTML and CSS, no script,
+// nothing from the network.
 #pragma once
 
 #include <filesystem>

@@ -57,10 +57,11 @@ std::string equalTable(const RemoteMeasurement& measurement) {
     }
     for (const StreamCurve& curve : measurement.curves) {
       const std::optional<double> bytes = bytesOfEqualStream(measurement, curve.mode, row);
-      text += fmt::format("{:<17} gpc {:>9} at FLIP {:.4f}; {} of that error, without latency: {}\n", row.link.name(),
-                          sizeText(static_cast<double>(row.bytes)), row.shown.meanFlip(), curve.mode,
-                          bytes ? fmt::format("{} ({:.3f} of it)", sizeText(*bytes), static_cast<double>(row.bytes) / *bytes)
-                                : "beyond its curve");
+      text += fmt::format(
+          "{:<17} gpc {:>9} at FLIP {:.4f}; {} of that error, without latency: {}\n", row.link.name(),
+          sizeText(static_cast<double>(row.bytes)), row.shown.meanFlip(), curve.mode,
+          bytes ? fmt::format("{} ({:.3f} of it)", sizeText(*bytes), static_cast<double>(row.bytes) / *bytes)
+                : "beyond its curve");
     }
   }
   return text.empty() ? text : "\nbytes at equal error over the path\n" + text;
@@ -72,15 +73,15 @@ std::string remoteMeasureTable(const RemoteMeasureOptions& options, const Remote
   std::string text = fmt::format("{} frames of {}x{} at {:g} a second, path \"{}\"; one of {} is judged\n\n",
                                  options.path.views.size(), options.screen.x, options.screen.y,
                                  options.path.framesPerSecond, options.path.name, options.every);
-  text += fmt::format("{:<18} {:<18} {:>9} {:>6} {:>7} {:>7} {:>8} {:>8} {:>8} {:>7} {:>8}  {:<13} {:<13}\n", "mode", "link",
-                      "bytes", "images", "first s", "views/s", "FLIP", "FLIP 95", "no delay", "PSNR dB", "covered",
-                      "stalls", "while covered");
+  text += fmt::format("{:<18} {:<18} {:>9} {:>6} {:>7} {:>7} {:>8} {:>8} {:>8} {:>7} {:>8}  {:<13} {:<13}\n", "mode",
+                      "link", "bytes", "images", "first s", "views/s", "FLIP", "FLIP 95", "no delay", "PSNR dB",
+                      "covered", "stalls", "while covered");
   for (const ModeFigures& row : measurement.rows) {
-    text += fmt::format("{:<18} {:<18} {:>9} {:>6} {:>7.2f} {:>7.1f} {:>8} {:>8.4f} {:>8} {:>7.2f} {:>7.1f}%  {:<13} {:<13}\n",
-                        row.name(), row.link.name(), sizeText(static_cast<double>(row.bytes)), row.images,
-                        row.firstPictureSeconds, row.viewsPerSecond, flipText(row.shown), row.shown.flip95(),
-                        flipText(row.withoutLatency), row.shown.psnrDecibels(), 100 * row.covered, stallText(row.stalls),
-                        stallText(row.coveredStalls));
+    text += fmt::format(
+        "{:<18} {:<18} {:>9} {:>6} {:>7.2f} {:>7.1f} {:>8} {:>8.4f} {:>8} {:>7.2f} {:>7.1f}%  {:<13} {:<13}\n",
+        row.name(), row.link.name(), sizeText(static_cast<double>(row.bytes)), row.images, row.firstPictureSeconds,
+        row.viewsPerSecond, flipText(row.shown), row.shown.flip95(), flipText(row.withoutLatency),
+        row.shown.psnrDecibels(), 100 * row.covered, stallText(row.stalls), stallText(row.coveredStalls));
   }
   text += equalTable(measurement);
   for (const ModeFigures& row : measurement.rows) {
@@ -106,14 +107,15 @@ std::string remoteMeasureCsv(const RemoteMeasurement& measurement) {
       return known && std::isfinite(value) ? fmt::format("{}", value) : std::string();
     };
     const bool isJudged = !row.shown.flips.empty();
-    text += fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvText(row.mode),
-                        csvText(row.variant), row.link.bytesPerSecond, row.link.roundTripSeconds, row.bytes, row.images,
-                        row.firstPictureSeconds, row.viewsPerSecond, number(row.clientFrameSeconds, row.clientFrameSeconds > 0),
-                        number(row.shown.meanFlip(), isJudged), number(row.shown.flip95(), isJudged),
-                        number(row.shown.psnrDecibels(), isJudged),
-                        number(row.withoutLatency.meanFlip(), !row.withoutLatency.flips.empty()), row.covered,
-                        row.stalls.longestSeconds, row.stalls.count, row.stalls.totalSeconds,
-                        row.coveredStalls.longestSeconds, row.coveredStalls.count);
+    text +=
+        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", csvText(row.mode),
+                    csvText(row.variant), row.link.bytesPerSecond, row.link.roundTripSeconds, row.bytes, row.images,
+                    row.firstPictureSeconds, row.viewsPerSecond,
+                    number(row.clientFrameSeconds, row.clientFrameSeconds > 0), number(row.shown.meanFlip(), isJudged),
+                    number(row.shown.flip95(), isJudged), number(row.shown.psnrDecibels(), isJudged),
+                    number(row.withoutLatency.meanFlip(), !row.withoutLatency.flips.empty()), row.covered,
+                    row.stalls.longestSeconds, row.stalls.count, row.stalls.totalSeconds,
+                    row.coveredStalls.longestSeconds, row.coveredStalls.count);
   }
   return text;
 }
@@ -128,25 +130,27 @@ std::string remoteMeasureJson(const RemoteMeasureOptions& options, const RemoteM
   json["size"] = {options.screen.x, options.screen.y};
   json["settings"] = Json::parse(jsonText(options.settings));
   json["judged_every"] = options.every;
+  json["truth_samples"] = options.truthSamples;
   json["server_seconds"] = options.serverSeconds ? Json(*options.serverSeconds) : Json();
   json["peer_seconds"] = options.peerSeconds;
   json["stream_rate_factor"] = options.streamFactor;
   json["plain_size"] = numberOrNull(measurement.equalSize, measurement.equalSize > 0);
   json["modes"] = Json::array();
   for (const ModeFigures& row : measurement.rows) {
-    Json each{{"mode", row.mode},
-              {"variant", row.variant},
-              {"link", {{"bytes_per_second", row.link.bytesPerSecond}, {"round_trip_seconds", row.link.roundTripSeconds}}},
-              {"bytes", row.bytes},
-              {"images", row.images},
-              {"first_picture_seconds", row.firstPictureSeconds},
-              {"views_per_second", row.viewsPerSecond},
-              {"client_frame_seconds", numberOrNull(row.clientFrameSeconds, row.clientFrameSeconds > 0)},
-              {"covered", row.covered},
-              {"stalls", stallsJson(row.stalls)},
-              {"stalls_while_covered", stallsJson(row.coveredStalls)},
-              {"errors", errorsJson(row.shown)},
-              {"errors_without_latency", errorsJson(row.withoutLatency)}};
+    Json each{
+        {"mode", row.mode},
+        {"variant", row.variant},
+        {"link", {{"bytes_per_second", row.link.bytesPerSecond}, {"round_trip_seconds", row.link.roundTripSeconds}}},
+        {"bytes", row.bytes},
+        {"images", row.images},
+        {"first_picture_seconds", row.firstPictureSeconds},
+        {"views_per_second", row.viewsPerSecond},
+        {"client_frame_seconds", numberOrNull(row.clientFrameSeconds, row.clientFrameSeconds > 0)},
+        {"covered", row.covered},
+        {"stalls", stallsJson(row.stalls)},
+        {"stalls_while_covered", stallsJson(row.coveredStalls)},
+        {"errors", errorsJson(row.shown)},
+        {"errors_without_latency", errorsJson(row.withoutLatency)}};
     if (isOurs(row)) {
       Json equal = Json::object();
       for (const StreamCurve& curve : measurement.curves) {

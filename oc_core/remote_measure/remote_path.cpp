@@ -29,8 +29,8 @@ View turned(const View& view, double right, double up, double zoom = 1) {
   const glm::dvec3 axis = glm::normalize(glm::dvec3(view.up));
   const glm::dvec3 side = glm::normalize(glm::cross(forward, axis));
   View result = view;
-  result.target = glm::vec3(glm::dvec3(view.eye) +
-                            glm::angleAxis(-right * fov, axis) * (glm::angleAxis(up * fov, side) * forward));
+  result.target =
+      glm::vec3(glm::dvec3(view.eye) + glm::angleAxis(-right * fov, axis) * (glm::angleAxis(up * fov, side) * forward));
   result.fovVerticalDegrees = degreesFromRadians(2 * std::atan(halfTangent(view) / zoom));
   return result;
 }
@@ -89,7 +89,8 @@ constexpr std::array<RemotePathKind, 4> kPaths{{
     {"pan", "the view turns from side to side, and up and down a little", panAt},
     {"zoom", "the view zooms in by 2 and back, every 7.5 seconds", zoomAt},
     {"look-around", "turns, zooms of up to 1.7, and moves of 2 % of what the view shows, all at once", lookAroundAt},
-    {"explore", "around the target by 20 degrees each way, a quarter nearer, and zooms, with rests: beyond any one image",
+    {"explore",
+     "around the target by 20 degrees each way, a quarter nearer, and zooms, with rests: beyond any one image",
      exploreAt},
 }};
 
@@ -107,14 +108,16 @@ struct ViewNumbers {
       : eye(view.eye), target(view.target), up(view.up), zoom(-std::log(halfTangent(view))) {}
   ViewNumbers(const glm::dvec3& e, const glm::dvec3& t, const glm::dvec3& u, double z)
       : eye(e), target(t), up(u), zoom(z) {}
-  ViewNumbers operator+(const ViewNumbers& o) const { return {eye + o.eye, target + o.target, up + o.up, zoom + o.zoom}; }
+  ViewNumbers operator+(const ViewNumbers& o) const {
+    return {eye + o.eye, target + o.target, up + o.up, zoom + o.zoom};
+  }
   ViewNumbers operator*(double s) const { return {eye * s, target * s, up * s, zoom * s}; }
 };
 
 /// Cubic Hermite curves through the keys; the slope at a key is that between its neighbours.
 View viewBetween(const std::vector<PathKey>& keys, double seconds) {
-  const auto after = std::upper_bound(keys.begin(), keys.end(), seconds,
-                                      [](double t, const PathKey& key) { return t < key.seconds; });
+  const auto after =
+      std::upper_bound(keys.begin(), keys.end(), seconds, [](double t, const PathKey& key) { return t < key.seconds; });
   if (after == keys.begin() || after == keys.end()) {
     View view = (after == keys.begin() ? keys.front() : keys.back()).view;
     view.fovVerticalDegrees = view.resolvedFovVerticalDegrees();
@@ -198,7 +201,8 @@ RemotePath remotePath(const std::string& nameOrFile, const View& start, size_t f
     }
     names += (names.empty() ? "" : ", ") + std::string(kind.name);
   }
-  throw InputError("there is no path \"" + nameOrFile + "\"", "--path", "give a file that ends in .json, or one of: " + names);
+  throw InputError("there is no path \"" + nameOrFile + "\"", "--path",
+                   "give a file that ends in .json, or one of: " + names);
 }
 
 }  // namespace ocelli

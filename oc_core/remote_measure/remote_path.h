@@ -37,7 +37,6 @@ inline constexpr size_t kMaxPathFrames = 100000;
 RemotePath remotePath(const std::string& nameOrFile, const View& start, size_t frames, double framesPerSecond);
 
 /// The text of such a file.
-RemotePath remotePathFromJson(const std::string& text, const std::string& where, size_t frames,
-                              double framesPerSecond);
+RemotePath remotePathFromJson(const std::string& text, const std::string& where, size_t frames, double framesPerSecond);
 
 }  // namespace ocelli

@@ -9,8 +9,8 @@
 
 namespace ocelli {
 
-/// `frameBytes` is one number for each frame of the path. `serverSeconds` passes between a view that comes and its frame
-/// that goes; the server is as fast as frames come, whatever that takes.
+/// `frameBytes` is one number for each frame of the path. `serverSeconds` passes between a view that comes and its
+/// frame that goes; the server is as fast as frames come, whatever that takes.
 Playback playStream(const RemotePath& path, const LinkSpeed& speed, std::span<const size_t> frameBytes,
                     double serverSeconds);
 

@@ -29,8 +29,8 @@ constexpr std::array<StreamKind, 2> kKinds{{
      }},
     {"x265", "libx265", "HEVC by x265, a frame at a time",
      [] {
-       return std::vector<std::string>{"-preset", "medium", "-tune", "zerolatency", "-x265-params",
-                                       "keyint=-1:log-level=error"};
+       return std::vector<std::string>{"-preset",     "medium",       "-tune",
+                                       "zerolatency", "-x265-params", "keyint=-1:log-level=error"};
      }},
 }};
 
@@ -97,8 +97,9 @@ StreamEncoder::StreamEncoder(const StreamKind& kind) : kind_(kind), program_(fin
 
 void StreamEncoder::run(const std::vector<std::string>& arguments, const Progress& progress) const {
   OC_CHECK(program_.has_value(), "ffmpeg is there");
-  const ChildEnd end = runChild({*program_, joined({"-hide_banner", "-loglevel", "error", "-y"}, arguments), kMaxEncodingSeconds},
-                                [&] { report(progress, fmt::format("encoding by {}", kind_.name), 0.5); });
+  const ChildEnd end =
+      runChild({*program_, joined({"-hide_banner", "-loglevel", "error", "-y"}, arguments), kMaxEncodingSeconds},
+               [&] { report(progress, fmt::format("encoding by {}", kind_.name), 0.5); });
   if (end.how != ChildEnd::How::kExited || end.code != 0) {
     std::string said = end.messages;
     while (said.ends_with('\n')) {
@@ -116,10 +117,23 @@ StreamEncoder::Stream StreamEncoder::encode(const PathFilm& film, const StreamQu
   }
   Stream stream;
   stream.file = std::make_unique<UnnamedFile>();
-  std::vector<std::string> arguments{
-      "-f",         "rawvideo", "-pixel_format", "rgb24",           "-video_size", fmt::format("{}x{}", film.screen().x, film.screen().y),
-      "-framerate", fmt::format("{:.6f}", film.framesPerSecond()), "-i",  film.rawPath(), "-an", "-sws_flags", kScaling,
-      "-pix_fmt",   "yuv420p",  "-c:v",          kind_.encoder};
+  std::vector<std::string> arguments{"-f",
+                                     "rawvideo",
+                                     "-pixel_format",
+                                     "rgb24",
+                                     "-video_size",
+                                     fmt::format("{}x{}", film.screen().x, film.screen().y),
+                                     "-framerate",
+                                     fmt::format("{:.6f}", film.framesPerSecond()),
+                                     "-i",
+                                     film.rawPath(),
+                                     "-an",
+                                     "-sws_flags",
+                                     kScaling,
+                                     "-pix_fmt",
+                                     "yuv420p",
+                                     "-c:v",
+                                     kind_.encoder};
   arguments = joined(std::move(arguments), kind_.arguments());
   arguments = joined(std::move(arguments), {"-crf", fmt::format("{:g}", quality.rateFactor)});
   if (quality.maxBytesPerSecond) {
@@ -130,8 +144,7 @@ StreamEncoder::Stream StreamEncoder::encode(const PathFilm& film, const StreamQu
   arguments = joined(std::move(arguments), {"-f", "matroska", stream.file->path()});
   const int64_t from = steadyNanoseconds();
   run(arguments, progress);
-  stream.secondsPerFrame =
-      static_cast<double>(steadyNanoseconds() - from) * 1e-9 / static_cast<double>(film.frames());
+  stream.secondsPerFrame = static_cast<double>(steadyNanoseconds() - from) * 1e-9 / static_cast<double>(film.frames());
   UnnamedFile sizes;
   run({"-i", stream.file->path(), "-c", "copy", "-f", "framecrc", sizes.path()}, {});
   const std::span<const std::byte> text = sizes.map();

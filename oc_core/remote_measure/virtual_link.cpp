@@ -55,7 +55,7 @@ LinkSpeed linkSpeedFromText(const std::string& text) {
   const double rate = takeNumber(rest);
   for (const RateUnit& unit : kUnits) {
     if (rest.starts_with(unit.name)) {
-      rest.remove_prefix(std::string_view(unit.name).size() );
+      rest.remove_prefix(std::string_view(unit.name).size());
       const bool hasColon = rest.starts_with(':');
       rest.remove_prefix(hasColon ? 1 : 0);
       const double milliseconds = takeNumber(rest);

@@ -12,7 +12,8 @@ namespace ocelli {
 namespace {
 
 DepthBlocks blocksOf(const ReferenceImage& image) {
-  return {image, GpcMap(image.layout, image.width(), image.height()), blockTolerance(ImageCover(image).nearZ)};
+  const DepthSpan span = depthSpanOf(image);
+  return {image, GpcMap(image.layout, image.width(), image.height()), blockTolerance(span.nearZ, span.farZ)};
 }
 
 /// A slanted wall: z of the world grows to the right.
@@ -26,7 +27,8 @@ Mesh slantedWall() {
   return mesh;
 }
 
-// 1/z of a plane is linear in the pinhole's image: the largest blocks hold it, and their depths are exact from anywhere.
+// 1/z of a plane is linear in the pinhole's image: the largest blocks hold it, and their depths are exact from
+// anywhere.
 TEST(DepthBlocks, holdAPlaneInTheLargestBlocks) {
   const Mesh wall = slantedWall();
   const ReferenceImage image = clientImage(clientView(20), {320, 160}, clientLayout(2), wall);

@@ -15,8 +15,8 @@ constexpr glm::ivec2 kSize{480, 270};
 
 struct Differences {
   int most = 0;
-  double mean = 0;     ///< bytes
-  double share = 0;    ///< of pixels with a channel that differs by more than 8 bytes
+  double mean = 0;   ///< bytes
+  double share = 0;  ///< of pixels with a channel that differs by more than 8 bytes
 };
 
 Differences differencesOf(const Image<Rgb8>& a, const Image<Rgb8>& b) {
@@ -45,7 +45,8 @@ Image<Rgb8> exactly(const ReferenceImage& image, const PinholeCamera& view) {
 TEST(QuickImage, isTheExactPictureWhereSamplesAreInterpolated) {
   const ReferenceImage image = clientImage(clientView(14), kSize, clientLayout(2));
   const QuickImage quick(image);
-  for (const View& view : {clientView(2.5), clientTurned(clientView(3), 1.2, -0.8), clientTurned(clientView(3), -3, 1.5)}) {
+  for (const View& view :
+       {clientView(2.5), clientTurned(clientView(3), 1.2, -0.8), clientTurned(clientView(3), -3, 1.5)}) {
     const PinholeCamera camera(view, kSize.x, kSize.y);
     const Differences differences = differencesOf(quick.draw(camera).color, exactly(image, camera));
     EXPECT_LE(differences.most, 2);
@@ -71,8 +72,8 @@ TEST(QuickImage, hasARegionsPlaceWhereverItIs) {
   EXPECT_LE(differencesOf(QuickImage(image).draw(camera).color, exactly(image, camera)).most, 2);
 }
 
-// From beside, the surfaces of the exact picture are made of its samples, these of flat pieces: they differ at rims, by a
-// pixel or so.
+// From beside, the surfaces of the exact picture are made of its samples, these of flat pieces: they differ at rims, by
+// a pixel or so.
 TEST(QuickImage, isNearTheExactPictureFromBeside) {
   const ReferenceImage image = clientImage(clientView(14), kSize, clientLayout(2));
   const QuickImage quick(image);
@@ -92,7 +93,8 @@ TEST(QuickImage, fillsWhatWasHiddenWithWhatLiesBehind) {
   Mesh mesh;
   const auto square = [&](float half, float z, const glm::vec3& color) {
     const auto first = static_cast<uint32_t>(mesh.positions.size());
-    for (const glm::vec2& corner : {glm::vec2(-half, -half), glm::vec2(half, -half), glm::vec2(half, half), glm::vec2(-half, half)}) {
+    for (const glm::vec2& corner :
+         {glm::vec2(-half, -half), glm::vec2(half, -half), glm::vec2(half, half), glm::vec2(-half, half)}) {
       mesh.positions.emplace_back(corner, z);
       mesh.colors.push_back(color);
     }
@@ -105,8 +107,8 @@ TEST(QuickImage, fillsWhatWasHiddenWithWhatLiesBehind) {
   const QuickImage quick(image);
   const PinholeCamera camera(movedEye(clientView(14), {1, 0, 0}), 300, 200);
   const QuickFrame frame = quick.draw(camera);
-  // The square hides 0.3 * 2 * (10 / 8) of the wall's width; seen from 1 to the right, a strip of it comes into view that
-  // is as wide as the square has moved before the wall: 1 * 2 / 8, and as high as the square.
+  // The square hides 0.3 * 2 * (10 / 8) of the wall's width; seen from 1 to the right, a strip of it comes into view
+  // that is as wide as the square has moved before the wall: 1 * 2 / 8, and as high as the square.
   const double pixels = 1.0 * 2 / 8 * 0.6 * 10 / 8 * std::pow(static_cast<double>(camera.focalPixels()) / 10, 2);
   EXPECT_NEAR(frame.holes * 300 * 200, pixels, 0.15 * pixels);
   size_t red = 0;

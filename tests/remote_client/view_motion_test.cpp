@@ -14,8 +14,8 @@ double zoomOf(const View& view) {
 }
 
 void expectNear(const glm::vec3& a, const glm::vec3& b, float tolerance = 1e-4f) {
-  EXPECT_LE(glm::distance(a, b), tolerance) << a.x << " " << a.y << " " << a.z << ", not " << b.x << " " << b.y << " "
-                                            << b.z;
+  EXPECT_LE(glm::distance(a, b), tolerance)
+      << a.x << " " << a.y << " " << a.z << ", not " << b.x << " " << b.y << " " << b.z;
 }
 
 TEST(ViewMotion, isWhatChangesInASecond) {
@@ -40,11 +40,13 @@ TEST(ViewMotion, goesOn) {
   now.target += glm::vec3(0, 0, -0.2f);
   const View ahead = viewAhead(now, motionBetween(before, now, 1), 2);
   // About the same axis by three times the angle in all.
-  const glm::vec3 axis = glm::normalize(glm::cross(glm::normalize(before.target - before.eye), glm::normalize(now.target - now.eye)));
+  const glm::vec3 axis =
+      glm::normalize(glm::cross(glm::normalize(before.target - before.eye), glm::normalize(now.target - now.eye)));
   const glm::vec3 forward = glm::normalize(ahead.target - ahead.eye);
   // "Up" is kept, which rolls the view by half the product of both angles.
   EXPECT_NEAR(glm::dot(forward, axis), 0, 3e-4);
-  const double step = std::acos(glm::dot(glm::normalize(before.target - before.eye), glm::normalize(now.target - now.eye)));
+  const double step =
+      std::acos(glm::dot(glm::normalize(before.target - before.eye), glm::normalize(now.target - now.eye)));
   EXPECT_NEAR(std::acos(glm::dot(forward, glm::normalize(before.target - before.eye))), 3 * step, 1e-4);
   expectNear(ahead.eye, now.eye + glm::vec3(0, 0, -0.4f));
   EXPECT_NEAR(glm::distance(ahead.eye, ahead.target), glm::distance(now.eye, now.target), 1e-4);

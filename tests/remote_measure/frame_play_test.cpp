@@ -11,7 +11,11 @@ namespace {
 using testing::ElementsAre;
 
 /// A format that takes 84 bytes a frame: 100 on the wire.
-const ColorCodec kFixedCodec{"fixed", "", "", true, false,
+const ColorCodec kFixedCodec{"fixed",
+                             "",
+                             "",
+                             true,
+                             false,
                              [](const Image<Rgb8>& image, double) {
                                std::vector<std::byte> bytes(84);
                                bytes[0] = std::byte{image[0].x};
@@ -29,8 +33,8 @@ PathFilm grayFilm(size_t frames, double framesPerSecond) {
   return {images, framesPerSecond};
 }
 
-// 10 frames a second. A frame asked for at 0 comes at 0.1 (up) + 0.05 + 0.05 (100 bytes at 2000 a second) + 0.1 = 0.3 s;
-// the next one is of the view at 0.3 s.
+// 10 frames a second. A frame asked for at 0 comes at 0.1 (up) + 0.05 + 0.05 (100 bytes at 2000 a second) + 0.1 = 0.3
+// s; the next one is of the view at 0.3 s.
 TEST(FramePlay, asksForAFrameWhenTheLastHasCome) {
   const RemotePath path = turningPath(10, 10);
   const PathFilm film = grayFilm(10, 10);

@@ -96,7 +96,8 @@ TEST(ImagePlay, isTheSameEachTime) {
 TEST(ImagePlay, zoomsWithAQuarterOfMipmappingsPixels) {
   const RemoteSettings ours = lightSettings();
   const auto pixels = [&](const char* name) {
-    const RemotePlan plan = planRemoteImage({0, turningPath(1, 1).views[0], {128, 72}, {}}, modeOf(name).settings(ours, 1));
+    const RemotePlan plan =
+        planRemoteImage({0, turningPath(1, 1).views[0], {128, 72}, {}}, modeOf(name).settings(ours, 1));
     return plan.reference.width() * plan.reference.height();
   };
   EXPECT_EQ(pixels("mipmap"), 4 * 128 * 72);

@@ -26,6 +26,7 @@ RemoteMeasureOptions smallOptions() {
   options.path = remotePath("look-around", view, 60, 30);
   options.screen = {96, 54};
   options.settings.samples = 1;
+  options.truthSamples = 2;
   options.links = {{30e3, 0.2}, {1e6, 0.02}};
   options.modes = {"gpc", "di"};
   options.jpegQualities = {50};

@@ -11,9 +11,10 @@
 namespace ocelli {
 namespace {
 
-constexpr int kTile = 16;  ///< samples along a side of the largest block
-constexpr float kMaxShift = 0.06f;  ///< heights of a view: what CoverLimits lets near things move
-constexpr float kMaxError = 0.2f;   ///< pixels
+constexpr int kTile = 16;               ///< samples along a side of the largest block
+constexpr float kMaxParallax = 0.06f;   ///< heights of a view: what CoverLimits lets near things move before far ones
+constexpr double kLeastSpan = 0.02;     ///< of 1/z, by that of near things: a wall has depth, too
+constexpr float kMaxError = 0.2f;       ///< pixels
 constexpr float kJoinedFootprints = 3;  ///< steps of z between two samples of a surface, as in image_mesh.h
 constexpr float kViewLines = 720;
 constexpr int kBandLines = 32;
@@ -57,8 +58,9 @@ struct Rect {
   int x, y, width, height;
 };
 
-/// The plane through the samples of a block, by least squares; nothing where one is missing or too far from it. Two rows
-/// or columns lie on a plane whatever stands between them: there it must not be steeper than surfaces are that join.
+/// The plane through the samples of a block, by least squares; nothing where one is missing or too far from it. Two
+/// rows or columns lie on a plane whatever stands between them: there it must not be steeper than surfaces are that
+/// join.
 std::optional<InversePlane> planeOf(const DepthSource& source, const Rect& rect, float tolerance, float focal) {
   glm::dvec2 center(0);
   double middle = 0;
@@ -187,8 +189,13 @@ void drawTriangle(const glm::vec3& a, const glm::vec3& b, const glm::vec3& c, in
 
 }  // namespace
 
-float blockTolerance(double nearZ) {
-  return nearZ > 0 ? static_cast<float>(static_cast<double>(kMaxError / (kMaxShift * kViewLines)) / nearZ) : 0;
+float blockTolerance(double nearZ, double farZ) {
+  if (!(nearZ > 0)) {
+    return 0;
+  }
+  // Between far and near things there may be kMaxParallax heights: so much is the span of 1/z.
+  const double span = std::max(1 / nearZ - 1 / farZ, kLeastSpan / nearZ);
+  return static_cast<float>(static_cast<double>(kMaxError / (kMaxParallax * kViewLines)) * span);
 }
 
 DepthBlocks::DepthBlocks(const ReferenceImage& image, const GpcMap& map, float tolerance) : eye_(image.view.eye) {
@@ -205,7 +212,8 @@ DepthBlocks::DepthBlocks(const ReferenceImage& image, const GpcMap& map, float t
       const auto add = [&](const Rect& rect, const InversePlane& plane) {
         Block block;
         for (size_t i = 0; i < 4; ++i) {
-          const glm::vec2 p = source.corner(rect.x + (i % 2 == 1 ? rect.width : 0), rect.y + (i >= 2 ? rect.height : 0));
+          const glm::vec2 p =
+              source.corner(rect.x + (i % 2 == 1 ? rect.width : 0), rect.y + (i >= 2 ? rect.height : 0));
           // A steep plane must not reach infinity at a corner.
           block.corners[i] = glm::vec4(directionOf(p), std::clamp(plane.at(p), plane.middle / 2, plane.middle * 2));
         }
@@ -261,8 +269,8 @@ Image<float> DepthBlocks::inverseDepth(const PinholeCamera& view) const {
         const glm::vec3 p = glm::vec3(corner) + offset * corner.w;
         const float w = glm::dot(p, view.forward());
         isInFront = isInFront && w > kMinW;
-        block.at[k] = {center.x + focal * glm::dot(p, view.right()) / w, center.y + focal * glm::dot(p, view.down()) / w,
-                       corner.w / w};
+        block.at[k] = {center.x + focal * glm::dot(p, view.right()) / w,
+                       center.y + focal * glm::dot(p, view.down()) / w, corner.w / w};
         least = glm::min(least, glm::vec2(block.at[k]));
         most = glm::max(most, glm::vec2(block.at[k]));
       }

@@ -34,6 +34,6 @@ class DepthBlocks {
 };
 
 /// That of images with these near samples (image_cover.h), for views of 720 lines.
-float blockTolerance(double nearZ);
+float blockTolerance(double nearZ, double farZ);
 
 }  // namespace ocelli

@@ -8,24 +8,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-constexpr size_t kNearShare = 20;  ///< one sample of so many is nearer than `near`
-
-/// The z that one of kNearShare samples is nearer than; 0 where there are none.
-double nearZOf(const ReferenceImage& image) {
-  std::vector<float> depths;
-  depths.reserve(image.t.size());
-  for (size_t i = 0; i < image.t.size(); ++i) {
-    if (image.holds(i) && image.t[i] > 0) {
-      depths.push_back(image.t[i]);
-    }
-  }
-  if (depths.empty()) {
-    return 0;
-  }
-  const auto near = depths.begin() + static_cast<std::ptrdiff_t>(depths.size() / kNearShare);
-  std::nth_element(depths.begin(), near, depths.end());
-  return static_cast<double>(*near);
-}
+constexpr size_t kOutermost = 20;  ///< one sample of so many is nearer than `near`, and one farther than `far`
 
 /// Where a direction meets the pinhole of the image; nothing behind it.
 std::optional<glm::dvec2> placeInPinhole(const PinholeCamera& pinhole, const glm::dvec3& direction) {
@@ -39,10 +22,30 @@ std::optional<glm::dvec2> placeInPinhole(const PinholeCamera& pinhole, const glm
 
 }  // namespace
 
+DepthSpan depthSpanOf(const ReferenceImage& image) {
+  std::vector<float> depths;
+  depths.reserve(image.t.size());
+  for (size_t i = 0; i < image.t.size(); ++i) {
+    if (image.holds(i) && image.t[i] > 0) {
+      depths.push_back(image.t[i]);
+    }
+  }
+  if (depths.empty()) {
+    return {};
+  }
+  const auto rank = static_cast<std::ptrdiff_t>(depths.size() / kOutermost);
+  const auto near = depths.begin() + rank;
+  std::nth_element(depths.begin(), near, depths.end());
+  const auto nearZ = static_cast<double>(*near);
+  const auto far = depths.end() - 1 - rank;
+  std::nth_element(depths.begin(), far, depths.end());
+  return {nearZ, static_cast<double>(*far)};
+}
+
 ImageCover::ImageCover(const ReferenceImage& image, bool hasDepth)
     : reference(image.reference()),
       map(image.layout, image.width(), image.height()),
-      nearZ(hasDepth ? nearZOf(image) : 0) {}
+      depths(hasDepth ? depthSpanOf(image) : DepthSpan{}) {}
 
 CoverLoad coverLoad(const ImageCover& image, const PinholeCamera& view, const CoverLimits& limits) {
   const PinholeCamera& pinhole = image.reference;
@@ -51,8 +54,8 @@ CoverLoad coverLoad(const ImageCover& image, const PinholeCamera& view, const Co
   const glm::dvec2 size(view.width(), view.height());
   const auto place = [&](const glm::dvec2& pixel) {
     const glm::dvec2 d = (pixel - glm::dvec2(view.centerPixels())) / focal;
-    return placeInPinhole(pinhole, glm::dvec3(view.forward()) + glm::dvec3(view.right()) * d.x +
-                                       glm::dvec3(view.down()) * d.y);
+    return placeInPinhole(pinhole,
+                          glm::dvec3(view.forward()) + glm::dvec3(view.right()) * d.x + glm::dvec3(view.down()) * d.y);
   };
   CoverLoad load;
   const std::array<glm::dvec2, 4> corners{{{0, 0}, {size.x, 0}, {0, size.y}, size}};
@@ -71,7 +74,9 @@ CoverLoad coverLoad(const ImageCover& image, const PinholeCamera& view, const Co
   }
   const double offset = glm::length(glm::dvec3(view.eye()) - glm::dvec3(pinhole.eye()));
   if (offset > 0) {
-    load.shift = image.nearZ > 0 ? offset * focal / (image.nearZ * size.y * limits.largestShift) : kInfinity;
+    const double parallax = offset * image.depths.inverseSpan() * focal / size.y / limits.largestParallax;
+    const double angle = offset / image.depths.nearZ / limits.largestAngle;
+    load.shift = image.depths.nearZ > 0 ? std::max(parallax, angle) : kInfinity;
   }
   return load;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <glm/mat3x3.hpp>
 
 #include "oc_core/base/check.h"
@@ -16,9 +17,10 @@ namespace {
 constexpr int kTableSteps = 2048;  ///< of a magnification: within 1e-3 pixels of the map between its steps
 constexpr int kBlock = 4;          ///< pixels that share how many samples each stands for
 constexpr int kMaxTaps = 8;
-constexpr float kOneSample = 0.5f;     ///< up to 1 + this many samples a pixel count as one
-constexpr float kHalfSamples = 1.8f;   ///< from so many samples a pixel along both axes on, those of half the size do
-constexpr float kSameDepth = 0.05f;    ///< a gap of a pixel between such depths is closed
+constexpr float kOneSample = 0.5f;    ///< up to 1 + this many samples a pixel count as one
+constexpr float kHalfSamples = 1.8f;  ///< from so many samples a pixel on, the geometric mean of both axes,
+constexpr float kFewSamples = 1.2f;   ///< ... and so many along either, those of half the size do
+constexpr float kSameDepth = 0.05f;   ///< a gap of a pixel between such depths is closed
 constexpr float kLastByteStep = 65535;
 
 using Four = float __attribute__((vector_size(16)));
@@ -81,11 +83,17 @@ class QuickLookup {
                uint8_t* known) const {
     for (int x0 = 0; x0 < width; x0 += kBlock) {
       const int count = std::min(kBlock, width - x0);
-      Four depth{0, 0, 0, 0};
-      for (int i = 0; inverse != nullptr && i < count; ++i) {
-        depth[i] = inverse[x0 + i];
-      }
       const auto x = static_cast<float>(x0);
+      Four depth{0, 0, 0, 0};
+      if (inverse != nullptr) {
+        std::memcpy(&depth, inverse + x0, static_cast<size_t>(count) * sizeof(float));
+        if (depth[0] == 0 && depth[1] == 0 && depth[2] == 0 && depth[3] == 0) {
+          std::fill_n(colors + x0, count, Rgb8(0));
+          std::fill_n(known + x0, count,
+                      static_cast<uint8_t>(!holdsAt(x + kBlock / 2.0f, static_cast<float>(y) + 0.5f)));
+          continue;
+        }
+      }
       const Taps& taps = tapsOfBlock[static_cast<size_t>(x0 / kBlock)];
       std::array<Color, kBlock> sums{};
       for (int j = 0; j < taps.down; ++j) {
@@ -93,9 +101,7 @@ class QuickLookup {
           const float u = x + (static_cast<float>(i) + 0.5f) / static_cast<float>(taps.across);
           const float v = static_cast<float>(y) + (static_cast<float>(j) + 0.5f) / static_cast<float>(taps.down);
           const Places places = placesOf(Four{u, u + 1, u + 2, u + 3}, v, depth);
-          for (int k = 0; k < kBlock; ++k) {
-            sums[static_cast<size_t>(k)] += colorAt(taps.level, places.x[k], places.y[k]);
-          }
+          addColors(image_.levels_[taps.level], places, sums);
         }
       }
       const float scale = 1 / static_cast<float>(taps.across * taps.down);
@@ -146,23 +152,44 @@ class QuickLookup {
     return places;
   }
 
-  /// Between the four samples around a place, within the borders.
-  Color colorAt(size_t levelIndex, float x, float y) const {
-    const QuickImage::Level& level = image_.levels_[levelIndex];
-    const float scale = 1 / static_cast<float>(1 << levelIndex);
-    const float atX = std::clamp(x * scale - 0.5f, 0.0f, static_cast<float>(level.width - 1));
-    const float atY = std::clamp(y * scale - 0.5f, 0.0f, static_cast<float>(level.height - 1));
-    const int left = std::min(static_cast<int>(atX), std::max(level.width - 2, 0));
-    const int top = std::min(static_cast<int>(atY), std::max(level.height - 2, 0));
-    const float fx = atX - static_cast<float>(left);
-    const float fy = atY - static_cast<float>(top);
-    const QuickImage::Texel* upper =
-        level.texels.data() + static_cast<size_t>(top) * static_cast<size_t>(level.width) + static_cast<size_t>(left);
-    const QuickImage::Texel* lower = upper + (level.height > 1 ? level.width : 0);
+  /// Whether the image has a sample in the direction of a point of the view.
+  bool holdsAt(float u, float v) const {
+    const Places places = placesOf(Four{} + u, v, Four{});
+    const QuickImage::Level& level = image_.levels_[0];
+    const int x =
+        static_cast<int>(std::clamp(static_cast<float>(places.x[0]), 0.0f, static_cast<float>(level.width - 1)));
+    const int y =
+        static_cast<int>(std::clamp(static_cast<float>(places.y[0]), 0.0f, static_cast<float>(level.height - 1)));
+    return level.texels[static_cast<size_t>(y) * static_cast<size_t>(level.width) + static_cast<size_t>(x)].values[3] >
+           0;
+  }
+
+  /// Adds what lies between the four samples around each place, within the borders.
+  static void addColors(const QuickImage::Level& level, const Places& places, std::array<Color, kBlock>& sums) {
+    const auto within = [](const Four& at, float last) {
+      const Four low = at > 0 ? at : Four{};
+      return low < last ? low : Four{} + last;
+    };
+    const auto lowerOf = [](const Four& at, int last) {
+      const FourIntegers lower = __builtin_convertvector(at, FourIntegers);
+      return lower < last ? lower : FourIntegers{} + last;
+    };
+    const Four x = within(places.x * level.scale - 0.5f, static_cast<float>(level.width - 1));
+    const Four y = within(places.y * level.scale - 0.5f, static_cast<float>(level.height - 1));
+    const FourIntegers left = lowerOf(x, std::max(level.width - 2, 0));
+    const FourIntegers top = lowerOf(y, std::max(level.height - 2, 0));
+    const Four fx = x - __builtin_convertvector(left, Four);
+    const Four fy = y - __builtin_convertvector(top, Four);
+    const FourIntegers first = top * level.width + left;
     const int next = level.width > 1 ? 1 : 0;
-    const Color above = upper[0].values + (upper[next].values - upper[0].values) * fx;
-    const Color below = lower[0].values + (lower[next].values - lower[0].values) * fx;
-    return above + (below - above) * fy;
+    const int below = level.height > 1 ? level.width : 0;
+    for (int k = 0; k < kBlock; ++k) {
+      const QuickImage::Texel* upper = level.texels.data() + first[k];
+      const QuickImage::Texel* lower = upper + below;
+      const Color a = upper[0].values + (upper[next].values - upper[0].values) * fx[k];
+      const Color b = lower[0].values + (lower[next].values - lower[0].values) * fx[k];
+      sums[static_cast<size_t>(k)] += a + (b - a) * fy[k];
+    }
   }
 
   static float magnification(const QuickImage::Zone& zone, float f) {
@@ -184,12 +211,13 @@ class QuickLookup {
     const float down = std::hypot(below.x[0] - row.x[0], below.y[0] - row.y[0]);
     Taps taps;
     float samples = 1;
-    while (taps.level + 1 < image_.levels_.size() && std::min(across, down) >= kHalfSamples * samples) {
+    while (taps.level + 1 < image_.levels_.size() && std::min(across, down) >= kFewSamples * samples &&
+           across * down >= kHalfSamples * kHalfSamples * samples * samples) {
       ++taps.level;
       samples *= 2;
     }
     const auto count = [samples](float step) {
-      return std::clamp(static_cast<int>(std::ceil(step / samples - kOneSample)), 1, kMaxTaps);
+      return static_cast<int>(std::clamp(std::ceil(step / samples - kOneSample), 1.0f, static_cast<float>(kMaxTaps)));
     };
     taps.across = count(across);
     taps.down = count(down);
@@ -205,35 +233,45 @@ class QuickLookup {
 
 namespace {
 
-/// Gaps of one pixel between two like depths are seams between blocks.
-void closeSeams(Image<float>& inverse) {
-  const auto between = [](float a, float b) {
-    return a > 0 && b > 0 && std::abs(a - b) <= kSameDepth * std::max(a, b) ? (a + b) / 2 : 0;
-  };
-  parallelFor(static_cast<size_t>(inverse.height()), 16, [&](size_t begin, size_t end) {
-    for (auto y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-      for (int x = 1; x + 1 < inverse.width(); ++x) {
-        if (inverse(x, y) == 0) {
-          inverse(x, y) = between(inverse(x - 1, y), inverse(x + 1, y));
-        }
-      }
-    }
-  });
-  // Columns of their own threads: a row below must not change while it is read.
-  constexpr size_t kColumns = 64;
-  parallelFor(static_cast<size_t>(inverse.width()), kColumns, [&](size_t begin, size_t end) {
-    for (int y = 1; y + 1 < inverse.height(); ++y) {
-      for (auto x = static_cast<int>(begin); x < static_cast<int>(end); ++x) {
-        if (inverse(x, y) == 0) {
-          inverse(x, y) = between(inverse(x, y - 1), inverse(x, y + 1));
-        }
-      }
-    }
-  });
+Four fourAt(const float* values) {
+  Four four;
+  std::memcpy(&four, values, sizeof four);
+  return four;
 }
 
-/// Pixels of a row that nothing is known of get the colour of the farther end of their run: of the second pixel there, as
-/// the first may hold a part of the rim. How many there are.
+/// `middle`, or where there is none between two like depths, their mean.
+Four closed(const Four& middle, const Four& a, const Four& b) {
+  const Four zero{};
+  const Four greater = a > b ? a : b;
+  const Four difference = a > b ? a - b : b - a;
+  const Four lesser = greater - difference;
+  const Four mean = lesser > zero ? (a + b) * 0.5f : zero;
+  const Four close = difference <= kSameDepth * greater ? mean : zero;
+  return middle > zero ? middle : close;
+}
+
+/// Gaps of one pixel between two like depths are seams between blocks.
+Image<float> withoutSeams(const Image<float>& inverse) {
+  const auto width = inverse.width();
+  const auto pass = [&](const Image<float>& from, int marginX, int marginY, ptrdiff_t step) {
+    Image<float> to = from;
+    parallelFor(static_cast<size_t>(std::max(from.height() - 2 * marginY, 0)), 16, [&](size_t begin, size_t end) {
+      for (size_t row = begin; row < end; ++row) {
+        const float* const in = &from(0, static_cast<int>(row) + marginY);
+        float* const out = &to(0, static_cast<int>(row) + marginY);
+        for (int x = marginX; x + 4 + marginX <= width; x += 4) {
+          const Four four = closed(fourAt(in + x), fourAt(in + x - step), fourAt(in + x + step));
+          std::memcpy(out + x, &four, sizeof four);
+        }
+      }
+    });
+    return to;
+  };
+  return pass(pass(inverse, 1, 0, 1), 0, 1, width);
+}
+
+/// Pixels of a row that nothing is known of get the colour of the farther end of their run: of the second pixel there,
+/// as the first may hold a part of the rim. How many there are.
 size_t fillRow(int width, const float* inverse, const uint8_t* known, Rgb8* colors) {
   size_t holes = 0;
   for (int x = 0; x < width;) {
@@ -265,11 +303,12 @@ size_t fillRow(int width, const float* inverse, const uint8_t* known, Rgb8* colo
 }  // namespace
 
 QuickImage::Level QuickImage::halved(const Level& level) {
-  Level half{(level.width + 1) / 2, (level.height + 1) / 2, {}};
+  Level half{(level.width + 1) / 2, (level.height + 1) / 2, level.scale / 2, {}};
   half.texels.resize(static_cast<size_t>(half.width) * static_cast<size_t>(half.height));
   const auto at = [&](int x, int y) -> const Color& {
-    return level.texels[static_cast<size_t>(std::min(y, level.height - 1)) * static_cast<size_t>(level.width) +
-                        static_cast<size_t>(std::min(x, level.width - 1))]
+    return level
+        .texels[static_cast<size_t>(std::min(y, level.height - 1)) * static_cast<size_t>(level.width) +
+                static_cast<size_t>(std::min(x, level.width - 1))]
         .values;
   };
   parallelFor(static_cast<size_t>(half.height), 16, [&](size_t begin, size_t end) {
@@ -286,7 +325,7 @@ QuickImage::Level QuickImage::halved(const Level& level) {
 QuickImage::QuickImage(const ReferenceImage& image, bool hasDepth)
     : reference_(image.reference()), map_(image.layout, image.width(), image.height()) {
   OC_CHECK(!image.isPlaced() && image.pinholeSize.x == 0, "quick pictures are of images of a pinhole");
-  levels_.push_back({image.width(), image.height(), std::vector<Texel>(image.color.size())});
+  levels_.push_back({image.width(), image.height(), 1, std::vector<Texel>(image.color.size())});
   std::vector<Texel>& texels = levels_.front().texels;
   parallelFor(texels.size(), 1 << 14, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -315,7 +354,8 @@ QuickImage::QuickImage(const ReferenceImage& image, bool hasDepth)
     zones_.push_back(std::move(quick));
   }
   if (hasDepth) {
-    blocks_.emplace(image, map_, blockTolerance(ImageCover(image).nearZ));
+    const DepthSpan span = depthSpanOf(image);
+    blocks_.emplace(image, map_, blockTolerance(span.nearZ, span.farZ));
   }
 }
 
@@ -325,8 +365,7 @@ QuickFrame QuickImage::draw(const PinholeCamera& view) const {
   frame.isWarped = view.eye() != reference_.eye() && blocks_;
   Image<float> inverse;
   if (frame.isWarped) {
-    inverse = blocks_->inverseDepth(view);
-    closeSeams(inverse);
+    inverse = withoutSeams(blocks_->inverseDepth(view));
   }
   const int width = view.width();
   std::vector<size_t> holes(static_cast<size_t>((view.height() + kBlock - 1) / kBlock));

@@ -2,14 +2,15 @@
 // a lookup for each pixel.
 //
 // A pixel's ray meets the pinhole of the image where a projective map says, and the image where the zones of a general
-// pinhole do: their magnification is a table along f. From elsewhere the depth of the pixel is known first (depth_blocks.h);
-// with it the place in the image is a projective map too, so there is one way to look up. Pixels that stand for several
-// samples are their average, as resample() has it, but blocks of 4x4 pixels take the number of their middle, up to 1.5
-// samples count as one, and where a pixel has more than 1.8 along both axes, they are those of the image at half its
-// size, or a quarter, or an eighth.
+// pinhole do: their magnification is a table along f. From elsewhere the depth of the pixel is known first
+// (depth_blocks.h); with it the place in the image is a projective map too, so there is one way to look up. Pixels that
+// stand for several samples are their average, as resample() has it, but blocks of 4x4 pixels take the number of their
+// middle, up to 1.5 samples count as one, and where a pixel has more than 1.8 (the geometric mean of both axes), they
+// are those of the image at half its size, or a quarter, or an eighth.
 //
 // Beyond the borders of the image the nearest sample is taken. From elsewhere, pixels that the image knows nothing of
-// get the colour of the farther one of those beside them in their row.
+// get the colour of the farther one of those beside them in their row; whether it does is asked once for four pixels
+// without a surface.
 #pragma once
 
 #include <memory>
@@ -24,8 +25,8 @@ namespace ocelli {
 
 struct QuickFrame {
   Image<Rgb8> color;
-  double holes = 0;        ///< share of the pixels that the image knows nothing of, without those beyond its borders
-  bool isWarped = false;   ///< by depth
+  double holes = 0;       ///< share of the pixels that the image knows nothing of, without those beyond its borders
+  bool isWarped = false;  ///< by depth
 };
 
 class QuickImage {
@@ -48,6 +49,7 @@ class QuickImage {
   struct Level {
     int width = 0;
     int height = 0;
+    float scale = 1;  ///< its size by that of the image
     std::vector<Texel> texels;
   };
   static constexpr size_t kLevels = 4;

@@ -14,16 +14,15 @@ ViewMotion RemoteClient::motionAt(const View& view, double seconds) const {
 
 bool RemoteClient::isAskedFor(const View& view) const {
   const Choice now = choose(view);
-  const double near = now.image != nullptr ? now.image->cover.nearZ : 0;
+  const DepthSpan depths = now.image != nullptr ? now.image->cover.depths : DepthSpan{};
   return std::any_of(asked_.begin(), asked_.end(), [&](const Asked& asked) {
     ImageCover cover = asked.cover;
-    cover.nearZ = near;
+    cover.depths = depths;
     return coverLoad(cover, view, screen_, rule_.limits).isCovered();
   });
 }
 
-std::optional<View> RemoteClient::wanted(const View& view, double seconds) const {
-  const Choice now = choose(view);
+std::optional<View> RemoteClient::wanted(const View& view, const Choice& now, double seconds) const {
   if (now.image == nullptr) {
     return asked_.empty() ? std::optional(view) : std::nullopt;
   }
@@ -33,8 +32,7 @@ std::optional<View> RemoteClient::wanted(const View& view, double seconds) const
     const bool isRested = seconds - restingSince_ >= rule_.restSeconds;
     return !isExact && isRested && lastWish_ != view ? std::optional(view) : std::nullopt;
   }
-  const View ahead =
-      viewAhead(view, motion, std::min(tripSeconds_ + rule_.aheadSeconds, rule_.maxAheadSeconds));
+  const View ahead = viewAhead(view, motion, std::min(tripSeconds_ + rule_.aheadSeconds, rule_.maxAheadSeconds));
   if (choose(ahead).load.whole() <= rule_.askAt || isAskedFor(ahead)) {
     return std::nullopt;
   }
@@ -48,9 +46,16 @@ std::optional<ImageWish> RemoteClient::look(const View& view, double seconds) {
   if (past_.empty() || past_.back().second != view) {
     restingSince_ = seconds;
   }
-  std::optional<View> at = wanted(view, seconds);
+  const Choice now = choose(view);
+  for (ClientImage& each : images_) {
+    if (&each == now.image) {
+      each.usedAt = seconds;
+    }
+  }
+  const std::optional<View> at = wanted(view, now, seconds);
   past_.emplace_back(seconds, view);
-  if (!at || (sequence_ > 0 && seconds - lastAsked_ < rule_.pauseSeconds)) {
+  if (!at || (rule_.maxRequests > 0 && sequence_ >= rule_.maxRequests) ||
+      (sequence_ > 0 && seconds - lastAsked_ < rule_.pauseSeconds)) {
     return std::nullopt;
   }
   lastAsked_ = seconds;
@@ -70,17 +75,16 @@ void RemoteClient::receive(uint32_t sequence, const ReferenceImage& image, bool 
     }
     asked_.pop_front();
   }
-  const auto held = std::find_if(images_.begin(), images_.end(),
-                                 [&](const ClientImage& each) { return each.sequence == sequence; });
+  const auto held =
+      std::find_if(images_.begin(), images_.end(), [&](const ClientImage& each) { return each.sequence == sequence; });
   if (held != images_.end()) {
     *held = ClientImage{sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth),
-                        held->drawnAt};
+                        held->usedAt};
     return;
   }
   if (images_.size() >= rule_.maxImages) {
-    images_.erase(std::min_element(images_.begin(), images_.end(), [](const ClientImage& a, const ClientImage& b) {
-      return a.drawnAt < b.drawnAt;
-    }));
+    images_.erase(std::min_element(images_.begin(), images_.end(),
+                                   [](const ClientImage& a, const ClientImage& b) { return a.usedAt < b.usedAt; }));
   }
   images_.push_back(
       {sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth), seconds});
@@ -99,15 +103,10 @@ RemoteClient::Choice RemoteClient::choose(const View& view) const {
   return best;
 }
 
-Image<Rgb8> RemoteClient::draw(const View& view, double seconds) {
+Image<Rgb8> RemoteClient::draw(const View& view) const {
   const Choice choice = choose(view);
   if (choice.image == nullptr) {
     return Image<Rgb8>(screen_.x, screen_.y);
-  }
-  for (ClientImage& each : images_) {
-    if (&each == choice.image) {
-      each.drawnAt = seconds;
-    }
   }
   return choice.image->quick->draw(PinholeCamera(view, screen_.x, screen_.y)).color;
 }

@@ -12,8 +12,8 @@
 //      more than `askAt` at P, and no image that was asked for will cover P, ask for P.
 //   3. At rest for `restSeconds`, where the best held image has another eye, fewer samples than a pixel in the middle,
 //      or does not cover V, and V was not asked for already: ask for V.
-// A request follows the last one by at least `pauseSeconds`, but for the first. The server draws the newest one that
-// it has not begun (docs/remote_protocol.md), so those in between cost nothing.
+// A request follows the last one by at least `pauseSeconds`, but for the first, and there are at most `maxRequests`.
+// The server draws the newest one that it has not begun (docs/remote_protocol.md), so those in between cost nothing.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ namespace ocelli {
 
 struct ClientRule {
   CoverLimits limits;
-  double askAt = 0.8;             ///< of the load that ends what is covered
+  double askAt = 0.95;            ///< of the load that ends what is covered
   double firstTripSeconds = 0.5;  ///< taken for the trip until an image has come
   double aheadSeconds = 0.25;
   double maxAheadSeconds = 4;
@@ -39,6 +39,7 @@ struct ClientRule {
   double motionSeconds = 0.1;
   double pauseSeconds = 0.25;
   size_t maxImages = 4;
+  size_t maxRequests = 0;  ///< 0: as many as it takes
 };
 
 /// A request as the client makes it; the caller adds what else goes into a message.
@@ -52,7 +53,7 @@ struct ClientImage {
   bool hasDepth = false;
   std::shared_ptr<const QuickImage> quick;
   ImageCover cover;
-  double drawnAt = 0;
+  double usedAt = 0;
 };
 
 class RemoteClient {
@@ -73,7 +74,7 @@ class RemoteClient {
   };
   Choice choose(const View& view) const;
   /// A picture of the view from that image; background alone where there is none.
-  Image<Rgb8> draw(const View& view, double seconds);
+  Image<Rgb8> draw(const View& view) const;
 
   const glm::ivec2& screen() const { return screen_; }
   const ClientRule& rule() const { return rule_; }
@@ -86,7 +87,7 @@ class RemoteClient {
     ImageCover cover;
     double seconds = 0;
   };
-  std::optional<View> wanted(const View& view, double seconds) const;
+  std::optional<View> wanted(const View& view, const Choice& now, double seconds) const;
   bool isAskedFor(const View& view) const;
   ViewMotion motionAt(const View& view, double seconds) const;
 

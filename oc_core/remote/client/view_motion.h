@@ -19,9 +19,9 @@ struct ViewMotion {
 /// From one view to another that is `seconds` later; at rest where `seconds` is not positive.
 ViewMotion motionBetween(const View& before, const View& after, double seconds);
 
-/// Where the view will be, with a field of view that is given in degrees. Never turned by more than half of its vertical
-/// field of view, and never zoomed by more than a factor of 2: what moves fast rarely goes on for long. Its fields of
-/// view stay between 0.1 and 170 degrees.
+/// Where the view will be, with a field of view that is given in degrees. Never turned by more than half of its
+/// vertical field of view, and never zoomed by more than a factor of 2: what moves fast rarely goes on for long. Its
+/// fields of view stay between 0.1 and 170 degrees.
 View viewAhead(const View& view, const ViewMotion& motion, double seconds);
 
 }  // namespace ocelli
