@@ -10,11 +10,9 @@ import pathlib
 import select
 import shutil
 import signal
-import struct
 import subprocess
 import tempfile
 import time
-import zlib
 
 FLAGS = (
     "--headless=new", "--no-sandbox", "--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader",
@@ -181,41 +179,3 @@ class Browser:
         if path is not None:
             pathlib.Path(path).write_bytes(data)
         return data
-
-
-def read_png(data):
-    """(width, height, rows) of a PNG file of 8 bits a channel; rows are bytes, 3 a pixel."""
-    at, pixels = 8, b""
-    while at < len(data):
-        size, kind = struct.unpack(">I4s", data[at:at + 8])
-        body = data[at + 8:at + 8 + size]
-        if kind == b"IHDR":
-            width, height, depth, color = struct.unpack(">IIBB", body[:10])
-        elif kind == b"IDAT":
-            pixels += body
-        at += 12 + size
-    channels = {2: 3, 6: 4}[color]
-    assert depth == 8
-    raw, stride, rows, before = zlib.decompress(pixels), width * channels, [], None
-    for y in range(height):
-        line = raw[y * (stride + 1):(y + 1) * (stride + 1)]
-        row = bytearray(line[1:])
-        above = before if before is not None else bytes(stride)
-        unfilter(line[0], row, above, channels)
-        before = row
-        rows.append(bytes(row) if channels == 3 else bytes(v for i, v in enumerate(row) if i % 4 != 3))
-    return width, height, rows
-
-
-def unfilter(kind, row, above, channels):
-    for i in range(len(row) if kind else 0):
-        a = row[i - channels] if i >= channels else 0
-        b = above[i]
-        c = above[i - channels] if i >= channels else 0
-        if kind == 4:
-            p = a + b - c
-            distances = (abs(p - a), abs(p - b), abs(p - c))
-            guess = (a, b, c)[distances.index(min(distances))]
-        else:
-            guess = (0, a, b, (a + b) // 2)[kind]
-        row[i] = (row[i] + guess) & 255

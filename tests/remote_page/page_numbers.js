@@ -36,8 +36,8 @@
     compare('focal', pinhole.focal / focal, 1);
     compare('center', pinhole.center, center);
   }
-  const {request, settings, planned, near, loads} = all.cover;
-  const cover = new ImageCover(planned.view, ...planned.size, planned.layout, near);
+  const {request, settings, planned, near, far, loads} = all.cover;
+  const cover = new ImageCover(planned.view, ...planned.size, planned.layout, {nearZ: near, farZ: far});
   for (const {view, reach, detail, shift} of loads) {
     const load = coverLoad(cover, view, request.screen);
     compare('load', [load.reach / reach, load.detail / detail], [1, 1]);
@@ -58,6 +58,7 @@
     compare('ahead fov', there.fov_vertical_degrees, ahead.fov_vertical_degrees);
   }
   const requests = all.requests;
+  const wall = {nearZ: requests.near, farZ: requests.near};
   const planner = new LookPlanner();
   const images = [];
   const underWay = [];
@@ -66,9 +67,15 @@
     const seconds = frame * requests.frame_seconds;
     while (underWay.length > 0 && underWay[0].due <= seconds) {
       const {wish, look} = underWay.shift();
-      images.push({screen: requests.screen, cover: new ImageCover(wish.planned, ...wish.size, wish.layout, requests.near)});
-      images.splice(0, images.length - 4);
+      if (images.length >= 4) {
+        images.splice(images.indexOf(images.reduce((a, b) => (b.usedAt < a.usedAt ? b : a))), 1);
+      }
+      images.push({screen: requests.screen, cover: new ImageCover(wish.planned, ...wish.size, wish.layout, wall), usedAt: seconds});
       planner.answered(look.sequence, seconds);
+    }
+    const loads = images.map((image) => coverLoad(image.cover, view, requests.screen).whole);
+    if (images.length > 0) {
+      images[loads.lastIndexOf(Math.min(...loads))].usedAt = seconds;
     }
     const look = planner.look({view, screen: requests.screen, lenses: [], images, settings: requests.settings, seconds});
     if (look !== null) {

@@ -114,7 +114,7 @@ Json coverNumbers() {
   request.screen = {640, 360};
   const RemoteSettings settings;
   const RemotePlan plan = planRemoteImage(request, settings);
-  const ImageCover cover(plan.reference, plan.layout, 4.5);
+  const ImageCover cover(plan.reference, plan.layout, {.nearZ = 4.5, .farZ = 8});
   Json loads = Json::array();
   for (const View& view : movedViews()) {
     const CoverLoad load = coverLoad(cover, view, request.screen, {});
@@ -127,7 +127,8 @@ Json coverNumbers() {
            {{"view", Json::parse(jsonText(plan.reference.view()))},
             {"size", {plan.reference.width(), plan.reference.height()}},
             {"layout", Json::parse(jsonText(plan.layout))}}},
-          {"near", cover.nearZ},
+          {"near", cover.depths.nearZ},
+          {"far", cover.depths.farZ},
           {"loads", loads}};
 }
 

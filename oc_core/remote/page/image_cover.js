@@ -5,37 +5,45 @@ import {Pinhole, length, subtract, radians, degrees} from './view_math.js';
 
 export const coverLimits = {
   leastDetail: 0.7,  // samples for a pixel in the middle of a view
-  largestShift: 0.06,  // of near things, heights of the view
+  largestParallax: 0.06,  // between near and far things, heights of the view
+  largestAngle: 0.1,  // by which near things are seen from another side, radians
 };
-const kNearShare = 20;  // one sample of so many is nearer than `near`
+const kOutermost = 20;
 const kMaxSideDegrees = 80;
 
-/// The z that one sample of kNearShare is nearer than; 0 where there are none. `values` as the server sends them.
-export function nearZOf({values, inverseNear, inverseFar, levels}) {
+/// {nearZ, farZ}: one sample of kOutermost is nearer than the first, and one farther than the second; 0 where there are
+/// none. `values` as the server sends them.
+export function depthSpanOf({values, inverseNear, inverseFar, levels}) {
   const counts = new Uint32Array(65536);
   for (const value of values) {
     ++counts[value];
   }
-  let left = Math.floor((values.length - counts[0]) / kNearShare);
-  for (let value = 65535; value > 0; --value) {
-    if (counts[value] > left) {
-      return 1 / (inverseFar + (value - 1) * (inverseNear - inverseFar) / (levels - 1));
+  const rank = Math.floor((values.length - counts[0]) / kOutermost);
+  const zOfRank = (first, step) => {
+    let left = rank;
+    for (let value = first; value > 0 && value < 65536; value += step) {
+      if (counts[value] > left) {
+        return 1 / (inverseFar + (value - 1) * (inverseNear - inverseFar) / (levels - 1));
+      }
+      left -= counts[value];
     }
-    left -= counts[value];
-  }
-  return 0;
+    return 0;
+  };
+  return {nearZ: zOfRank(65535, -1), farZ: zOfRank(1, 1)};
 }
 
+const kUnknownDepths = {nearZ: 0, farZ: 0};
+
 export class ImageCover {
-  /// `layout` {sampling, regions}; without depth `nearZ` is 0.
-  constructor(view, width, height, layout, nearZ = 0) {
+  /// `layout` {sampling, regions}.
+  constructor(view, width, height, layout, depths = kUnknownDepths) {
     this.reference = new Pinhole(view, width, height);
     this.map = new GpcMap(layout, width, height);
-    this.nearZ = nearZ;
+    this.depths = depths;
   }
 
-  withNear(nearZ) {
-    return Object.assign(Object.create(ImageCover.prototype), this, {nearZ});
+  withDepths(depths) {
+    return Object.assign(Object.create(ImageCover.prototype), this, {depths});
   }
 }
 
@@ -72,8 +80,12 @@ export function coverLoad(cover, view, screen, lenses = [], limits = coverLimits
     detail = Math.max(detail, limits.leastDetail / (samples * Math.sqrt(across * along)));
   }
   const offset = length(subtract(view.eye, reference.eye));
-  const shift = offset === 0 ? 0 :
-    cover.nearZ > 0 ? offset * pinhole.focal / (cover.nearZ * screen[1] * limits.largestShift) : Infinity;
+  const {nearZ, farZ} = cover.depths;
+  let shift = 0;
+  if (offset > 0) {
+    const parallax = offset * (1 / nearZ - 1 / farZ) * pinhole.focal / screen[1] / limits.largestParallax;
+    shift = nearZ > 0 ? Math.max(parallax, offset / nearZ / limits.largestAngle) : Infinity;
+  }
   return {reach, detail, shift, whole: Math.max(reach, detail, shift)};
 }
 

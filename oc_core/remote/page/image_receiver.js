@@ -1,7 +1,7 @@
 // Images as they come: their headers, the pieces of their colours and depths (docs/remote_protocol.md), and the
 // decoding of both. `events` is told
 //   colored(image)   its colours are there: `image.bitmap`; the page can turn and zoom in it
-//   deepened(image)  its depth is there: `image.mesh`, `image.nearZ`; the eye can move
+//   deepened(image)  its depth is there: `image.mesh`, `image.depths`; the eye can move
 //   failed(text, sequence)  something is wrong with it, and it will not come
 import {Pinhole} from './view_math.js';
 
@@ -147,7 +147,7 @@ export class ImageReceiver {
       focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, ...image.meshOptions});
   }
 
-  takeDepth({id, problem, nearZ, mesh, seconds}) {
+  takeDepth({id, problem, depths, mesh, seconds}) {
     const image = this.inDecoding.get(id);
     this.inDecoding.delete(id);
     if (image.isGivenUp) {
@@ -159,7 +159,7 @@ export class ImageReceiver {
         'Start the server with "--depth deflate".', image.sequence);
       return;
     }
-    Object.assign(image, {nearZ, mesh, decodeSeconds: seconds});
+    Object.assign(image, {depths, nearZ: depths.nearZ, mesh, decodeSeconds: seconds});
     this.events.deepened(image);
     this.endWhereWhole(image);
   }

@@ -4,7 +4,7 @@ import {coverLimits, coverLoad, plannedCover} from './image_cover.js';
 import {isResting, motionBetween, viewAhead} from './view_motion.js';
 
 export const lookRule = {
-  askAt: 0.8,  // of the load that ends what is covered
+  askAt: 0.95,  // of the load that ends what is covered
   firstTripSeconds: 0.5,
   aheadSeconds: 0.25,
   maxAheadSeconds: 4,
@@ -89,12 +89,12 @@ export class LookPlanner {
     const time = Math.min(this.trip + lookRule.aheadSeconds, lookRule.maxAheadSeconds);
     const ahead = viewAhead(view, motion, time);
     const load = Math.min(...images.map((image) => coverLoad(image.cover, ahead, screen, lenses).whole));
-    return load <= lookRule.askAt || this.isAskedFor(ahead, screen, best.image.cover.nearZ) ? null :
+    return load <= lookRule.askAt || this.isAskedFor(ahead, screen, best.image.cover.depths) ? null :
       {view: ahead, screen, lenses};
   }
 
-  isAskedFor(view, screen, nearZ) {
-    return this.asked.some(({cover}) => coverLoad(cover.withNear(nearZ), view, screen).whole <= 1);
+  isAskedFor(view, screen, depths) {
+    return this.asked.some(({cover}) => coverLoad(cover.withDepths(depths), view, screen).whole <= 1);
   }
 
   /// The answer to a request is here: as a whole, or (`isWhole` false) refused.

@@ -303,7 +303,7 @@ class RemotePage {
     if (!this.held.includes(image)) {
       return;  // its colours are to come, or it was dropped
     }
-    image.cover = image.cover.withNear(image.nearZ);
+    image.cover = image.cover.withDepths(image.depths);
     this.picture.addDepths(image);
     this.finish(image);
     this.redraw();
