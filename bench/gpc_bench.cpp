@@ -42,6 +42,16 @@ GpcLayout lenses() {
   return {findGpcSampling("cubic"), {{{0.3f, 0.5f}, {0.2f, 0.3f}, 3, 0.8f}, {{0.75f, 0.5f}, {0.15f, 0.2f}, 6, 1}}};
 }
 
+/// n x n regions, which may be 16 x 16 at most.
+GpcLayout manyLenses(int n) {
+  GpcLayout layout{findGpcSampling("cubic"), {}};
+  for (int i = 0; i < n * n; ++i) {
+    const glm::vec2 cell(static_cast<float>(i % n), static_cast<float>(i / n));
+    layout.regions.push_back({(cell + 0.5f) / static_cast<float>(n), glm::vec2(0.5f / static_cast<float>(n)), 2, 0.9f});
+  }
+  return layout;
+}
+
 void measureView(const GpcBenchChoice& choice, const char* viewName, const View& view, const Mesh& mesh,
                  const RayScene& rays) {
   const PinholeCamera pinhole(view, choice.width, choice.height);
@@ -51,6 +61,8 @@ void measureView(const GpcBenchChoice& choice, const char* viewName, const View&
     cameras.emplace_back(std::string("centre 3x, ") + each.name, GpcCamera(pinhole, remote(each.name)));
   }
   cameras.emplace_back("lenses 3x, 6x, cubic", GpcCamera(pinhole, lenses()));
+  cameras.emplace_back("64 lenses 2x, cubic", GpcCamera(pinhole, manyLenses(8)));
+  cameras.emplace_back("256 lenses 2x, cubic", GpcCamera(pinhole, manyLenses(16)));
   for (const auto& [name, camera] : cameras) {
     techniques.push_back({name + ", pieces", [&camera = camera, &mesh] { rasterizeGpc(camera, mesh); }});
     techniques.push_back({name + ", rays", [&camera = camera, &mesh, &rays] { raycast(camera, mesh, rays); }});

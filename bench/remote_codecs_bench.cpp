@@ -16,7 +16,9 @@
 #include "oc_core/image/image_error.h"
 #include "oc_core/image_codecs/image_codec.h"
 #include "oc_core/ocri/resample.h"
+#include "oc_core/remote/depth_smoothing.h"
 #include "oc_core/remote/remote_depth.h"
+#include "oc_core/render/rasterize_gpc.h"
 #include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
@@ -26,6 +28,8 @@ struct RemoteBenchChoice {
   std::string table = "plans";
   std::vector<std::string> scenes;  ///< names of kRemoteCases; empty: all
   std::vector<std::string> settings;
+  std::vector<double> qualities{50, 75, 85, 90, 95};
+  std::vector<int> levels{32, 128, 512, 4096, 65535};
   size_t frames = 8;
   size_t moved = 6;
   RemoteRange range;
@@ -151,7 +155,7 @@ void printColors(const RemoteCase& each, const RemoteTrial& trial, const RemoteB
   const Image<Rgb8> colors = srgbFromLinear(drawn.color);
   const glm::ivec2 size(colors.width(), colors.height());
   for (const ColorCodec& codec : colorCodecs()) {
-    for (const double quality : codec.isLossless ? std::vector<double>{100} : std::vector<double>{50, 75, 85, 90, 95}) {
+    for (const double quality : codec.isLossless ? std::vector<double>{100} : choice.qualities) {
       std::vector<std::byte> bytes;
       Image<Rgb8> back;
       const double encode = leastProcessorMilliseconds(choice.runs, [&] { bytes = codec.encode(colors, quality); });
@@ -183,20 +187,30 @@ glm::dvec2 displacedPixels(const ReferenceImage& drawn, const RemoteDepth& depth
   return {error.x / static_cast<double>(std::max<size_t>(held, 1)), error.y};
 }
 
+/// The same image with depths that are fractions of levels.
+ReferenceImage withDepths(const ReferenceImage& drawn, const RemoteDepth& depth, const Image<float>& levels) {
+  ReferenceImage image = drawn;
+  for (size_t i = 0; i < image.t.size(); ++i) {
+    image.t[i] = levels[i] > 0 ? static_cast<float>(1 / depth.inverseDepth(static_cast<double>(levels[i]))) : 0;
+  }
+  return image;
+}
+
 void printDepths(const RemoteCase& each, const RemoteTrial& trial, const RemoteBenchChoice& choice) {
   const RemoteSettings settings;
   const ReferenceImage drawn = trial.scene().draw(planRemoteImage(trial.request(), settings), settings.samples);
   const glm::ivec2 size(drawn.width(), drawn.height());
-  for (const int levels : {128, 256, 512, 1024, 4096, 16384, 65535}) {
+  for (const int levels : choice.levels) {
     const RemoteDepth depth = roundedDepth(drawn.t, levels);
-    ReferenceImage rounded = drawn;
-    for (size_t i = 0; i < rounded.t.size(); ++i) {
-      rounded.t[i] = depth.values[i] > 0 ? static_cast<float>(1 / depth.inverseDepth(depth.values[i])) : 0;
-    }
-    const RemoteTrial::Score moved = trial.moved({rounded});
+    const RemoteTrial::Score moved = trial.moved({withDepths(drawn, depth, smoothedLevels(depth.values))});
+    Image<float> plain(size.x, size.y);
+    std::copy(depth.values.begin(), depth.values.end(), plain.begin());
+    const RemoteTrial::Score unsmoothed = trial.moved({withDepths(drawn, depth, plain)});
     const glm::dvec2 error = displacedPixels(drawn, depth, choice.range);
-    fmt::print("{:<8} {:>5} levels: off by {:.3f} pixels, at most {:.3f}; moved FLIP {:.4f} ({:.2f} % holes)\n",
-               each.name, levels, error.x, error.y, moved.flip, 100 * moved.holes);
+    fmt::print(
+        "{:<8} {:>5} levels: off by {:.3f} pixels, at most {:.3f}; moved FLIP {:.4f} ({:.2f} % holes), "
+        "not smoothed {:.4f} ({:.2f} %)\n",
+        each.name, levels, error.x, error.y, moved.flip, 100 * moved.holes, unsmoothed.flip, 100 * unsmoothed.holes);
     for (const DepthCodec& codec : depthCodecs()) {
       std::vector<std::byte> bytes;
       const double encode = leastProcessorMilliseconds(choice.runs, [&] { bytes = codec.encode(depth.values); });
@@ -208,12 +222,30 @@ void printDepths(const RemoteCase& each, const RemoteTrial& trial, const RemoteB
   }
 }
 
+/// How the server's image is best drawn: along its rays, or piece by piece.
+void printDraws(const RemoteCase& each, const RemoteTrial& trial, const RemoteBenchChoice& choice) {
+  const RemotePlan plan = planRemoteImage(trial.request(), RemoteSettings{});
+  const GpcCamera camera(plan.reference, plan.layout);
+  const Mesh& mesh = trial.scene().mesh();
+  double rays = 1e30;
+  double pieces = 1e30;
+  for (int run = 0; run < choice.runs; ++run) {
+    rays = std::min(rays, processorMilliseconds([&] { trial.scene().draw(plan, 1); }));
+    pieces = std::min(pieces, processorMilliseconds(
+                                  [&] { referenceImage(rasterizeGpc(camera, mesh), mesh, plan.reference, "gpc"); }));
+  }
+  fmt::print("{:<8} {} triangles, {}x{}: rays {:.2f} s, pieces {:.2f} s\n", each.name, mesh.triangles.size(),
+             plan.reference.width(), plan.reference.height(), rays / 1000, pieces / 1000);
+  std::fflush(stdout);
+}
+
 struct RemoteTable {
   const char* name;
   void (*print)(const RemoteCase&, const RemoteTrial&, const RemoteBenchChoice&);
 };
 
-constexpr RemoteTable kRemoteTables[] = {{"plans", printPlans}, {"colors", printColors}, {"depths", printDepths}};
+constexpr RemoteTable kRemoteTables[] = {
+    {"plans", printPlans}, {"colors", printColors}, {"depths", printDepths}, {"draws", printDraws}};
 
 void measure(const RemoteBenchChoice& choice) {
   for (const RemoteCase& each : kRemoteCases) {
@@ -239,11 +271,16 @@ int main(int argumentCount, char** arguments) {
   choice.settings = {"{}"};
   ocelli::addCommonOptions(program, choice);
   program.add_option("--table", choice.table, "Which")
-      ->check(CLI::IsMember({"plans", "colors", "depths"}))
+      ->check(CLI::IsMember({"plans", "colors", "depths", "draws"}))
       ->capture_default_str();
   program.add_option("--scenes", choice.scenes, "statues, canyon, room, town; all where it is left out")
       ->delimiter(',');
   program.add_option("--settings", choice.settings, "Of --table plans: an object of JSON each");
+  program.add_option("--qualities", choice.qualities, "Of --table colors")->delimiter(',')->capture_default_str();
+  program.add_option("--levels", choice.levels, "Of --table depths")
+      ->delimiter(',')
+      ->check(CLI::Range(ocelli::RemoteDepth::kMinLevels, ocelli::RemoteDepth::kMaxLevels))
+      ->capture_default_str();
   program.add_option("--frames", choice.frames, "Views from the image's own eye")->capture_default_str();
   program.add_option("--moved", choice.moved, "Views from elsewhere")->capture_default_str();
   program.add_option("--pan", choice.range.pan, "How far, by the screen's field of view")->capture_default_str();

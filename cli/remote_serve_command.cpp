@@ -127,7 +127,6 @@ void serve(const CommandContext& context, ServeChoice& choice) {
   validate(choice.settings, "command line");
   chooseAccess(choice);
   const View view = readViewOption(choice.view);
-  const InterruptGuard guard;
   const RemoteScene scene(loadScene(choice.scene.source, choice.scene.options, context.progress()), choice.scene.source,
                           view);
   RemoteServerSetup setup = choice.setup;
@@ -137,6 +136,7 @@ void serve(const CommandContext& context, ServeChoice& choice) {
     setup.assets.push_back({file.path, file.mediaType, file.bytes});
   }
   setup.note = [context](const std::string& line) { context.note(line); };
+  const InterruptGuard guard;
   const RemoteServer server(std::move(setup));
   printAddress(context, choice, server);
   const int64_t begin = steadyNanoseconds();

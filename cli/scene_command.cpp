@@ -147,7 +147,7 @@ void appendPoints(std::string& text, const PointFacts& points) {
 }
 
 void putPoints(Json& info, const PointFacts& points) {
-  info["points"] = {{"count", points.points},
+  info["points"] = {{"in_file", points.points},
                     {"repeated", points.repeated},
                     {"panels", points.panels},
                     {"octahedra", points.solids},

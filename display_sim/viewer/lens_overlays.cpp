@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "display_sim/viewer/lens_choice.h"
+#include "display_sim/viewer/shown_picture.h"
 #include "display_sim/viewer/viewer_colors.h"
 
 namespace ocelli {

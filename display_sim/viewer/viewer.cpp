@@ -212,7 +212,9 @@ void Viewer::update(double seconds) {
   if (!facts_.messageIsError && (messageSeconds_ -= seconds) <= 0) {
     facts_.message.clear();
   }
-  followLenses(state_, false);
+  if (!lensPointer_.isDragging()) {  // which what the others build would slow down
+    followLenses(state_, false);
+  }
   work_.want(state_.work);
   while (const std::optional<WorkResult> result = work_.take()) {
     take(*result);

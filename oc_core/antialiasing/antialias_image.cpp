@@ -4,8 +4,10 @@
 #include <atomic>
 #include <cmath>
 
+#include "oc_core/antialiasing/block_triangles.h"
 #include "oc_core/antialiasing/pixel_area.h"
 #include "oc_core/antialiasing/pixel_masks.h"
+#include "oc_core/antialiasing/pixel_samples.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
 
@@ -50,8 +52,8 @@ class BlockDrawing {
  private:
   /// The triangles of the block, and which of them each of its pixels may show.
   void collect(size_t block, const PixelBounds& bounds) {
-    triangles_.clear();
-    for (std::vector<uint32_t>& each : ofPixel_) {
+    triangles_.start(base_);
+    for (std::vector<PixelTriangle>& each : ofPixel_) {
       each.clear();
     }
     const std::span<const uint32_t> of = bins_.trianglesOf(block);
@@ -63,9 +65,6 @@ class BlockDrawing {
       if (i + kAhead < of.size()) {
         const uint32_t vertex = mesh_.triangles[of[i + kAhead]].x;
         prefetch(&projected_.vertex(vertex));
-        if (!mesh_.colors.empty()) {
-          prefetch(&mesh_.colors[vertex]);
-        }
       }
       bins_.parts().forEachPartAnywhere(of[i], [&](const RasterVertex& a, const RasterVertex& b,
                                                    const RasterVertex& c) { add(of[i], a, b, c, bounds); });
@@ -74,28 +73,27 @@ class BlockDrawing {
 
   void add(uint32_t index, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
            const PixelBounds& bounds) {
-    const auto place = static_cast<uint32_t>(triangles_.size());
-    AntialiasTriangle& t = triangles_.emplace_back();
-    PixelBounds within;
-    if (prepareTriangle(t, mesh_, index, a, b, c, base_)) {
-      const glm::vec2 base(base_);
-      const PixelBounds all =
-          pixelsOf(view_.imageBox({t.box.lower + base, t.box.upper + base}), view_.width(), view_.height());
-      within = {std::max(all.x0, bounds.x0), std::max(all.y0, bounds.y0), std::min(all.x1, bounds.x1),
-                std::min(all.y1, bounds.y1)};
-    }
+    // Preparing it may move a vertex by half a step of its grid.
+    constexpr float kSnap = 1.0f / 4096;
+    const glm::vec2 lower(std::min({a.u, b.u, c.u}), std::min({a.v, b.v, c.v}));
+    const glm::vec2 upper(std::max({a.u, b.u, c.u}), std::max({a.v, b.v, c.v}));
+    const PixelBounds all = pixelsOf(view_.imageBox({lower - kSnap, upper + kSnap}), view_.width(), view_.height());
+    const PixelBounds within{std::max(all.x0, bounds.x0), std::max(all.y0, bounds.y0), std::min(all.x1, bounds.x1),
+                             std::min(all.y1, bounds.y1)};
     if (within.x0 >= within.x1 || within.y0 >= within.y1) {
-      triangles_.pop_back();
       return;
     }
+    const PixelTriangle entry{triangles_.add(index, a, b, c), std::max({a.inverseZ, b.inverseZ, c.inverseZ}),
+                              std::min({a.inverseZ, b.inverseZ, c.inverseZ}),
+                              std::max(upper.x - lower.x, upper.y - lower.y) + 2 * kSnap};
     for (int y = within.y0; y < within.y1; ++y) {
       for (int x = within.x0; x < within.x1; ++x) {
-        ofPixel_[static_cast<size_t>((y - bounds.y0) * kBlock + x - bounds.x0)].push_back(place);
+        ofPixel_[static_cast<size_t>((y - bounds.y0) * kBlock + x - bounds.x0)].push_back(entry);
       }
     }
   }
 
-  glm::vec3 pixel(int x, int y, const std::vector<uint32_t>& candidates) {
+  glm::vec3 pixel(int x, int y, const std::vector<PixelTriangle>& candidates) {
     if (candidates.empty()) {
       ++work_.plain;
       return background_;
@@ -117,7 +115,7 @@ class BlockDrawing {
     if (isFilled && seen_.size() == 1) {
       ++work_.plain;
       const glm::vec2 middle = (square.lower + square.upper) * 0.5f;
-      return seen_[0].triangle->colorAt(middle.x, middle.y, mesh_);
+      return triangles_.prepared(seen_[0].number)->colorAt(middle.x, middle.y, mesh_);
     }
     if (place.area.isSquare && seen_.size() <= rule.maxExactTriangles) {
       ++work_.exact;
@@ -126,7 +124,7 @@ class BlockDrawing {
     ++work_.sampled;
     work_.samples += static_cast<size_t>(rule.pattern->size());
     if (place.area.isSquare && !rule.shadesAtMiddle && PixelMasks::take(*rule.pattern)) {
-      return masks_.mean(seen_, square, *rule.pattern, mesh_, background_);
+      return masks_.mean(seen_, triangles_, square, *rule.pattern, mesh_, background_);
     }
     if (place.area.isSquare) {
       samples_.place(view_, place, *rule.pattern);
@@ -137,34 +135,35 @@ class BlockDrawing {
   std::span<const AntialiasTriangle* const> pointers() {
     pointers_.clear();
     for (const PixelTriangle& each : seen_) {
-      pointers_.push_back(each.triangle);
+      if (const AntialiasTriangle* t = triangles_.prepared(each.number)) {
+        pointers_.push_back(t);
+      }
     }
     return pointers_;
   }
 
   /// Leaves those in seen_ that meet a square and are not behind one that fills it. Returns whether one fills it.
-  bool select(const std::vector<uint32_t>& candidates, const ImageBox& square) {
+  bool select(const std::vector<PixelTriangle>& candidates, const ImageBox& square) {
     seen_.clear();
     float filledTo = 0;
-    for (const uint32_t each : candidates) {
-      const AntialiasTriangle& t = triangles_[each];
-      PixelTriangle seen{&t, t.nearestInverseZ, t.farthestInverseZ};
-      const glm::vec2 size = t.box.upper - t.box.lower;
-      const float side = square.upper.x - square.lower.x;
+    const float side = std::min(square.upper.x - square.lower.x, square.upper.y - square.lower.y);
+    for (const PixelTriangle& each : candidates) {
+      PixelTriangle seen = each;
       // Small ones are known to meet it, nearly, and cannot fill it.
-      if (size.x > side || size.y > side) {
-        bool meets = true;
-        bool fills = true;
-        for (size_t i = 0; i < 3; ++i) {
-          meets = meets && t.edges[i].greatest(square) >= t.inside[i];
-          fills = fills && t.edges[i].least(square) >= t.inside[i];
+      if (each.extent > side) {
+        const AntialiasTriangle* t = triangles_.prepared(each.number);
+        bool meets = t != nullptr;
+        bool fills = meets;
+        for (size_t i = 0; i < 3 && meets; ++i) {
+          meets = t->edges[i].greatest(square) >= t->inside[i];
+          fills = fills && t->edges[i].least(square) >= t->inside[i];
         }
         if (!meets) {
           continue;
         }
-        seen.farthest = std::max(seen.farthest, t.inverseZ.least(square));
+        seen.farthest = std::max(seen.farthest, t->inverseZ.least(square));
         // Rounding must not put a triangle behind itself.
-        seen.nearest = std::max(std::min(seen.nearest, t.inverseZ.greatest(square)), seen.farthest);
+        seen.nearest = std::max(std::min(seen.nearest, t->inverseZ.greatest(square)), seen.farthest);
         if (fills) {
           filledTo = std::max(filledTo, seen.farthest);
         }
@@ -187,8 +186,8 @@ class BlockDrawing {
   glm::vec3 background_;
   Image<glm::vec3>& image_;
   glm::ivec2 base_{0};
-  std::vector<AntialiasTriangle> triangles_;
-  std::array<std::vector<uint32_t>, static_cast<size_t>(kBlock) * kBlock> ofPixel_;
+  BlockTriangles triangles_;
+  std::array<std::vector<PixelTriangle>, static_cast<size_t>(kBlock) * kBlock> ofPixel_;
   std::vector<PixelTriangle> seen_;
   std::vector<const AntialiasTriangle*> pointers_;
   PixelSamples samples_;

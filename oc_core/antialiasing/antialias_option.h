@@ -2,7 +2,7 @@
 // `extreme,tile=640x720,regions=auto`. Ways are rows of antialiasMethods(), and what can be said of them, rows of
 // antialiasKeys(): the parser, the help of `ocelli render` and the documentation come from them.
 //
-// Recipe for a new way, one file: a row in antialias_option.cpp with the rule that it makes of a choice.
+// A new way is a row in antialias_option.cpp, with the rule that it makes of a choice.
 #pragma once
 
 #include <memory>

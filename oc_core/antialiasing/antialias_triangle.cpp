@@ -26,8 +26,8 @@ float inPixels(int64_t snappedValue) {
 
 }  // namespace
 
-bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, const RasterVertex& a,
-                     const RasterVertex& b, const RasterVertex& c, const glm::ivec2& base) {
+bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+                     const RasterVertex& c, const glm::ivec2& base) {
   t.triangle = triangle;
   t.corners = {a, b, c};
   std::array<SnappedPoint, 3> p = {
@@ -40,11 +40,6 @@ bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, 
     std::swap(p[1], p[2]);
     std::swap(t.corners[1], t.corners[2]);
     area = -area;
-  }
-  if (!mesh.colors.empty()) {
-    const glm::uvec3& of = mesh.triangles[triangle];
-    t.color = mesh.colors[of.x];
-    t.isOneColor = t.color == mesh.colors[of.y] && t.color == mesh.colors[of.z];
   }
   const SnappedPoint origin{base.x * kSnapped, base.y * kSnapped};
   t.perArea = static_cast<float>(1.0 / static_cast<double>(area));
@@ -65,8 +60,6 @@ bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, 
     zc += static_cast<double>(atBase) * weight;
   }
   t.inverseZ = {static_cast<float>(za), static_cast<float>(zb), static_cast<float>(zc)};
-  t.nearestInverseZ = std::max({a.inverseZ, b.inverseZ, c.inverseZ});
-  t.farthestInverseZ = std::min({a.inverseZ, b.inverseZ, c.inverseZ});
   t.box = {{inPixels(std::min({p[0].x, p[1].x, p[2].x}) - origin.x),
             inPixels(std::min({p[0].y, p[1].y, p[2].y}) - origin.y)},
            {inPixels(std::max({p[0].x, p[1].x, p[2].x}) - origin.x),
@@ -74,9 +67,18 @@ bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, 
   return true;
 }
 
+std::optional<glm::vec3> AntialiasTriangle::onlyColor(const Mesh& mesh) const {
+  if (mesh.colors.empty()) {
+    return glm::vec3(1);
+  }
+  const glm::uvec3& t = mesh.triangles[triangle];
+  const glm::vec3& first = mesh.colors[t.x];
+  return first == mesh.colors[t.y] && first == mesh.colors[t.z] ? std::optional(first) : std::nullopt;
+}
+
 glm::vec3 AntialiasTriangle::colorAt(float x, float y, const Mesh& mesh) const {
-  if (isOneColor) {
-    return color;
+  if (const std::optional<glm::vec3> only = onlyColor(mesh)) {
+    return *only;
   }
   glm::vec3 weights;
   for (int i = 0; i < 3; ++i) {

@@ -9,6 +9,7 @@
 #include <array>
 #include <cstdint>
 #include <limits>
+#include <optional>
 
 #include "oc_core/camera/distorted_pinhole.h"
 #include "oc_core/render/visibility_buffer.h"
@@ -38,22 +39,20 @@ struct AntialiasTriangle {
   std::array<BlockPlane, 3> edges;  ///< opposite of the corner of the same number; inside where at() >= `inside`
   std::array<float, 3> inside{};    ///< 0 or kAboveZero
   BlockPlane inverseZ;              ///< 1/z, linear over the image
-  float nearestInverseZ = 0;        ///< of its corners
-  float farthestInverseZ = 0;
-  float perArea = 0;   ///< edges[i].at() * perArea: what corner i weighs in the image
-  ImageBox box;        ///< in the reference's image, from the base
-  PixelBounds pixels;  ///< that it may show in, of the image; x1 and y1 lie beyond
+  float perArea = 0;                ///< edges[i].at() * perArea: what corner i weighs in the image
+  ImageBox box;                     ///< in the reference's image, from the base
+  PixelBounds pixels;               ///< that it may show in, of the image; x1 and y1 lie beyond
   std::array<RasterVertex, 3> corners;
   uint32_t triangle = 0;
-  bool isOneColor = true;
-  glm::vec3 color{1};  ///< that of its first vertex
 
+  /// Where its vertices have one colour, that.
+  std::optional<glm::vec3> onlyColor(const Mesh& mesh) const;
   /// The linear colour at a point. Beyond its edges (multisampling) the nearest weights that lie within.
   glm::vec3 colorAt(float x, float y, const Mesh& mesh) const;
 };
 
 /// Fills `t` in. False where it covers no area. `base` is in whole pixels of the reference.
-bool prepareTriangle(AntialiasTriangle& t, const Mesh& mesh, uint32_t triangle, const RasterVertex& a,
-                     const RasterVertex& b, const RasterVertex& c, const glm::ivec2& base);
+bool prepareTriangle(AntialiasTriangle& t, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+                     const RasterVertex& c, const glm::ivec2& base);
 
 }  // namespace ocelli

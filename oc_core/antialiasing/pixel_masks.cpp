@@ -24,6 +24,12 @@ uint32_t bitsIn(uint32_t x) {
   return (x + (x >> 16)) & 0x3fu;
 }
 
+/// The sum of the numbers of the set bits.
+uint32_t columnsOf(uint32_t x) {
+  return bitsIn(x & 0xaaaaaaaau) + 2 * bitsIn(x & 0xccccccccu) + 4 * bitsIn(x & 0xf0f0f0f0u) +
+         8 * bitsIn(x & 0xff00ff00u) + 16 * bitsIn(x & 0xffff0000u);
+}
+
 /// The least whole number that is not below a value, of values from 0 to 32.
 int ceiling(float value) {
   return 64 - static_cast<int>(64 - value);
@@ -40,6 +46,8 @@ void PixelMasks::start(const ImageBox& square, const SamplePattern& pattern) {
   }
   covered_.fill(0);
   fullRows_ = 0;
+  sum_ = glm::vec3(0);
+  openCount_ = 0;
 }
 
 bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
@@ -131,18 +139,25 @@ glm::vec3 PixelMasks::weighted(const Shown& shown, const Mesh& mesh) const {
     return glm::vec3(0);
   }
   const auto samples = static_cast<float>(count);
-  if (shown.triangle->isOneColor) {
-    return shown.triangle->color * samples;
+  if (const std::optional<glm::vec3> only = shown.triangle->onlyColor(mesh)) {
+    return *only * samples;
   }
-  glm::vec2 sum(0);
+  // The sums of the samples' columns, of their shifts and of their rows.
+  uint32_t columns = 0;
+  float shifts = 0;
+  float rows = 0;
   for (int row = shown.firstRow; row <= shown.lastRow; ++row) {
-    for (uint32_t left = shown.samples[static_cast<size_t>(row)]; left != 0; left &= left - 1) {
-      sum += pointOf(row, std::countr_zero(left));
-    }
+    const uint32_t set = shown.samples[static_cast<size_t>(row)];
+    columns += columnsOf(set);
+    const auto inRow = static_cast<float>(bitsIn(set));
+    shifts += inRow * offset_[static_cast<size_t>(row)];
+    rows += inRow * static_cast<float>(row);
   }
+  const auto n = static_cast<float>(n_);
+  const float u = (static_cast<float>(columns) + shifts) / n;
+  const glm::vec2 sum = square_.lower * samples + side_ * glm::vec2(u, (rows + u) / n);
   // Colours are linear over a triangle but for its perspective within one pixel: their mean is that at the mean.
-  sum /= samples;
-  return shown.triangle->colorAt(sum.x, sum.y, mesh) * samples;
+  return shown.triangle->colorAt(sum.x / samples, sum.y / samples, mesh) * samples;
 }
 
 void PixelMasks::merge(Shown& shown, const Rows* taken) {
@@ -157,58 +172,78 @@ void PixelMasks::merge(Shown& shown, const Rows* taken) {
   }
 }
 
-glm::vec3 PixelMasks::mean(std::span<PixelTriangle> triangles, const ImageBox& square, const SamplePattern& pattern,
-                           const Mesh& mesh, const glm::vec3& background) {
-  start(square, pattern);
-  std::sort(triangles.begin(), triangles.end(), [](const PixelTriangle& a, const PixelTriangle& b) {
-    return a.nearest != b.nearest ? a.nearest > b.nearest : a.triangle < b.triangle;
-  });
-  glm::vec3 sum(0);
-  size_t others = 0;  // of open_
-  for (const PixelTriangle& each : triangles) {
+bool PixelMasks::draw(std::span<const PixelTriangle> sorted, BlockTriangles& triangles, const Mesh& mesh) {
+  constexpr size_t kAheadOfMasks = 6;
+  for (size_t next = 0; next < sorted.size(); ++next) {
+    const PixelTriangle& each = sorted[next];
+    triangles.expect(sorted[std::min(next + kAheadOfMasks, sorted.size() - 1)].number);
     // What lies before all that follows keeps its samples.
-    for (size_t i = 0; i < others;) {
+    for (size_t i = 0; i < openCount_;) {
       if (open_[i].farthest > each.nearest) {
-        sum += weighted(open_[i], mesh);
-        open_[i] = open_[--others];
+        sum_ += weighted(open_[i], mesh);
+        open_[i] = open_[--openCount_];
       } else {
         ++i;
       }
     }
-    if (fullRows_ == n_ && others == 0) {
-      break;
+    if (fullRows_ == n_ && openCount_ == 0) {
+      return false;
     }
-    if (others == open_.size()) {
+    const AntialiasTriangle* triangle = triangles.prepared(each.number);
+    if (openCount_ == open_.size()) {
       open_.emplace_back();
     }
-    Shown& shown = open_[others];
-    shown.triangle = each.triangle;
+    Shown& shown = open_[openCount_];
+    if (triangle == nullptr || !cover(*triangle, shown)) {
+      continue;
+    }
+    shown.triangle = triangle;
     shown.farthest = each.farthest;
-    if (!cover(*each.triangle, shown)) {
-      continue;
-    }
-    if (others == 0) {
+    if (openCount_ == 0) {
       merge(shown, nullptr);
-      ++others;
-      continue;
+    } else {
+      Rows taken;
+      std::fill(taken.begin() + shown.firstRow, taken.begin() + shown.lastRow + 1, 0);
+      for (size_t i = 0; i < openCount_; ++i) {
+        compare(shown, open_[i], taken);
+      }
+      merge(shown, &taken);
     }
-    Rows taken;
-    std::fill(taken.begin() + shown.firstRow, taken.begin() + shown.lastRow + 1, 0);
-    for (size_t i = 0; i < others; ++i) {
-      compare(shown, open_[i], taken);
-    }
-    merge(shown, &taken);
-    ++others;
+    ++openCount_;
   }
-  for (size_t i = 0; i < others; ++i) {
-    sum += weighted(open_[i], mesh);
+  return true;
+}
+
+glm::vec3 PixelMasks::mean(std::span<PixelTriangle> seen, BlockTriangles& triangles, const ImageBox& square,
+                           const SamplePattern& pattern, const Mesh& mesh, const glm::vec3& background) {
+  start(square, pattern);
+  const auto isNearer = [](const PixelTriangle& a, const PixelTriangle& b) {
+    return a.nearest != b.nearest ? a.nearest > b.nearest : a.number < b.number;
+  };
+  // The nearest first, some at a time: where they hide the rest, that need not be sorted.
+  constexpr size_t kLeastSorted = 48;
+  for (auto from = seen.begin(); from != seen.end();) {
+    const auto left = static_cast<size_t>(seen.end() - from);
+    const size_t some = std::max(kLeastSorted, left / 8);
+    const auto to = some + kLeastSorted < left ? from + static_cast<std::ptrdiff_t>(some) : seen.end();
+    if (to != seen.end()) {
+      std::nth_element(from, to, seen.end(), isNearer);
+    }
+    std::sort(from, to, isNearer);
+    if (!draw({from, to}, triangles, mesh)) {
+      break;
+    }
+    from = to;
+  }
+  for (size_t i = 0; i < openCount_; ++i) {
+    sum_ += weighted(open_[i], mesh);
   }
   uint32_t hidden = 0;
   for (int row = 0; row < n_; ++row) {
     hidden += bitsIn(covered_[static_cast<size_t>(row)]);
   }
   const auto all = static_cast<float>(n_ * n_);
-  return (sum + background * (all - static_cast<float>(hidden))) / all;
+  return (sum_ + background * (all - static_cast<float>(hidden))) / all;
 }
 
 }  // namespace ocelli

@@ -9,16 +9,10 @@
 #include <span>
 #include <vector>
 
-#include "oc_core/antialiasing/pixel_samples.h"
+#include "oc_core/antialiasing/block_triangles.h"
+#include "oc_core/antialiasing/sample_positions.h"
 
 namespace ocelli {
-
-/// A triangle of a pixel, and what its 1/z lies between there.
-struct PixelTriangle {
-  const AntialiasTriangle* triangle = nullptr;
-  float nearest = 0;   ///< the greatest 1/z
-  float farthest = 0;  ///< the least
-};
 
 /// Keeps its memory from pixel to pixel.
 class PixelMasks {
@@ -28,10 +22,10 @@ class PixelMasks {
   /// Whether the samples of a pattern can be masks.
   static bool take(const SamplePattern& pattern) { return pattern.hasSlantedRows() && pattern.rows() <= kMaxRows; }
 
-  /// The mean linear colour. Reorders `triangles`. Of two at the same depth, the one that stands first in the mesh
+  /// The mean linear colour. Reorders `seen`. Of two at the same depth, the one that stands first in the mesh
   /// wins.
-  glm::vec3 mean(std::span<PixelTriangle> triangles, const ImageBox& square, const SamplePattern& pattern,
-                 const Mesh& mesh, const glm::vec3& background);
+  glm::vec3 mean(std::span<PixelTriangle> seen, BlockTriangles& triangles, const ImageBox& square,
+                 const SamplePattern& pattern, const Mesh& mesh, const glm::vec3& background);
 
  private:
   static constexpr int kLanes = 4;  ///< rows at a time
@@ -51,6 +45,8 @@ class PixelMasks {
   bool cover(const AntialiasTriangle& triangle, Shown& shown) const;
   /// Adds the samples that `shown` has before what is covered.
   void merge(Shown& shown, const Rows* taken);
+  /// Draws triangles that are sorted by depth. False where all that follows is hidden.
+  bool draw(std::span<const PixelTriangle> sorted, BlockTriangles& triangles, const Mesh& mesh);
   /// Shares out the samples that both cover. `taken` gets those that `shown` takes from `other`.
   void compare(Shown& shown, Shown& other, Rows& taken) const;
   glm::vec3 weighted(const Shown& shown, const Mesh& mesh) const;
@@ -61,7 +57,9 @@ class PixelMasks {
   float side_ = 1;
   std::array<float, kMaxRows + kLanes> offset_{};  ///< where in its stratum a row's samples lie
   Rows covered_{};
-  int fullRows_ = 0;         ///< rows that are covered
+  int fullRows_ = 0;  ///< rows that are covered
+  glm::vec3 sum_{0};
+  size_t openCount_ = 0;
   std::vector<Shown> open_;  ///< grows; in front those whose depths may overlap with what follows
 };
 

@@ -80,8 +80,10 @@ void PixelSamples::draw(const AntialiasTriangle& t, uint32_t index) {
     uint32_t* which = which_.data() + start;
     for (int i = across.first; i <= across.last; ++i) {
       const float inverseZ = z.at(x[i], y[i]);
-      const bool wins = (e0.at(x[i], y[i]) >= in0) & (e1.at(x[i], y[i]) >= in1) & (e2.at(x[i], y[i]) >= in2) &
-                        (inverseZ > nearest[i]);
+      const float at0 = e0.at(x[i], y[i]);
+      const float at1 = e1.at(x[i], y[i]);
+      const float at2 = e2.at(x[i], y[i]);
+      const bool wins = (at0 >= in0) & (at1 >= in1) & (at2 >= in2) & (inverseZ > nearest[i]);
       nearest[i] = wins ? inverseZ : nearest[i];
       which[i] = wins ? index : which[i];
     }

@@ -13,32 +13,48 @@ namespace ocelli {
 namespace {
 
 constexpr double kDifference = 1e-4;  // pixels
-constexpr double kJumpSlope = 1000;   // a tenth of a pixel over that difference: no lens is as steep
 constexpr double kSparse = 0.5;
 constexpr double kFoundAgain = 1e-3;  // pixels: rounding, with much to spare
 
-/// The step of the map along an axis: of both sides together, but where the map jumps on one of them.
-glm::dvec2 stepAlong(const FocusMap& map, const glm::dvec2& at, int axis) {
-  glm::dvec2 by(0);
-  by[axis] = kDifference;
+/// What steps along the axes become, and how much those to one side differ from those to the other.
+struct Steps {
+  glm::dmat2 jacobian{0};
+  double mismatch = 0;
+};
+
+Steps stepsAt(const FocusMap& map, const glm::dvec2& at) {
+  Steps steps;
   const glm::dvec2 here = map.plainFromPicture(at);
-  const glm::dvec2 forward = (map.plainFromPicture(at + by) - here) / kDifference;
-  const glm::dvec2 backward = (here - map.plainFromPicture(at - by)) / kDifference;
-  if (glm::length(forward - backward) < kJumpSlope) {
-    return (forward + backward) / 2.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    glm::dvec2 by(0);
+    by[axis] = kDifference;
+    const glm::dvec2 forward = (map.plainFromPicture(at + by) - here) / kDifference;
+    const glm::dvec2 backward = (here - map.plainFromPicture(at - by)) / kDifference;
+    steps.jacobian[axis] = (forward + backward) / 2.0;
+    steps.mismatch = std::max(steps.mismatch, glm::length(forward - backward));
   }
-  return glm::length(forward) <= glm::length(backward) ? forward : backward;
+  return steps;
 }
 
-/// Maps may have corners along lines, such as the diagonals of a lens, and these often go through centres of pixels:
-/// derivatives are those of a place beside, in a direction that lines seldom have.
-constexpr glm::dvec2 kBeside{0.0031, 0.0017};
+/// Where derivatives are taken, from a place: maps have corners and jumps along lines, such as the borders and
+/// diagonals of a lens, and these often go through centres of pixels.
+constexpr std::array<glm::dvec2, 4> kBeside{glm::dvec2(0.0031, 0.0017), glm::dvec2(-0.0023, 0.0041),
+                                            glm::dvec2(-0.0031, -0.0017), glm::dvec2(0.0019, -0.0047)};
 
 /// Samples for each one of the plain view at a place of the picture: least and greatest of all directions.
 glm::dvec2 ratesAt(const FocusMap& map, const glm::dvec2& place) {
-  const glm::dvec2 at = place + kBeside;
-  const glm::dvec2 steps = singularValues({stepAlong(map, at, 0), stepAlong(map, at, 1)});
-  return 1.0 / steps;
+  constexpr double kSmooth = 0.02;  // the curvature of a lens hardly makes such a difference over that distance
+  std::optional<Steps> best;
+  for (const glm::dvec2& beside : kBeside) {
+    const Steps steps = stepsAt(map, place + beside);
+    if (!best || steps.mismatch < best->mismatch) {
+      best = steps;
+    }
+    if (best->mismatch < kSmooth) {
+      break;
+    }
+  }
+  return 1.0 / singularValues(best->jacobian);
 }
 
 /// Where the picture shows a place of the plain view, if it really does.

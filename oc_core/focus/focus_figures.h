@@ -2,9 +2,8 @@
 // all: docs/focus_and_context.md defines each figure.
 //
 // Places of the plain view are tried at the centres of its pixels, places of the picture at the centres of its pixels.
-// Derivatives are central differences over 2e-4 of a pixel, some thousandths of a pixel beside the place: a map may
-// have a corner at the place itself. Where the map jumps on one side, those to the other side are taken, so that a jump
-// is no low rate.
+// Derivatives are central differences over 2e-4 of a pixel, some thousandths of a pixel beside the place, where the map
+// has neither a corner nor a jump: it may have one at the place itself.
 #pragma once
 
 #include <array>

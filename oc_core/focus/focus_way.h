@@ -1,7 +1,10 @@
 // Ways to show foci in their context, one row each. Whatever compares them goes through the rows and asks nothing of
 // them but what stands here.
 //
-// To add one: a file NAME_focus.h and .cpp with its map, and its row in focus_ways.cpp. tests/focus runs over all rows.
+// Recipe for a new way, two places:
+//   1. oc_core/focus/NAME_focus.h and .cpp: its map.
+//   2. oc_core/focus/focus_ways.cpp: its row.
+// tests/focus/focus_ways_test.cpp runs over all rows; docs/focus_and_context.md lists them.
 #pragma once
 
 #include <functional>

@@ -130,10 +130,21 @@ RemoteImage encodeRemoteImage(const ReferenceImage& image, const RemoteSettings&
   validate(settings, "settings");
   const int64_t start = steadyNanoseconds();
   RemoteImage coded{.id = id, .sequence = sequence};
-  coded.color = findColorCodec(settings.color)->encode(srgbFromLinear(image.color), settings.quality);
-  const int levels = depthLevels(image.t, greatestFocalPixels(image), settings.translation, settings.depthError);
-  const RemoteDepth depth = roundedDepth(image.t, levels);
-  coded.depth = findDepthCodec(settings.depth)->encode(depth.values);
+  RemoteDepth depth;
+  const auto encodeColor = [&] {
+    coded.color = findColorCodec(settings.color)->encode(srgbFromLinear(image.color), settings.quality);
+  };
+  const auto encodeDepth = [&] {
+    const int levels = depthLevels(image.t, greatestFocalPixels(image), settings.translation, settings.depthError);
+    depth = roundedDepth(image.t, levels);
+    coded.depth = findDepthCodec(settings.depth)->encode(depth.values);
+  };
+  // Most codecs work on one thread.
+  parallelFor(2, 1, [&](size_t begin, size_t end) {
+    for (size_t plane = begin; plane < end; ++plane) {
+      plane == 0 ? encodeColor() : encodeDepth();
+    }
+  });
   coded.headerJson =
       jsonText(RemoteImageHeader{.id = id,
                                  .sequence = sequence,

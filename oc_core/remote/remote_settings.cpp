@@ -32,7 +32,7 @@ struct ValueJson {
 
 }  // namespace
 
-RemoteSettings::RemoteSettings() : color(findColorCodec("webp") != nullptr ? "webp" : "png") {}
+RemoteSettings::RemoteSettings() : color(findColorCodec("webp_lossless") != nullptr ? "webp_lossless" : "png") {}
 
 std::span<const RemoteOption> remoteOptions() {
   static const std::vector<RemoteOption> kOptions{

@@ -13,12 +13,12 @@ struct RemoteSettings {
   RemoteSettings();
 
   double reach = 1.4;
-  double size = 2;
+  double size = 1.25;
   double zoom = 2;
   double middle = 0.5;
   std::string sampling = "quadratic";
   std::string color;
-  double quality = 90;
+  double quality = 95;
   std::string depth = "deflate";
   double translation = 0.1;
   double depthError = 1;

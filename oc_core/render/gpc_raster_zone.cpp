@@ -59,26 +59,23 @@ GpcRasterZone::GpcRasterZone(const GpcZone& zone, uint32_t index, const glm::ive
       c1_(static_cast<float>(zone.profile().coefficients()[1])),
       c2_(static_cast<float>(zone.profile().coefficients()[2])),
       c3_(static_cast<float>(zone.profile().coefficients()[3])),
-      columns_(lines(outerPixels_.x0, outerPixels_.x1, 0)),
-      rows_(lines(outerPixels_.y0, outerPixels_.y1, 1)) {
+      columns_(lines({outerPixels_.x0, outerPixels_.x1 - 1}, {innerPixels_.x0, innerPixels_.x1 - 1}, 0)),
+      rows_(lines({outerPixels_.y0, outerPixels_.y1 - 1}, {innerPixels_.y0, innerPixels_.y1 - 1}, 1)) {
   tabulateInverse();
-  for (const std::vector<Line>* each : {&columns_, &rows_}) {
-    for (const Line& line : *each) {
-      greatestSpacing_ = std::max(greatestSpacing_, line.spacing);
-    }
-  }
   const double longest = std::min(zone.half().x, zone.half().y) * (zone.profile().outer() - 1) / 8;
   longestSquared_ = static_cast<float>(longest * longest);
 }
 
-std::vector<GpcRasterZone::Line> GpcRasterZone::lines(int first, int last, int axis) const {
+std::vector<GpcRasterZone::Line> GpcRasterZone::lines(const Range& outer, const Range& inner, int axis) const {
   const GpcProfile& profile = zone_->profile();
   std::vector<Line> result;
-  result.reserve(static_cast<size_t>(last - first));
-  for (int i = first; i < last; ++i) {
+  result.reserve(static_cast<size_t>(outer.last - outer.first + 1));
+  for (int i = outer.first; i <= outer.last; ++i) {
     const double offset = i + 0.5 - zone_->center()[axis];
-    const double r = std::abs(offset) / zone_->half()[axis];
-    const double scale = r <= 1 ? 1 / profile.zoom() : profile.sampled(r) / r;
+    const double distance = std::abs(offset) / zone_->half()[axis];
+    const bool isInner = i >= inner.first && i <= inner.last;
+    const double r = isInner ? std::min(distance, 1.0) : std::max(distance, std::nextafter(1.0, 2.0));
+    const double scale = isInner ? 1 / profile.zoom() : profile.sampled(r) / r;
     result.push_back({r, offset, scale, std::max(scale, profile.slope(r))});
   }
   return result;
@@ -282,30 +279,31 @@ ImageBox GpcRasterZone::imageBox(const ImageBox& pinhole) const {
               glm::vec2(std::max(upper.x * m[2], upper.x * m[3]), std::max(upper.y * m[6], upper.y * m[7]))};
 }
 
-GpcRasterZone::SampleBounds GpcRasterZone::samplesOf(const PixelBounds& pixels) const {
-  const glm::dvec2 c = zone_->center();
-  // Of each axis: the ends, and the pixel nearest to the centre and the one farthest from it.
-  const auto nearest = [](int first, int last, double center) {
-    return std::clamp(static_cast<int>(std::floor(center)), first, last);
-  };
-  const int x1 = pixels.x1 - 1;
-  const int y1 = pixels.y1 - 1;
-  const Line& left = column(pixels.x0);
-  const Line& right = column(x1);
-  const Line& top = row(pixels.y0);
-  const Line& bottom = row(y1);
-  const Line& nearX = column(nearest(pixels.x0, x1, c.x));
-  const Line& nearY = row(nearest(pixels.y0, y1, c.y));
-  const Line& farX = left.r > right.r ? left : right;
-  const Line& farY = top.r > bottom.r ? top : bottom;
-  const auto at = [](const Line& along, const Line& across) {
-    return along.offset * (along.r >= across.r ? along.scale : across.scale);
-  };
-  SampleBounds bounds;
-  bounds.lower = c + glm::dvec2(std::min(at(left, nearY), at(left, farY)), std::min(at(top, nearX), at(top, farX)));
-  bounds.upper =
-      c + glm::dvec2(std::max(at(right, nearY), at(right, farY)), std::max(at(bottom, nearX), at(bottom, farX)));
-  return bounds;
+GpcRasterZone::Range GpcRasterZone::columnsNearerThan(const Line& row, int first, int last) const {
+  // About where, a pixel too far, and from there on by the tables.
+  const double reach = row.r * zone_->half().x;
+  Range range{static_cast<int>(std::max<double>(first, std::floor(zone_->center().x - reach - 0.5))),
+              static_cast<int>(std::min<double>(last, std::ceil(zone_->center().x + reach - 0.5)))};
+  while (range.first <= range.last && column(range.first).r >= row.r) {
+    ++range.first;
+  }
+  while (range.first <= range.last && column(range.last).r >= row.r) {
+    --range.last;
+  }
+  return range;
+}
+
+GpcRasterZone::Range GpcRasterZone::rowsNoFartherThan(const Line& column, int first, int last) const {
+  const double reach = column.r * zone_->half().y;
+  Range range{static_cast<int>(std::max<double>(first, std::floor(zone_->center().y - reach - 0.5))),
+              static_cast<int>(std::min<double>(last, std::ceil(zone_->center().y + reach - 0.5)))};
+  while (range.first <= range.last && row(range.first).r > column.r) {
+    ++range.first;
+  }
+  while (range.first <= range.last && row(range.last).r > column.r) {
+    --range.last;
+  }
+  return range;
 }
 
 }  // namespace ocelli

@@ -105,21 +105,21 @@ class GpcRasterZone {
   /// Where the sample of a pixel of the outer rectangle lies in the pinhole's image, and how far a step of a pixel
   /// leads there. Exact, but for double precision.
   struct Line {
-    double r = 0;        ///< distance from the centre, half extents
+    double r = 0;        ///< distance from the centre, half extents; at most 1 just for lines of the inner rectangle
     double offset = 0;   ///< of pixel centres from the region's
     double scale = 0;    ///< f(r) / r
     double spacing = 0;  ///< the greater of that and f'(r)
   };
   const Line& column(int x) const { return columns_[static_cast<size_t>(x - outerPixels_.x0)]; }
   const Line& row(int y) const { return rows_[static_cast<size_t>(y - outerPixels_.y0)]; }
-  struct SampleBounds {
-    glm::dvec2 lower{0};  ///< of samples, in the pinhole's image
-    glm::dvec2 upper{0};
+  struct Range {
+    int first = 0;
+    int last = -1;  ///< included
   };
-  /// The greatest spacing of any pixel.
-  double greatestSpacing() const { return greatestSpacing_; }
-  /// Of the samples of some pixels, which are not empty.
-  SampleBounds samplesOf(const PixelBounds& pixels) const;
+  /// The columns in [first, last] whose r is less than that of a row: in these the row's scale holds.
+  Range columnsNearerThan(const Line& row, int first, int last) const;
+  /// The rows in [first, last] whose r is not greater than that of a column.
+  Range rowsNoFartherThan(const Line& column, int first, int last) const;
 
  private:
   static bool isWithin(const PixelBounds& rect, int x, int y) {
@@ -129,7 +129,7 @@ class GpcRasterZone {
   bool tabulateInverse(size_t steps);
   void bend(GpcRun& run, const std::array<float, GpcRun::kSize>& f,
             const std::array<float, GpcRun::kSize>& magnification) const;
-  std::vector<Line> lines(int first, int last, int axis) const;
+  std::vector<Line> lines(const Range& outer, const Range& inner, int axis) const;
   template <size_t kCount>
   void magnify(const std::array<float, kCount>& f, std::array<float, kCount>& magnification) const;
 
@@ -154,7 +154,6 @@ class GpcRasterZone {
   float compression_ = 0;  ///< intervals are shorter near the inner edge, where a zoom's inverse bends most
   float steps_ = 0;
   float longestSquared_ = 0;
-  double greatestSpacing_ = 0;
   std::vector<Node> nodes_;  ///< one for each interval
   std::vector<Line> columns_;
   std::vector<Line> rows_;

@@ -1,6 +1,7 @@
 #include "oc_core/render/gpc_vertices.h"
 
 #include <algorithm>
+#include <memory>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/frustum_clip.h"
@@ -11,9 +12,9 @@ GpcVertices::GpcVertices(std::span<const GpcRasterZone> zones, const ProjectedMe
     : zones_(zones),
       lowest_(-kClipMargin),
       highest_(glm::vec2(projected.camera().width(), projected.camera().height()) + kClipMargin),
-      vertices_(projected.mesh().positions.size()) {
+      vertices_(std::allocator<GpcVertex>().allocate(projected.vertices().size()), {projected.vertices().size()}) {
   const std::span<const ProjectedVertex> points = projected.vertices();
-  const std::span<GpcVertex> placed(vertices_);
+  const std::span<GpcVertex> placed(vertices_.get(), points.size());
   const size_t runs = (points.size() + GpcRun::kSize - 1) / GpcRun::kSize;
   parallelFor(runs, 32, [&](size_t firstRun, size_t lastRun) {
     for (size_t run = firstRun; run < lastRun; ++run) {
@@ -62,9 +63,10 @@ void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVe
   }
   for (size_t i = 0; i < points.size(); ++i) {
     const bool isKnown = (run.u[i] > lowest_.x) & (points[i].inverseZ > 0);
-    placed[i] = {run.x[i],           run.y[i],
-                 points[i].inverseZ, isKnown ? CentreCell::at(run.x[i], run.y[i]) : CentreCell::unknown(),
-                 run.part[i],        isKnown ? GpcBend{run.xx[i], run.yy[i], run.xy[i]} : GpcBend{}};
+    std::construct_at(&placed[i],
+                      GpcVertex{run.x[i], run.y[i], points[i].inverseZ,
+                                isKnown ? CentreCell::at(run.x[i], run.y[i]) : CentreCell::unknown(), run.part[i],
+                                isKnown ? GpcBend{run.xx[i], run.yy[i], run.xy[i]} : GpcBend{}});
   }
 }
 

@@ -2,8 +2,8 @@
 // zone, for the zones that a run's box touches; most runs touch one or none.
 #pragma once
 
+#include <memory>
 #include <span>
-#include <vector>
 
 #include "oc_core/render/gpc_raster_zone.h"
 #include "oc_core/render/projected_mesh.h"
@@ -27,14 +27,19 @@ class GpcVertices {
   GpcVertices(std::span<const GpcRasterZone> zones, const ProjectedMesh& projected);
 
   const GpcVertex& operator[](uint32_t i) const { return vertices_[i]; }
-  /// The same for at most GpcRun::kSize points of the pinhole's image.
+  /// The same for at most GpcRun::kSize points of the pinhole's image; `placed` may be memory that holds nothing yet.
   void place(std::span<const ProjectedVertex> points, std::span<GpcVertex> placed) const;
 
  private:
   std::span<const GpcRasterZone> zones_;
   glm::vec2 lowest_;  ///< points beyond are clipped
   glm::vec2 highest_;
-  std::vector<GpcVertex> vertices_;
+  /// Memory that is not written before the vertices are: for a million of them that is time.
+  struct Deallocate {
+    size_t count;
+    void operator()(GpcVertex* vertices) const { std::allocator<GpcVertex>().deallocate(vertices, count); }
+  };
+  std::unique_ptr<GpcVertex[], Deallocate> vertices_;
 };
 
 }  // namespace ocelli

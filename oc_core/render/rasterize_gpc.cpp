@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 #include <vector>
 
 #include "oc_core/render/draw_parallel.h"
@@ -47,7 +48,10 @@ class TransitionTriangle {
     // lie a chord beside: pixels so near to it belong to both.
     constexpr double kRounding = 1e-6;
     const auto outside = [&](bool isChord, const glm::dvec2& along) {
-      return -std::abs(perArea_) * glm::length(along) * (isChord ? GpcRasterZone::kChordPixels : kRounding);
+      // Its length, or up to 1.09 times that.
+      const glm::dvec2 size = glm::abs(along);
+      const double length = std::max(size.x, size.y) + 0.41421357 * std::min(size.x, size.y);
+      return -std::abs(perArea_) * length * (isChord ? GpcRasterZone::kChordPixels : kRounding);
     };
     onEdge_ = {outside(triangle.isChord[0], ac_ - ab_), outside(triangle.isChord[1], ac_),
                outside(triangle.isChord[2], ab_)};
@@ -55,17 +59,27 @@ class TransitionTriangle {
 
   bool isEmpty() const { return isEmpty_; }
 
-  /// Whether all of some pixels lie outside of one edge.
-  bool misses(const GpcRasterZone::SampleBounds& samples, double greatestSpacing) const {
-    const glm::dvec2 lower = samples.lower - pa_;
-    const glm::dvec2 upper = samples.upper - pa_;
-    const glm::dvec2 forB = glm::dvec2(ac_.y, -ac_.x) * perArea_;
-    const glm::dvec2 forC = glm::dvec2(-ab_.y, ab_.x) * perArea_;
-    const auto greatest = [&](const glm::dvec2& slope) {
-      return std::max(slope.x * lower.x, slope.x * upper.x) + std::max(slope.y * lower.y, slope.y * upper.y);
+  /// The part of the pixels `first` to `last` of a line whose samples may be covered: the first of them lies at `at`,
+  /// each next one a step farther. Never too small.
+  void clip(const glm::dvec2& at, const glm::dvec2& step, double spacing, int& first, int& last) const {
+    const glm::dvec2 p = at - pa_;
+    const double b = (p.x * ac_.y - p.y * ac_.x) * perArea_;
+    const double c = (ab_.x * p.y - ab_.y * p.x) * perArea_;
+    const double stepB = (step.x * ac_.y - step.y * ac_.x) * perArea_;
+    const double stepC = (ab_.x * step.y - ab_.y * step.x) * perArea_;
+    double from = 0;
+    double to = last - first;
+    const auto clipEdge = [&](double share, double change, double least) {
+      const double crossing = (least - share) / change;  // not finite where the line runs along the edge
+      from = change > 0 && crossing > from ? crossing : from;
+      to = change < 0 && crossing < to ? crossing : to;
     };
-    return 1 + greatest(-forB - forC) < onEdge_.x * greatestSpacing || greatest(forB) < onEdge_.y * greatestSpacing ||
-           greatest(forC) < onEdge_.z * greatestSpacing;
+    clipEdge(1 - b - c, -stepB - stepC, onEdge_.x * spacing);
+    clipEdge(b, stepB, onEdge_.y * spacing);
+    clipEdge(c, stepC, onEdge_.z * spacing);
+    // A pixel more at either end, for rounding.
+    last = to < 0 || to < from - 2 ? first - 1 : std::min(last, first + static_cast<int>(to) + 1);
+    first = from > last - first + 2 ? last + 1 : first + std::max(static_cast<int>(from) - 1, 0);
   }
 
   /// Calls `emit(z, weights)` where the triangle covers a sample at `at`, whose neighbours are `spacing` away.
@@ -104,6 +118,54 @@ std::vector<GpcRasterZone> rasterZones(const GpcCamera& camera) {
   return zones;
 }
 
+/// Which zones a box of the pinhole's image may touch, by square cells of the image.
+class ZoneCells {
+ public:
+  ZoneCells(std::span<const GpcRasterZone> zones, const glm::ivec2& size)
+      : zones_(zones), cells_((size.x - 1) / kCell + 1, (size.y - 1) / kCell + 1) {
+    for (uint32_t zone = 0; zone < zones.size(); ++zone) {
+      forEachCell(zones[zone].outerBox(), [&](int x, int y) { cells_(x, y).push_back(zone); });
+    }
+  }
+
+  /// Calls `visit(zone)` for the zones whose outer rectangle touches a box, each once.
+  template <class Visit>
+  void forEachTouching(const ImageBox& box, const Visit& visit) const {
+    forEachCell(box, [&](int x, int y) {
+      for (const uint32_t index : cells_(x, y)) {
+        const GpcRasterZone& zone = zones_[index];
+        const ImageBox& outer = zone.outerBox();
+        // In the first cell of both, so that it comes once.
+        if (boxesOverlap(box, outer) && x == cellAt(std::max(box.lower.x, outer.lower.x), cells_.width()) &&
+            y == cellAt(std::max(box.lower.y, outer.lower.y), cells_.height())) {
+          visit(zone);
+        }
+      }
+    });
+  }
+
+ private:
+  static constexpr int kCell = 32;  ///< pixels
+
+  /// That of the border for what is beyond: zones lie in the image.
+  static int cellAt(float pixel, int count) {
+    return std::clamp(static_cast<int>(std::floor(pixel / kCell)), 0, count - 1);
+  }
+  template <class Visit>
+  void forEachCell(const ImageBox& box, const Visit& visit) const {
+    const int x1 = cellAt(box.upper.x, cells_.width());
+    const int y1 = cellAt(box.upper.y, cells_.height());
+    for (int y = cellAt(box.lower.y, cells_.height()); y <= y1; ++y) {
+      for (int x = cellAt(box.lower.x, cells_.width()); x <= x1; ++x) {
+        visit(x, y);
+      }
+    }
+  }
+
+  std::span<const GpcRasterZone> zones_;
+  Image<std::vector<uint32_t>> cells_;
+};
+
 class GpcTriangles {
  public:
   GpcTriangles(const GpcCamera& camera, const ProjectedMesh& projected, bool hasStraightEdges)
@@ -113,10 +175,10 @@ class GpcTriangles {
         height_(camera.height()),
         longestChord_(hasStraightEdges ? 1.0f : -1.0f),
         zones_(rasterZones(camera)),
+        cells_(zones_, {width_, height_}),
         vertices_(zones_, projected),
         isOfZone_(static_cast<size_t>(width_) * static_cast<size_t>(height_), 0) {
     for (const GpcRasterZone& zone : zones_) {
-      around_ = {glm::min(around_.lower, zone.outerBox().lower), glm::max(around_.upper, zone.outerBox().upper)};
       const PixelBounds& pixels = zone.outerPixels();
       for (int y = pixels.y0; y < pixels.y1; ++y) {
         std::fill_n(isOfZone_.begin() + static_cast<ptrdiff_t>(index(pixels.x0, y)), pixels.x1 - pixels.x0, 1);
@@ -124,6 +186,7 @@ class GpcTriangles {
     }
   }
 
+  /// Fetches what draw() reads first of a triangle: the vertices of large meshes are in no cache.
   void prefetch(size_t triangle) const {
     const glm::uvec3& t = projected_.mesh().triangles[triangle];
     __builtin_prefetch(&vertices_[t.x]);
@@ -182,8 +245,6 @@ class GpcTriangles {
     return result;
   }
 
-  static constexpr int kTile = 8;
-
   size_t index(int x, int y) const {
     return static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x);
   }
@@ -206,20 +267,16 @@ class GpcTriangles {
   void drawPieces(VisibilityBuffer& buffer, uint32_t triangle, const GpcTriangle& part) const {
     bool isCovered = false;  // by one zone: nothing of it is around the regions
     bool touches = false;
-    if (boxesOverlap(part.box, around_)) {
-      for (const GpcRasterZone& zone : zones_) {
-        if (boxesOverlap(part.box, zone.outerBox())) {
-          touches = true;
-          isCovered = isCovered || boxHolds(zone.outerBox(), part.box);
-          if (boxesOverlap(part.box, zone.innerBox())) {
-            drawInner(buffer, triangle, zone, part);
-          }
-          if (!boxHolds(zone.innerBox(), part.box)) {
-            drawTransition(buffer, triangle, zone, part);
-          }
-        }
+    cells_.forEachTouching(part.box, [&](const GpcRasterZone& zone) {
+      touches = true;
+      isCovered = isCovered || boxHolds(zone.outerBox(), part.box);
+      if (boxesOverlap(part.box, zone.innerBox())) {
+        drawInner(buffer, triangle, zone, part);
       }
-    }
+      if (!boxHolds(zone.innerBox(), part.box)) {
+        drawTransition(buffer, triangle, zone, part);
+      }
+    });
     if (!touches) {
       buffer.draw(triangle, part.a, part.b, part.c);
     } else if (!isCovered) {
@@ -255,14 +312,18 @@ class GpcTriangles {
              zone.imageBox({glm::max(part.box.lower, outer.lower), glm::min(part.box.upper, outer.upper)}));
   }
 
+  static PixelBounds pixelsWithin(const GpcRasterZone& zone, const ImageBox& image) {
+    const PixelBounds& pixels = zone.outerPixels();
+    return {std::max(static_cast<int>(std::ceil(image.lower.x - 0.5f)), pixels.x0),
+            std::max(static_cast<int>(std::ceil(image.lower.y - 0.5f)), pixels.y0),
+            std::min(static_cast<int>(std::floor(image.upper.x - 0.5f)) + 1, pixels.x1),
+            std::min(static_cast<int>(std::floor(image.upper.y - 0.5f)) + 1, pixels.y1)};
+  }
+
   /// In the pixels of the transition that lie in a box.
   void drawBent(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const GpcTriangle& part,
                 const ImageBox& image) const {
-    const PixelBounds& pixels = zone.outerPixels();
-    const PixelBounds within{std::max(static_cast<int>(std::ceil(image.lower.x - 0.5f)), pixels.x0),
-                             std::max(static_cast<int>(std::ceil(image.lower.y - 0.5f)), pixels.y0),
-                             std::min(static_cast<int>(std::floor(image.upper.x - 0.5f)) + 1, pixels.x1),
-                             std::min(static_cast<int>(std::floor(image.upper.y - 0.5f)) + 1, pixels.y1)};
+    const PixelBounds within = pixelsWithin(zone, image);
     if (within.x0 >= within.x1 || within.y0 >= within.y1) {
       return;
     }
@@ -270,38 +331,53 @@ class GpcTriangles {
     if (bent.isEmpty()) {
       return;
     }
-    if (within.x1 - within.x0 <= kTile && within.y1 - within.y0 <= kTile) {
-      drawPixels(buffer, triangle, zone, bent, within);
+    constexpr int kFew = 16;
+    if ((within.x1 - within.x0) * (within.y1 - within.y0) <= kFew) {
+      for (int y = within.y0; y < within.y1; ++y) {
+        for (int x = within.x0; x < within.x1; ++x) {
+          if (!zone.isInner(x, y)) {
+            drawPixel(buffer, triangle, zone, bent, x, y);
+          }
+        }
+      }
       return;
     }
-    // The boxes of large triangles hold much that they do not: those tiles are left out.
-    for (int y = within.y0; y < within.y1; y += kTile) {
-      for (int x = within.x0; x < within.x1; x += kTile) {
-        const PixelBounds tile{x, y, std::min(x + kTile, within.x1), std::min(y + kTile, within.y1)};
-        if (!bent.misses(zone.samplesOf(tile), zone.greatestSpacing())) {
-          drawPixels(buffer, triangle, zone, bent, tile);
+    // Row by row above and below the region, column by column beside it: along these lines samples are equally far
+    // apart, so that the edges tell which pixels they cover.
+    const glm::dvec2 center = zone.zone().center();
+    for (int y = within.y0; y < within.y1; ++y) {
+      const GpcRasterZone::Line& row = zone.row(y);
+      GpcRasterZone::Range x = zone.columnsNearerThan(row, within.x0, within.x1 - 1);
+      if (row.r > 1 && x.first <= x.last) {
+        const glm::dvec2 at = center + glm::dvec2(zone.column(x.first).offset, row.offset) * row.scale;
+        bent.clip(at, {row.scale, 0}, row.spacing, x.first, x.last);
+        for (; x.first <= x.last; ++x.first) {
+          drawPixel(buffer, triangle, zone, bent, x.first, y);
+        }
+      }
+    }
+    for (int x = within.x0; x < within.x1; ++x) {
+      const GpcRasterZone::Line& column = zone.column(x);
+      GpcRasterZone::Range y = zone.rowsNoFartherThan(column, within.y0, within.y1 - 1);
+      if (column.r > 1 && y.first <= y.last) {
+        const glm::dvec2 at = center + glm::dvec2(column.offset, zone.row(y.first).offset) * column.scale;
+        bent.clip(at, {0, column.scale}, column.spacing, y.first, y.last);
+        for (; y.first <= y.last; ++y.first) {
+          drawPixel(buffer, triangle, zone, bent, x, y.first);
         }
       }
     }
   }
 
-  void drawPixels(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone,
-                  const TransitionTriangle& bent, const PixelBounds& pixels) const {
-    const glm::dvec2 center = zone.zone().center();
-    for (int y = pixels.y0; y < pixels.y1; ++y) {
-      const GpcRasterZone::Line& row = zone.row(y);
-      for (int x = pixels.x0; x < pixels.x1; ++x) {
-        if (zone.isInner(x, y)) {
-          x = zone.innerPixels().x1 - 1;
-          continue;
-        }
-        const GpcRasterZone::Line& column = zone.column(x);
-        const GpcRasterZone::Line& line = column.r >= row.r ? column : row;
-        const glm::dvec2 at = center + glm::dvec2(column.offset, row.offset) * line.scale;
-        bent.sample(at, line.spacing,
-                    [&](float z, const PixelWeights& weights) { buffer.offer(index(x, y), z, triangle, weights); });
-      }
-    }
+  /// A pixel of the transition.
+  void drawPixel(VisibilityBuffer& buffer, uint32_t triangle, const GpcRasterZone& zone, const TransitionTriangle& bent,
+                 int x, int y) const {
+    const GpcRasterZone::Line& row = zone.row(y);
+    const GpcRasterZone::Line& column = zone.column(x);
+    const GpcRasterZone::Line& line = column.r >= row.r ? column : row;
+    const glm::dvec2 at = zone.zone().center() + glm::dvec2(column.offset, row.offset) * line.scale;
+    bent.sample(at, line.spacing,
+                [&](float z, const PixelWeights& weights) { buffer.offer(index(x, y), z, triangle, weights); });
   }
 
   const ProjectedMesh& projected_;
@@ -310,17 +386,18 @@ class GpcTriangles {
   int height_;
   float longestChord_;  ///< how much a straight edge may bend (GpcBend); negative for none
   std::vector<GpcRasterZone> zones_;
+  ZoneCells cells_;
   GpcVertices vertices_;
-  std::vector<uint8_t> isOfZone_;                         ///< whether a pixel is one of a zone
-  ImageBox around_{glm::vec2(1e30f), glm::vec2(-1e30f)};  ///< all zones
+  std::vector<uint8_t> isOfZone_;  ///< whether a pixel is one of a zone
 };
 
 FragmentImage drawGpc(const GpcCamera& camera, const ProjectedMesh& projected, bool hasStraightEdges) {
+  constexpr size_t kAhead = 12;  // triangles
   const GpcTriangles triangles(camera, projected, hasStraightEdges);
   return drawParallel(camera.width(), camera.height(), projected.mesh().triangles.size(),
                       [&](VisibilityBuffer& buffer, size_t begin, size_t end) {
                         for (size_t i = begin; i < end; ++i) {
-                          triangles.prefetch(i + 12 < end ? i + 12 : i);
+                          triangles.prefetch(std::min(i + kAhead, end - 1));
                           triangles.draw(buffer, static_cast<uint32_t>(i));
                         }
                       });

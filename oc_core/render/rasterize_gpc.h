@@ -2,11 +2,12 @@
 // pinhole, so every triangle is projected as by a pinhole, and only where the samples bend is anything else done.
 //
 // Around the regions the image is the pinhole's, and inside of a region it is that of a pinhole that zooms: straight
-// edges stay straight, and triangles are filled as ever. In a transition each pixel of a conservative footprint looks
-// up its place in the pinhole's image and evaluates the triangle's edges there: exact, without subdivision. Only
-// triangles so small that their image has straight edges, but for 1/64 pixel, are filled as such. Each pixel belongs to
-// one of these, by its centre, and within each neighbouring triangles leave no gap. In transitions both triangles
-// at an edge draw the pixels within a chord of it: the nearer one shows, as ever, and of two as near the first.
+// edges stay straight, and triangles are filled as ever. In a transition so are triangles whose edges stray from
+// straight ones by less than 1/64 pixel, which a bound at their corners tells (gpc_raster_zone.h). For the others each
+// pixel that may be covered evaluates the triangle's edges where its sample lies in the pinhole's image: exact, without
+// subdivision. Each pixel belongs to one of these parts, by its centre, and within each neighbouring triangles leave no
+// gap. In transitions both triangles at an edge draw the pixels within a chord of it: the nearer one shows, as ever,
+// and of two as near the first.
 #pragma once
 
 #include "oc_core/camera/gpc_camera.h"

@@ -20,8 +20,8 @@ enum class BetweenMeshes {
 /// walk_1.ply, walk_2.ply, ..., walk_10.ply. Throws InputError where there is none, or two have the same number.
 std::vector<std::filesystem::path> numberedFiles(const std::filesystem::path& folder, const std::string& ending);
 
-/// The ending of the numbered meshes of a folder: the one of .ply, .obj, .stl, .off, .gltf, .glb, .fbx, .dae and .3ds
-/// that is there. Throws InputError where there is none, or more than one.
+/// The ending of the numbered meshes of a folder: the one of .ply, .obj, .stl, .off, .gltf, .glb, .fbx, .dae, .3ds,
+/// .xyz and .pts that is there. Throws InputError where there is none, or more than one.
 std::string meshEndingIn(const std::filesystem::path& folder);
 
 struct SeriesOptions {

@@ -37,7 +37,7 @@ constexpr size_t kNearest = 6;
 /// Of panels over their cells: what surfaces that bend need, whose cells end in different planes.
 constexpr float kOverlap = 1.15f;
 /// How far a cell reaches where no neighbour ends it, over the mean distance of the nearest.
-constexpr float kOpenReach = 1.0f;
+constexpr float kOpenReach = 1.4f;
 /// The radius of an octahedron over that distance: two of them overlap.
 constexpr float kSolidReach = 0.75f;
 constexpr float kWidestOverMedian = 4;

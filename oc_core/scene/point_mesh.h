@@ -16,7 +16,7 @@ struct PointMesh {
 
 /// Each point in its colour, in the order of the file, where another point does not stand there before it:
 ///
-/// - where it has a normal, or its neighbours lie about in a plane, a rectangular panel in that plane, of two
+/// - where it has a normal, or its neighbours lie about in a plane, a panel in that plane: a rectangle of two
 /// triangles,
 ///   just so large that the surface is closed: it holds the Voronoi cell among the neighbours (point_shape.h);
 /// - otherwise, as along a line, in a cloud that fills space, or at a sharp edge, a closed octahedron that reaches the

@@ -14,6 +14,7 @@
 #include "oc_core/scene/point_mesh.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
+#include "oc_core/scene/text_points.h"
 #include "oc_core/scene/texture_bake.h"
 
 namespace ocelli {
@@ -88,8 +89,9 @@ Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const
   checkFile(path);
   Scene scene;
   // What claims to be PLY never reaches Assimp.
-  if (isPlyFile(path) && plyHoldsPoints(path)) {
-    PointMesh points = meshOfPoints(readPlyPoints(path), options.points, path.string(), progress);
+  if (isPointText(path) || (isPlyFile(path) && plyHoldsPoints(path))) {
+    PointMesh points = meshOfPoints(isPointText(path) ? readTextPoints(path) : readPlyPoints(path), options.points,
+                                    path.string(), progress);
     scene.add(std::move(points.mesh));
     scene.points = points.facts;
   } else if (isPlyFile(path)) {
@@ -107,7 +109,7 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
                                               const std::string& animation, std::vector<std::string>& warnings,
                                               const Progress& progress) {
   checkFile(path);
-  if (isPlyFile(path)) {
+  if (isPlyFile(path) || isPointText(path)) {
     return nullptr;
   }
   SceneRecord record = readInOtherProcess(path, options.textures, progress);

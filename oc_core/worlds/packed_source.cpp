@@ -134,8 +134,8 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
     return packStreamed(source, options, description, path, progress);
   }
   report(progress, "loading the scene", 0);
-  Scene scene = isBuiltinScene(source) ? makeBuiltinScene(source)
-                                       : readSceneFile(source, fileOptionsOf(options), progress);
+  Scene scene =
+      isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
   refuseUnusedPoints(scene.points, options);
   for (const std::string& warning : scene.warnings) {
     if (options.warn) {

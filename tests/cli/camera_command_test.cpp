@@ -126,6 +126,27 @@ TEST_F(CameraCommand, renderWritesImagesAndObjects) {
   EXPECT_THAT(runProgram("ocri mesh " + path("c.exr") + " -o " + path("c.ply")).exitCode, 2);
 }
 
+TEST_F(CameraCommand, compareMakesAPageOfAllWaysToShowFoci) {
+  folder_.write("lenses.json", R"({"camera": "gpc", "regions": [
+    {"center": [0.3, 0.5], "extent": [0.2, 0.3], "zoom": 3, "transition_width": 0.6}]})");
+  const std::string command = "camera compare builtin:teapot --size 160x90 --runs 1 --camera ";
+  const ProgramResult result =
+      runProgram(command + path("lenses.json") + " -o " + path("focus") + " --json " + path("focus.json"));
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_THAT(result.output, AllOf(HasSubstr("fisheye"), HasSubstr("context hidden, %")));
+  const std::string page = bytes("focus/index.html");
+  for (const std::string way : {"gpc", "fisheye", "inset", "plain"}) {
+    for (const std::string ending : {".png", "-rates.png", "-kept.png"}) {
+      EXPECT_THAT(page, HasSubstr("\"" + way + ending + "\""));
+      EXPECT_EQ(readPng(folder_ / ("focus/" + way + ending)).width(), 160);
+    }
+    EXPECT_THAT(bytes("focus.json"), HasSubstr("\"way\": \"" + way + "\""));
+  }
+  const ProgramResult json = runProgram(command + "gpc -o " + path("focus") + " --json");
+  EXPECT_EQ(json.exitCode, 0) << json.error;
+  EXPECT_THAT(json.output, AllOf(HasSubstr("\"hiddenShare\": "), HasSubstr("\"rasterMilliseconds\": null")));
+}
+
 TEST_F(CameraCommand, filesSayTheSizeOfTheirImages) {
   ASSERT_EQ(runProgram("camera info builtin:box --camera " + path("cross.json") + " -o " + path("sized.json")).exitCode,
             0);
@@ -139,6 +160,8 @@ TEST_F(CameraCommand, filesSayTheSizeOfTheirImages) {
 
 TEST_F(CameraCommand, errorsSayWhatToDo) {
   const std::string png = " -o " + path("x.png");
+  folder_.write("out.json", R"({"camera": "gpc", "regions": [{"zoom": 0.9}]})");
+  folder_.write("away.json", R"({"eye": [0, 0, 10], "target": [0, 0, 20], "fov_vertical_degrees": 20})");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {"camera show builtin:box --camera nothing", "no camera \"nothing\"\n  try: use gpc, graph, curved"},
            {"camera show builtin:box --camera /no/such.json", "/no/such.json"},
@@ -148,6 +171,9 @@ TEST_F(CameraCommand, errorsSayWhatToDo) {
            {"camera edit builtin:box --edits /tmp --camera " + path("cross.json") + " -o " + path("e.json"), "/tmp"},
            {"render builtin:box --identity " + path("x.png") + " --camera " + path("cross.json"), "both would go into"},
            {"camera show builtin:box --camera comprehensive", "maze"},
+           {"camera compare builtin:box --camera ddoc -o " + path("focus"), "no regions of detail"},
+           {"camera compare builtin:box --camera " + path("out.json") + " -o " + path("focus"), "zoom by more than 1"},
+           {"camera compare builtin:box --camera gpc --view " + path("away.json") + " -o " + path("focus"), "view"},
            {"render builtin:box --camera ddoc --identity " + path("i.png"), "only graph and curved"},
            {"render builtin:box --method points --camera " + path("cross.json"), "use raster, raycast or gl"}}) {
     const ProgramResult result = runProgram(arguments + (arguments.find(" -o ") == std::string::npos ? png : ""));

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <nlohmann/json.hpp>
 
+#include "oc_core/remote/remote_plan.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/cli/run_program.h"
 #include "tests/remote_server/fake_images.h"
@@ -35,7 +36,13 @@ class ServingProgram {
     std::array<char, 4096> text{};
     return std::fgets(text.data(), text.size(), pipe_) != nullptr ? text.data() : "";
   }
-  void interrupt() const { kill(process_, SIGINT); }
+  /// Once: a second one ends a program at once.
+  void interrupt() {
+    if (!isInterrupted_) {
+      kill(process_, SIGINT);
+    }
+    isInterrupted_ = true;
+  }
   int end() {
     interrupt();
     const int status = pclose(std::exchange(pipe_, nullptr));
@@ -45,6 +52,7 @@ class ServingProgram {
  private:
   std::FILE* pipe_;
   pid_t process_ = 0;
+  bool isInterrupted_ = false;
 };
 
 TEST(RemoteServe, ServesAScene) {
@@ -64,18 +72,21 @@ TEST(RemoteServe, ServesAScene) {
   look.screen = {64, 48};
   ASSERT_TRUE(client.sendText(jsonText(look)));
   std::string scene;
+  RemoteSettings settings;
   const auto received = awaitImage(client, [&](const RemoteServerMessage& message) {
     if (const auto* const hello = std::get_if<RemoteHello>(&message)) {
       scene = hello->scene;
       EXPECT_FALSE(hello->box.empty());
-      EXPECT_EQ(hello->settings.color, "png");
+      settings = hello->settings;
+      EXPECT_EQ(settings.color, "png");
     }
   });
   EXPECT_EQ(scene, "builtin:statues");
   ASSERT_TRUE(received);
   const ReferenceImage image = decodeRemoteImage(jsonText(received->header), received->color, received->depth);
-  EXPECT_EQ(image.color.width(), 96) << "one and a half times the screen";
-  EXPECT_EQ(image.color.height(), 72);
+  const PinholeCamera planned = planRemoteImage(look, settings).reference;
+  EXPECT_EQ(image.color.width(), planned.width());
+  EXPECT_EQ(image.color.height(), planned.height());
   program.interrupt();
   const auto last = nlohmann::json::parse(program.line());
   EXPECT_EQ(last.at("clients"), 1);

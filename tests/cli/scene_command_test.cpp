@@ -33,6 +33,33 @@ TEST(SceneInfo, CountsTheFittedScene) {
   EXPECT_THAT(runProgram("scene info builtin:box").output, HasSubstr("triangles  12"));
 }
 
+TEST(SceneInfo, TellsOfPoints) {
+  const TemporaryFolder folder;
+  std::string text;
+  for (int i = 0; i < 100; ++i) {
+    text += std::to_string(i % 10) + " " + std::to_string(i / 10) + " 0\n";
+  }
+  const std::string path = folder.write("grid.xyz", text).string();
+  const ProgramResult result = runProgram("scene info " + path + " --json");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const auto info = nlohmann::json::parse(result.output);
+  EXPECT_EQ(info["triangles"], 200);
+  EXPECT_EQ(info["triangles_in_file"], 0);
+  EXPECT_EQ(info["points"]["in_file"], 100);
+  EXPECT_EQ(info["points"]["panels"], 100);
+  EXPECT_TRUE(info["points"]["widths_from_neighbors"]);
+  EXPECT_NEAR(info["points"]["median_width"].get<double>(), 1.15, 1e-4);
+  EXPECT_THAT(runProgram("scene info " + path + " --point-size 0.25").output,
+              AllOf(HasSubstr("points     100: 100 flat panels"), HasSubstr("width      0.25\n")));
+  EXPECT_THAT(runProgram("scene info " + path + " --point-size auto").output, HasSubstr("from the neighbours"));
+  for (const char* bad : {"0", "-1", "nan", "inf", "1,2", "''"}) {
+    EXPECT_EQ(runProgram("scene info " + path + " --point-size " + bad).exitCode, 2) << bad;
+  }
+  const ProgramResult noPoints = runProgram("scene info builtin:box --point-size 1");
+  EXPECT_EQ(noPoints.exitCode, 2);
+  EXPECT_THAT(noPoints.error, HasSubstr("--point-size"));
+}
+
 TEST(SceneExport, WritesTheMeshAndSaysSo) {
   const TemporaryFolder folder;
   const std::string path = (folder / "a b.ply").string();

@@ -54,6 +54,10 @@ TEST(PageColors, aPageGetsEachOfThem) {
   EXPECT_THAT(style, testing::HasSubstr("--text: #1c2126;"));
   EXPECT_THAT(style, testing::HasSubstr("prefers-color-scheme: dark"));
   EXPECT_THAT(pageColorsStyle(PageScheme::kLight), testing::Not(testing::HasSubstr("@media")));
+  const std::string dark = pageColorsStyle(PageScheme::kDark);
+  EXPECT_THAT(dark, testing::Not(testing::HasSubstr("@media")));
+  EXPECT_THAT(dark, testing::HasSubstr("color-scheme: dark"));
+  EXPECT_THAT(dark, testing::HasSubstr("--ground: #14171a;"));
 }
 
 TEST(SeriesStyle, sevenDifferInColourAndMarker) {

@@ -100,6 +100,20 @@ TEST(FocusFigures, aFisheyeBendsItsFocusAndZoomsItUnevenly) {
   EXPECT_NEAR(figures.rateStep, 7, 0.1);
 }
 
+TEST(FocusFigures, theMostExtremeLensHasFiguresToo) {
+  GpcLayout layout = squareFocus();
+  layout.regions[0].zoom = 64;
+  layout.regions[0].transitionWidth = 0.01f;
+  for (const FocusWay& way : focusWays()) {
+    const FocusFigures figures = focusFigures(*way.map(layout, kFocusSize), layout, kFocusSize);
+    for (const double value : {figures.leastFocusRate, figures.greatestFocusRate, figures.leastContextRate,
+                               figures.focusBend, figures.contextBend, figures.jumpPixels, figures.rateStep}) {
+      EXPECT_TRUE(std::isfinite(value)) << way.name;
+    }
+    EXPECT_GT(figures.leastContextRate, 0) << way.name;
+  }
+}
+
 /// What a picture shows of the plain view is the integral of its Jacobian's determinant: another way to the hidden
 /// share, which takes no way's word for it.
 TEST(FocusFigures, hiddenSharesAgreeWithTheAreasThatPicturesShow) {

@@ -6,6 +6,7 @@
   const {ImageCover, coverLoad, plannedCover} = await load('image_cover');
   const {motionBetween, viewAhead} = await load('view_motion');
   const {LookPlanner} = await load('look_planner');
+  const {smoothedLevels} = await load('depth_smoothing');
   const {decodedDepth} = await load('depth_codec');
   const worst = {};
   const compare = (name, a, b) => {
@@ -21,6 +22,12 @@
       compare('pinholeFromImage', map.pinholeFromImage(point), pinhole);
       compare('imageFromPinhole', map.imageFromPinhole(point), image);
       compare('rate', map.rateAt(point), rate);
+    }
+    const places = map.places(...size);
+    for (let x = 0; x < size[0]; x += 7) {
+      const y = (5 * x) % size[1];
+      const first = 2 * (y * size[0] + x);
+      compare('places', [places[first], places[first + 1]], map.pinholeFromImage([x + 0.5, y + 0.5]));
     }
   }
   for (const {view, right, down, forward, focal, center} of all.views) {
@@ -74,7 +81,8 @@
   });
   compare('number of requests', count, requests.asked.length);
   worst['requests made'] = count;
-  const {size, values, coded} = all.depth;
+  const {size, values, smoothed, coded} = all.depth;
+  compare('smoothed levels', [...smoothedLevels(Uint16Array.from(values), ...size)], smoothed);
   for (const [codec, bytes] of Object.entries(coded)) {
     compare(`depth in ${codec}`, [...await decodedDepth(codec, Uint8Array.from(bytes), ...size)], values);
     for (const broken of [bytes.slice(0, bytes.length / 2), [], bytes.map((byte) => byte ^ 255)]) {

@@ -22,6 +22,7 @@
 #include "oc_core/remote/client/image_cover.h"
 #include "oc_core/remote/client/remote_client.h"
 #include "oc_core/remote/client/view_motion.h"
+#include "oc_core/remote/depth_smoothing.h"
 #include "oc_core/remote/remote_image.h"
 #include "oc_core/remote/remote_plan.h"
 
@@ -210,14 +211,17 @@ Json requestNumbers() {
 
 /// A slope, a step and noise: every branch of the prediction.
 Json depthNumbers() {
-  Image<uint16_t> image(37, 23);
+  Image<uint16_t> image(67, 43);
   std::mt19937 random(3);
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      const int value = x < 12 ? 1000 + 40 * x + 7 * y : x < 24 ? 0 : static_cast<int>(random() % 65536);
+      const int value = x < 42   ? 1000 + (4 * x + 7 * y) / 10  // levels of a plane, which are smoothed
+                        : x < 47 ? 0
+                                 : static_cast<int>(random() % 65536);
       image(x, y) = static_cast<uint16_t>(value);
     }
   }
+  const Image<float> smoothed = smoothedLevels(image);
   Json coded = Json::object();
   for (const DepthCodec& codec : depthCodecs()) {
     if (codec.inBrowsers) {
@@ -230,6 +234,7 @@ Json depthNumbers() {
   }
   return {{"size", {image.width(), image.height()}},
           {"values", std::vector<int>(image.begin(), image.end())},
+          {"smoothed", std::vector<float>(smoothed.begin(), smoothed.end())},
           {"coded", coded}};
 }
 

@@ -3,8 +3,9 @@
 Usage: page_test.py REFERENCE OCELLI [unittest's arguments]. REFERENCE is the program page_reference, which knows what numbers and
 pictures the C++ code makes. Exits with 77 where there is no Chromium.
 
-Tolerances of pictures are PSNR between the page and `resample` of the same image. They differ in how the samples on a pixel
-are averaged (places on levels of half the size against as many places as there are samples), by some grey levels at edges.
+Tolerances of pictures are PSNR between the page and `resample` of the same image, from the same bytes. Both average as many
+samples on a pixel, at places that single precision moves by 2e-4 pixels, and round once: measured 64 to 80 dB, where one grey level
+in each pixel is 48 dB.
 """
 
 import base64
@@ -23,7 +24,7 @@ from chromium import Browser, find_chromium
 HERE = pathlib.Path(__file__).resolve().parent
 SIZE = (640, 360)
 SCENE = "builtin:statues"
-FINE_PSNR = 38  # dB
+FINE_PSNR = 50  # dB
 
 REFERENCE = ""
 OCELLI = []
@@ -109,7 +110,9 @@ class PageTest(unittest.TestCase):
         """{psnr, share} between the page's picture of now, or a rectangle of it, and that of the C++ code."""
         self.browser.evaluate(f"probe.keep('now', {json.dumps(quick)})")
         png = self.resampled(view or self.view(), size)
-        return self.value(f"probe.comparedWith('now', '{png}', {{left: {left}, top: {top}}})")
+        result = self.value(f"probe.comparedWith('now', '{png}', {{left: {left}, top: {top}}})")
+        print(f"{result['psnr']:.1f} dB", end=" ")
+        return result
 
     def place(self, before, pixel, after):
         """Where `after` shows what `before` shows at a pixel, from the same eye."""
@@ -128,6 +131,8 @@ class PageTest(unittest.TestCase):
         limits = {
             # Both in double precision.
             "pinholeFromImage": 1e-9, "imageFromPinhole": 1e-9, "rate": 1e-9,
+            # Kept as floats, whose steps up to 1,920 are 1.2e-4.
+            "places": 1e-4,
             # Axes of views are floats there: 6e-8, and what follows from them.
             "axes": 2e-7, "focal": 2e-7, "center": 1e-4, "load": 1e-5, "shift": 1e-4, "planned focal": 2e-7, "planned size": 0,
             # Regions keep a distance of 1e-5 of the image from its border there.
@@ -137,6 +142,8 @@ class PageTest(unittest.TestCase):
             # The same frame; views ahead over up to a second.
             "frames of requests": 0, "views of requests": 1e-4, "number of requests": 0,
         }
+        # Sums of floats, which JavaScript does in double precision: levels of 1,000 have steps of 6e-5.
+        limits["smoothed levels"] = 2e-4
         # Those of this build that browsers decode: without a loss, and nothing for broken bytes.
         for codec in json.loads(numbers)["depth"]["coded"]:
             limits |= {f"depth in {codec}": 0, f"broken depth in {codec}": 0}
@@ -164,7 +171,6 @@ class PageTest(unittest.TestCase):
         self.assertGreater(at_rest["psnr"], FINE_PSNR)
         # The same where pictures take long: averaged and bent more roughly.
         self.assertGreater(self.compared(quick=True)["psnr"], 26)
-        print(f"at rest {at_rest['psnr']:.1f} dB")
 
     def test_a_drag_turns_what_is_seen_along(self):
         before = self.view()
@@ -244,10 +250,10 @@ class PageTest(unittest.TestCase):
         return self.compared(view, size, round(middle[0] - size[0] / 2), round(middle[1] - size[1] / 2))
 
     def test_a_lens_magnifies_and_gets_sharp(self):
-        self.place_lens()
-        # From the image that was there.
-        self.assertGreater(self.compared_lens()["psnr"], FINE_PSNR)
         first = self.value("ocelliRemote.drawn.image.id")
+        self.place_lens()
+        # At once, from the image that was there or the next one.
+        self.assertGreater(self.compared_lens()["psnr"], FINE_PSNR)
         self.browser.wait(f"ocelliRemote.drawn.image.id > {first}", 60)
         self.settle()
         regions = self.value("ocelliRemote.drawn.image.layout.regions")
@@ -363,20 +369,19 @@ class PageTest(unittest.TestCase):
     # The link.
 
     def test_the_bar_fills_and_colours_show_before_depth(self):
-        server = Server(*SLOW_LINK)
+        server = Server("--color", "png", "--rate", "100000")
         try:
             self.open(server, size=(1280, 720), settle=False)
-            shares = []
-            self.browser.wait("!document.getElementById('loading').hidden")
-            colors_alone = False
-            while not self.value("probe.isSettled()"):
-                shares.append(int(self.value("document.getElementById('loading').getAttribute('aria-valuenow')")))
-                colors_alone = colors_alone or self.value("ocelliRemote.held.length === 1 && ocelliRemote.held[0].mesh === null")
-                time.sleep(0.02)
-                self.assertLess(len(shares), 3000)
+            self.value("probe.watchLoading()")
+            # Whatever the user does, before there is a view too.
+            self.browser.wheel(600, 300, 0)
+            self.browser.drag((600, 300), (600, 300), steps=1)
+            self.settle()
+            shares, colors_alone = self.value("probe.loading")
             self.assertTrue(colors_alone)
             seen = [share for share in shares if 0 < share < 100]
-            self.assertGreater(len(set(seen)), 3)
+            # Its 200 kB come in pieces of 32.
+            self.assertGreaterEqual(len(set(seen)), 3)
             self.assertEqual(seen, sorted(seen))
             self.browser.wait("document.getElementById('loading').hidden")
         finally:
@@ -425,7 +430,6 @@ class PageTest(unittest.TestCase):
             self.assertLess(times["grid"], 0.7 * times["rays"])
 
 
-SLOW_LINK = ("--rate", "60000")
 
 if __name__ == "__main__":
     if find_chromium() is None:

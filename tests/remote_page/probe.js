@@ -20,7 +20,7 @@ window.probe = {
   keep(name, isQuick) {
     const page = this.page();
     page.draw();
-    this[name] = this.pixels(() => page.picture.draw(page.view, page.lensMap, [page.drawn.image], isQuick));
+    this[name] = this.pixels(() => page.picture.draw(page.view, page.lensMap, [page.drawn.image], {isQuick}));
     this.kept = page.drawn.image;
   },
 
@@ -69,6 +69,17 @@ window.probe = {
       return btoa(binary);
     };
     return {header: JSON.stringify(image.header), color: text(image.color.bytes), depth: text(image.depth.bytes)};
+  },
+
+  /// From now on: the shares that the bar shows, and whether the picture was seen with colours alone.
+  watchLoading() {
+    const bar = document.getElementById('loading');
+    this.loading = [[], false];
+    new MutationObserver(() => {
+      const [image] = this.page().held;
+      this.loading[0].push(Number(bar.getAttribute('aria-valuenow')));
+      this.loading[1] ||= image !== undefined && image.mesh === null && this.page().way === 'rays';
+    }).observe(bar, {attributes: true, attributeFilter: ['aria-valuenow']});
   },
 
   /// At rest: the picture is exact, and nothing is on its way.
@@ -137,7 +148,7 @@ window.probe = {
     for (let i = 0; i < repeats; ++i) {
       for (const [name, [view, isQuick]] of Object.entries(ways)) {
         const start = performance.now();
-        page.picture.draw(view, page.lensMap, [page.drawn.image], isQuick);
+        page.picture.draw(view, page.lensMap, [page.drawn.image], {isQuick, isCovered: view === page.view});
         gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, pixel);
         best[name] = Math.min(best[name] ?? Infinity, performance.now() - start);
         await new Promise((resolve) => setTimeout(resolve, 0));

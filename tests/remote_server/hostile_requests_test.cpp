@@ -6,7 +6,7 @@ namespace ocelli::test {
 namespace {
 
 TEST(HostileRequests, someAreSurvived) {
-  expectToSurvive(3000, 20261126);
+  expectToSurvive(2000, 20261126);
 }
 
 }  // namespace

@@ -89,6 +89,21 @@ TEST_P(LensPaneTest, lensesStopAtEachOtherAndNothingComplains) {
   EXPECT_FALSE(test.viewer.facts().messageIsError);
 }
 
+TEST_P(LensPaneTest, theOtherPanesWaitUntilTheLensIsLetGo) {
+  LensViewer test(GetParam());
+  const uint64_t before = test.viewer.state().work.cameraRevision;
+  const glm::dvec2 from = test.windowAt(0.25, 0.5);
+  const glm::dvec2 to = test.windowAt(0.3, 0.5);
+  test.viewer.handle(PointerMoveEvent{from.x, from.y});
+  test.viewer.handle(PointerButtonEvent{PointerButton::kLeft, true, {}});
+  test.viewer.handle(PointerMoveEvent{to.x, to.y});
+  test.viewer.update(2 * kLensRestSeconds);
+  EXPECT_EQ(test.viewer.state().work.cameraRevision, before) << "it is held";
+  test.viewer.handle(PointerButtonEvent{PointerButton::kLeft, false, {}});
+  test.viewer.update(2 * kLensRestSeconds);
+  EXPECT_GT(test.viewer.state().work.cameraRevision, before);
+}
+
 TEST_P(LensPaneTest, keysDoWhatThePointerDoes) {
   LensViewer test(GetParam());
   test.key(Key::kTab);

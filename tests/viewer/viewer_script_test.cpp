@@ -199,6 +199,17 @@ TEST(ViewerScript, theTourIsOne) {
   EXPECT_GE(saves, 10);
 }
 
+TEST(ViewerScript, theOneWithLensesSavesThemAndTheirPicture) {
+  const ViewerScript lenses = readViewerScript(OCELLI_VIEWER_LENSES);
+  size_t taken = 0;
+  for (const ScriptStep& step : lenses.steps) {
+    taken |= std::holds_alternative<DragStep>(step) ? 1 : 0;
+    taken |= std::holds_alternative<SaveLensPictureStep>(step) ? 2 : 0;
+    taken |= std::holds_alternative<SaveCameraStep>(step) ? 4 : 0;
+  }
+  EXPECT_EQ(taken, 7U);
+}
+
 TEST(ViewerScript, theOneThroughEffectsTakesEachStepOfThem) {
   const ViewerScript effects = readViewerScript(OCELLI_VIEWER_EFFECTS);
   size_t taken = 0;

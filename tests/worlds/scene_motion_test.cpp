@@ -127,6 +127,29 @@ TEST(LoadScene, TakesOneMomentOfWhatMoves) {
   EXPECT_EQ(loadScene("builtin:waving").positions.size(), loadMotion("builtin:waving", {})->at(0).positions.size());
 }
 
+TEST(SceneMotion, PlaysPointsWhoseNumberChanges) {
+  const TemporaryFolder folder;
+  const auto writePoints = [&](const std::string& name, int side) {
+    std::string text;
+    for (int i = 0; i < side * side; ++i) {
+      text += std::to_string(i % side) + " " + std::to_string(i / side) + " 0\n";
+    }
+    folder.write(name, text);
+  };
+  writePoints("cloud_1.xyz", 10);
+  writePoints("cloud_2.xyz", 20);
+  SceneOptions options;
+  options.motion.meshesPerSecond = 1;
+  const auto motion = loadMotion(folder.path().string(), options);
+  ASSERT_NE(motion, nullptr);
+  EXPECT_EQ(motion->durationSeconds(), 2);
+  EXPECT_EQ(motion->at(0).triangles.size(), 200u);
+  EXPECT_EQ(motion->at(1).triangles.size(), 800u);
+  options.motion.seconds = 1;
+  options.points.width = 0.1;
+  EXPECT_EQ(loadScene(folder.path().string(), options).triangles.size(), 800u);
+}
+
 TEST(LoadScene, RefusesMomentsThatAreNotThere) {
   const SeriesFolder series;
   const auto refusal = [](const std::string& source, const MotionOptions& motion, const std::string& why) {

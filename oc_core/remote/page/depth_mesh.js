@@ -1,6 +1,7 @@
 // Triangles from the depths of an image (3-D warping, section 5.2.1.4): flat parts as squares of many samples, the
 // rest sample by sample, torn where oc_core/ocri/sample_join.h tears. Vertices are (place, 1/z) of the reference
 // pinhole; what the image sees at infinity has 1/z = 0 and is as much a surface as any other.
+import {smoothedLevels} from './depth_smoothing.js';
 import {GpcMap} from './gpc_map.js';
 
 /// Rules of ImageMeshOptions, oc_core/ocri/image_mesh.h.
@@ -50,20 +51,14 @@ export class DepthMesh {
     this.focal = image.focal;
     this.map = new GpcMap(image.layout, image.width, image.height);
     this.step = depthStep(image);
-    this.inverse = Float32Array.from(image.values,
-      (value) => (value === 0 ? 0 : image.inverseFar + (value - 1) * this.step));
-    this.places = new Float32Array(2 * this.width * this.height);
-    for (let y = 0, i = 0; y < this.height; ++y) {
-      for (let x = 0; x < this.width; ++x) {
-        const place = this.map.pinholeFromImage([x + 0.5, y + 0.5]);
-        this.places[i++] = place[0];
-        this.places[i++] = place[1];
-      }
-    }
+    this.inverse = smoothedLevels(image.values, this.width, this.height).map(
+      (level) => (level === 0 ? 0 : image.inverseFar + (level - 1) * this.step));
+    this.places = this.map.places(this.width, this.height);
   }
 
   /// {vertices, triangles, gaps}: of vertices the place, 1/z and where in the image (u, v) they are; their indices; and
-  /// of gaps three vertices a triangle, whose (u, v) is that of the colour it has. No block has fewer than `least` samples a side, nor more than `largest`; both are powers of 2.
+  /// of gaps three vertices a triangle, whose (u, v) is that of the colour it has. No block has fewer than `least`
+  /// samples a side, nor more than `largest`; both are powers of 2.
   build(least, largest) {
     this.least = least;
     this.vertices = new Growing(Float32Array);
@@ -85,7 +80,8 @@ export class DepthMesh {
     const right = Math.min(x + side, this.width - 1);
     const bottom = Math.min(y + side, this.height - 1);
     if (side > this.least) {
-      const plane = side <= kLargestBentBlock || this.isEven(x, y, right, bottom) ? this.planeOf(x, y, right, bottom) : null;
+      const isEven = side <= kLargestBentBlock || this.isEven(x, y, right, bottom);
+      const plane = isEven ? this.planeOf(x, y, right, bottom) : null;
       if (plane !== null) {
         this.addFlatBlock(x, y, right, bottom, plane);
         return;
@@ -102,11 +98,14 @@ export class DepthMesh {
 
   /// Whether samples of a block lie where its corners say, as its colours are interpolated between these.
   isEven(left, top, right, bottom) {
-    const kTolerance = 0.1;  // pixels of the pinhole
+    const kTolerance = 0.4;  // pixels of the pinhole, of which a screen has fewer
     const at = (u, v) => this.map.pinholeFromImage([u, v]);
     const [u, v] = [(left + right) / 2, (top + bottom) / 2];
-    const middles = [[u, v, [left, top], [right, bottom]], [u, top, [left, top], [right, top]], [u, bottom, [left, bottom], [right, bottom]],
-      [left, v, [left, top], [left, bottom]], [right, v, [right, top], [right, bottom]]];
+    const middles = [
+      [u, v, [left, top], [right, bottom]], [u, top, [left, top], [right, top]],
+      [u, bottom, [left, bottom], [right, bottom]], [left, v, [left, top], [left, bottom]],
+      [right, v, [right, top], [right, bottom]],
+    ];
     return middles.every(([x, y, from, to]) => {
       const [p, a, b] = [at(x, y), at(...from), at(...to)];
       return Math.hypot(p[0] - (a[0] + b[0]) / 2, p[1] - (a[1] + b[1]) / 2) <= kTolerance;
@@ -141,8 +140,8 @@ export class DepthMesh {
     const determinant = x1 * y2 - x2 * y1;
     const b = ((inverse[across] - a) * y2 - (inverse[below] - a) * y1) / determinant;
     const c = ((inverse[below] - a) * x1 - (inverse[across] - a) * x2) / determinant;
-    // A footprint, of which an eye that moves by a third of the distance sees a third of a pixel.
-    const tolerance = Math.max(a / this.focal, 1.5 * this.step);
+    // A footprint, of which an eye that moves by a third of the distance sees a third of a pixel; and what rounding left.
+    const tolerance = Math.max(a / this.focal, 0.75 * this.step);
     for (let y = top; y <= bottom; ++y) {
       for (let x = left; x <= right; ++x) {
         const i = y * width + x;
@@ -274,11 +273,11 @@ export class DepthMesh {
   }
 }
 
-/// With as few triangles as asked for, of coarser blocks where it takes that.
-export function depthMesh(image, maxTriangles, isBent) {
+/// With as few triangles as asked for, of coarser blocks where it takes that. `isBent`: seen through lenses. `least` is the
+/// side of the smallest blocks to begin with.
+export function depthMesh(image, {maxTriangles, isBent, least}) {
   const mesh = new DepthMesh(image);
   const largest = isBent ? kLargestBentBlock : kLargestBlock;
-  let least = 1;
   let built = mesh.build(least, largest);
   while (least < kLargestBentBlock && built.triangles.length / 3 + built.gaps.length / 15 > maxTriangles) {
     least *= 2;

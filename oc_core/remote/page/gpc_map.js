@@ -153,6 +153,35 @@ export class GpcMap {
     return this.zoneAt(p)?.imageFromPinhole(p) ?? p;
   }
 
+  /// pinholeFromImage() of the middle of each pixel: x and y of each, in rows from the top.
+  places(width, height) {
+    const places = new Float32Array(2 * width * height);
+    for (let y = 0, i = 0; y < height; ++y) {
+      for (let x = 0; x < width; ++x) {
+        places[i++] = x + 0.5;
+        places[i++] = y + 0.5;
+      }
+    }
+    for (const {center, half, profile} of this.zones) {
+      const {zoom, outer} = profile;
+      const first = [0, 1].map((axis) => Math.max(0, Math.floor(center[axis] - outer * half[axis])));
+      const last = [width, height].map((size, axis) => Math.min(size, Math.ceil(center[axis] + outer * half[axis])));
+      for (let y = first[1]; y < last[1]; ++y) {
+        const dy = y + 0.5 - center[1];
+        for (let x = first[0]; x < last[0]; ++x) {
+          const dx = x + 0.5 - center[0];
+          const r = Math.max(Math.abs(dx) / half[0], Math.abs(dy) / half[1]);
+          if (r < outer) {
+            const scale = r <= 1 ? 1 / zoom : profile.polynomial(r - 1) / r;
+            places[2 * (y * width + x)] = center[0] + dx * scale;
+            places[2 * (y * width + x) + 1] = center[1] + dy * scale;
+          }
+        }
+      }
+    }
+    return places;
+  }
+
   jacobian(p) {
     return this.zoneAt(p)?.jacobian(p) ?? [1, 0, 0, 1];
   }

@@ -53,8 +53,8 @@ export class ImageReceiver {
     this.worker.addEventListener('error', (event) => events.failed(`depths cannot be decoded: ${event.message ?? ''}`));
   }
 
-  /// `isBent`: its depths are to be seen through lenses.
-  begin(header, seconds, isBent) {
+  /// `mesh` says how its depths are to be joined: {isBent, least} of depthMesh().
+  begin(header, seconds, mesh) {
     checkHeader(header);
     const image = {
       id: header.id,
@@ -65,7 +65,7 @@ export class ImageReceiver {
       layout: {sampling: header.sampling ?? 'cubic', regions: header.regions ?? []},
       header,
       begun: seconds,
-      isBent,
+      meshOptions: mesh,
       isGivenUp: false,
       color: new Plane(header.color),
       depth: header.depth ? new Plane(header.depth) : null,
@@ -144,7 +144,7 @@ export class ImageReceiver {
     const {focal} = new Pinhole(image.view, width, height);
     this.inDecoding.set(++this.decodings, image);
     this.worker.postMessage({id: this.decodings, codec, bytes: image.depth.bytes, width, height, layout: image.layout,
-      focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, isBent: image.isBent});
+      focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, ...image.meshOptions});
   }
 
   takeDepth({id, problem, nearZ, mesh, seconds}) {

@@ -97,9 +97,10 @@ export class Picture {
   }
 
   /// `images`: the one to draw from first, then those behind it. `isQuick`: samples on a pixel are averaged roughly, and
-  /// rays looked up at each kGridSide pixels, interpolated between. Returns what it drew by: 'rays', 'depth',
+  /// rays looked up at each kGridSide pixels, interpolated between. `isCovered`: the first one shows on all of the screen,
+  /// so that nothing is left to be striped. Returns what it drew by: 'rays', 'depth',
   /// 'directions' (as if all were far away: there is no depth yet), or 'nothing'.
-  draw(view, lensMap, images, isQuick = false) {
+  draw(view, lensMap, images, {isQuick = false, isCovered = false} = {}) {
     const {gl, canvas} = this;
     this.isQuick = isQuick;
     const screen = {pinhole: new Pinhole(view, canvas.width, canvas.height), zones: gpcUniforms(lensMap)};
@@ -110,9 +111,11 @@ export class Picture {
       const drawn = this.drawImage(screen, image, order);
       way = order === 0 ? drawn : way;
     });
-    const {nothing} = this.programs;
-    nothing.use();
-    this.drawWholeScreen(nothing, kNothingDepth);
+    if (!isCovered) {
+      const {nothing} = this.programs;
+      nothing.use();
+      this.drawWholeScreen(nothing, kNothingDepth);
+    }
     return way;
   }
 

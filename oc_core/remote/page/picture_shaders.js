@@ -162,7 +162,7 @@ void main() {
 const kGapFragment = `
 flat in vec2 vFarSample;
 out vec4 color;
-${kFine}
+${kQuick}
 void main() {
   color = colorOf(vFarSample);
 }

@@ -16,6 +16,9 @@ import {add, completeView, length, radians, subtract, times} from './view_math.j
 
 const kMaxHeld = 4;
 const kMaxTriangles = 400000;
+/// An image that is wider than the screen by this has two samples and more on a pixel where it is dense: one of two is
+/// enough to join surfaces at their rims.
+const kDenseSamples = 1.7;
 const kTick = 50;  // milliseconds between looks at what there is to ask
 const kFigureTick = 250;
 const kFineAfter = 150;  // milliseconds without a change, where pictures in motion are quick ones
@@ -259,8 +262,12 @@ class RemotePage {
   }
 
   beginImage(header) {
-    const image = this.receiver.begin(header, seconds(), this.lenses.lenses.length > 0);
-    image.screen = this.planner.asked.find(({look}) => look.sequence === header.sequence)?.look.screen ?? this.screen;
+    const screen = this.planner.asked.find(({look}) => look.sequence === header.sequence)?.look.screen ?? this.screen;
+    const image = this.receiver.begin(header, seconds(), {
+      isBent: this.lenses.lenses.length > 0,
+      least: header.size?.[0] >= kDenseSamples * screen[0] ? 2 : 1,
+    });
+    image.screen = screen;
     this.setStage('Receiving');
   }
 
@@ -338,7 +345,9 @@ class RemotePage {
   }
 
   showLoading() {
-    this.panel.loading(this.stage, this.receiver.progress());
+    // The next look may already wait while an image comes.
+    const progress = this.receiver.progress();
+    this.panel.loading(progress.size > 0 ? 'Receiving' : this.stage, progress);
   }
 
   redraw() {
@@ -360,7 +369,8 @@ class RemotePage {
       best.image.drawnAt = seconds();
     }
     this.isQuick = this.isMoving && this.clock.isSlow(seconds());
-    this.way = this.picture.draw(this.view, this.lensMap, best === null ? [] : [best.image, ...behind], this.isQuick);
+    this.way = this.picture.draw(this.view, this.lensMap, best === null ? [] : [best.image, ...behind],
+      {isQuick: this.isQuick, isCovered: isWhole});
     this.drawn = best;
     this.clock.tick(seconds(), this.isQuick);
     this.panel.approximate(best === null ? '' : approximateReason(this.way, best.load));

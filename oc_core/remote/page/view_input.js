@@ -1,5 +1,5 @@
-// What mouse, touch and keys do with the view. `host` has `view`, `home` (the view to begin with), `pivot` (the middle of
-// the scene), `speed` (a length of the scene) and `setView(view)`.
+// What mouse, touch and keys do with the view. `host` has `view` (null before the server has said one), `home` (the view
+// to begin with), `pivot` (the middle of the scene), `speed` (a length of the scene) and `setView(view)`.
 import {dragged, moved, orbited, turned, zoomed, radians} from './view_math.js';
 
 const kWheelStep = 0.0015;
@@ -61,7 +61,7 @@ export class ViewInput {
   }
 
   down(event) {
-    if (event.button === 1) {
+    if (event.button === 1 || this.host.view === null) {
       return;
     }
     this.canvas.focus({focusVisible: false});
@@ -108,6 +108,9 @@ export class ViewInput {
 
   wheel(event) {
     event.preventDefault();
+    if (this.host.view === null) {
+      return;
+    }
     const pixels = event.deltaY * (event.deltaMode === WheelEvent.DOM_DELTA_LINE ? kLinePixels : 1);
     const factor = Math.exp(-pixels * kWheelStep * (event.ctrlKey ? 5 : 1));
     const {width, height} = this.canvas;

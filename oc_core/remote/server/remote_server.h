@@ -57,6 +57,7 @@ class RemoteServer {
   int port() const;
   /// Of the page, with the token where there is one: "http://127.0.0.1:8080/?token=...".
   std::string pageAddress() const;
+  /// Waits for the thread of the connections: not from `note`.
   RemoteServerCounts counts() const;
 
  private:

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstring>
 #include <map>
 #include <mutex>
 #include <thread>
@@ -70,8 +71,9 @@ HttpRequest requestOf(lws* wsi) {
 /// False where the connection is to be closed. What does not go at once is kept and goes before anything else.
 bool writeTo(lws* wsi, std::span<const std::byte> bytes, lws_write_protocol how) {
   std::vector<unsigned char> buffer(LWS_PRE + bytes.size());
-  std::ranges::transform(bytes, buffer.begin() + LWS_PRE,
-                         [](std::byte byte) { return std::to_integer<uint8_t>(byte); });
+  if (!bytes.empty()) {
+    std::memcpy(buffer.data() + LWS_PRE, bytes.data(), bytes.size());
+  }
   return lws_write(wsi, buffer.data() + LWS_PRE, bytes.size(), how) >= static_cast<int>(bytes.size());
 }
 
