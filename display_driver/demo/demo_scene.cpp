@@ -4,7 +4,9 @@
 
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/trigonometric.hpp>
 #include <system_error>
 
 #include "display_driver/devices/coarse_frames.h"
@@ -15,6 +17,7 @@
 #include "oc_core/image/color.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/ocri/image_mesh.h"
+#include "oc_core/ocri/resample.h"
 #include "oc_core/page/html.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/worlds/scene_source.h"
@@ -29,6 +32,8 @@ constexpr glm::vec3 kBackground{0.012f, 0.014f, 0.02f};
 const glm::vec3 kMissing = linearFromSrgb({0.835f, 0.369f, 0.0f});
 const glm::vec3 kMissingThick = linearFromSrgb({0.941f, 0.894f, 0.259f});
 constexpr float kDimmed = 0.4f;
+constexpr float kDetailExtent = 0.5f;  // of the general pinhole's region, shares of its image
+constexpr float kDetailZoom = 4;
 
 // A mesh that stands for the scene, and how the page names it.
 struct ShownMesh {
@@ -107,6 +112,30 @@ DemoRow referenceRow(const DemoFolder& folder, const ReferenceImage& di, const R
                     "The depth image: " + groupedDigits(di.sampleCount()) + " samples."),
        folder.write("reference-ddoc", imageOf(ddoc), "Occlusion camera (DDOC)",
                     "The OCRI: " + groupedDigits(ddoc.sampleCount()) + " samples in one layer.")}};
+}
+
+// Section 5.2.1: the same number of samples, more of them where someone will look closer.
+DemoRow detailRow(const DemoFolder& folder, const ReferenceImage& di, const Mesh& geometry,
+                  const PinholeCamera& reference) {
+  CameraChoice choice = cameraChoice("gpc");
+  choice.gpc.regions = {{.extent = glm::vec2(kDetailExtent), .zoom = kDetailZoom}};
+  View closer = reference.view();
+  const double halfAngle = glm::radians(closer.resolvedFovVerticalDegrees() / 2);
+  // The view that looks at the region alone.
+  const double shown = static_cast<double>(kDetailExtent) / static_cast<double>(kDetailZoom);
+  closer.fovVerticalDegrees = 2 * glm::degrees(std::atan(shown * std::tan(halfAngle)));
+  const PinholeCamera camera(closer, reference.width(), reference.height());
+  const ReferenceImages gpc = buildReferenceImages(choice, reference, geometry);
+  return {
+      "Detail where it is wanted: a general pinhole",
+      fmt::format(
+          "The middle of the view, {:.0f} times closer, from images of equally many samples. The general pinhole "
+          "(GPC) has {:.0f} times as many of them along either axis there, and fewer around: nothing is sent again "
+          "when someone zooms in. With ocelli remote serve, browsers look at scenes by such images.",
+          1 / shown, kDetailZoom),
+      {folder.write("detail-di", resample({di}, camera).color, "Depth image", "As its own samples show it."),
+       folder.write("detail-gpc", resample(gpc, camera).color, "General pinhole", "From an image of the same size."),
+       folder.write("detail-geometry", imageOf(geometry, camera), "Full geometry", "Drawn at this view.")}};
 }
 
 DemoRow leftRow(const DemoFolder& folder, const std::vector<ShownMesh>& representations, const PinholeCamera& camera) {
@@ -255,6 +284,7 @@ DemoScene runDemoScene(const std::string& title, const std::string& source, cons
       {"di", "Depth image", &diMesh}, {"ddoc", "OCRI", &ddocMesh}, {"geometry", "Full geometry", &geometry}};
 
   scene.rows.push_back(referenceRow(images, di, ddoc));
+  scene.rows.push_back(detailRow(images, di, geometry, reference));
   const PinholeCamera left(movedEye(view, {-kLeftRadii, 0, 0}), options.width, options.height);
   scene.rows.push_back(leftRow(images, representations, left));
   scene.rows.push_back(missingRow(images, representations, geometry, left));
