@@ -17,7 +17,7 @@ struct PointCloud {
   std::vector<glm::vec3> normals;  ///< of any length, towards the outside, one a point; empty where there are none
 };
 
-struct PointOptions {
+struct PointSceneOptions {
   /// How wide each point is, in the units of the scene before it is fitted; nothing: from its nearest neighbours.
   std::optional<double> width{};
 };

@@ -51,7 +51,7 @@ constexpr glm::vec3 kNoPlane(0);
 
 class PointMesher {
  public:
-  PointMesher(PointCloud cloud, const PointOptions& options, const std::string& where, const Progress& progress)
+  PointMesher(PointCloud cloud, const PointSceneOptions& options, const std::string& where, const Progress& progress)
       : cloud_(std::move(cloud)), options_(options), where_(where), progress_(progress) {}
 
   PointMesh run() {
@@ -322,7 +322,7 @@ class PointMesher {
   }
 
   PointCloud cloud_;
-  const PointOptions& options_;
+  const PointSceneOptions& options_;
   const std::string& where_;
   const Progress& progress_;
   PointFacts facts_;
@@ -336,7 +336,7 @@ class PointMesher {
 
 }  // namespace
 
-PointMesh meshOfPoints(PointCloud cloud, const PointOptions& options, const std::string& where,
+PointMesh meshOfPoints(PointCloud cloud, const PointSceneOptions& options, const std::string& where,
                        const Progress& progress) {
   return PointMesher(std::move(cloud), options, where, progress).run();
 }

@@ -23,12 +23,12 @@ struct PointMesh {
 ///   neighbours.
 ///
 /// Estimated normals are turned outwards (point_orientation.h). A point far from all others is no larger than four
-/// times the median. With PointOptions::width panels are squares, and octahedra as high, of that width.
+/// times the median. With PointSceneOptions::width panels are squares, and octahedra as high, of that width.
 ///
 /// Throws InputError naming `where` where there is no point or a coordinate is not a finite number, where all points
 /// stand at one place and no width is given, or where the mesh would have more than kMaxSceneTriangles. Takes about 100
 /// bytes a point besides the mesh.
-PointMesh meshOfPoints(PointCloud cloud, const PointOptions& options, const std::string& where,
+PointMesh meshOfPoints(PointCloud cloud, const PointSceneOptions& options, const std::string& where,
                        const Progress& progress = {});
 
 }  // namespace ocelli

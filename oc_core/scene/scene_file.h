@@ -18,7 +18,7 @@ struct SceneFileOptions {
   bool textures = true;  ///< bake them to vertex colours; else materials have their plain colours
   /// Triangles that may be added, in all, so that textures survive (texture_bake.h).
   size_t textureTriangles = 1'000'000;
-  PointOptions points{};  ///< of a file of points
+  PointSceneOptions points{};  ///< of a file of points
 };
 
 /// Whether a file is PLY by its name or its first bytes.

@@ -38,7 +38,7 @@ struct SceneOptions {
   Shading shading = Shading::kLambert;
   bool textures = true;  ///< bake the textures of a file to vertex colours
   MotionOptions motion{};
-  PointOptions points{};  ///< of a scene of points
+  PointSceneOptions points{};  ///< of a scene of points
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };

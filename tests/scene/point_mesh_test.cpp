@@ -150,7 +150,7 @@ TEST(PointMesh, IsTheSameWithAnyNumberOfThreads) {
 }
 
 TEST(PointMesh, SaysWhatIsWrong) {
-  const auto make = [](std::vector<glm::vec3> positions, const PointOptions& options = {}) {
+  const auto make = [](std::vector<glm::vec3> positions, const PointSceneOptions& options = {}) {
     return meshOfPoints(cloudOf(std::move(positions)), options, "cloud.ply");
   };
   EXPECT_THAT([&] { make({}); }, ThrowsMessage<InputError>(AllOf(HasSubstr("no points"), HasSubstr("cloud.ply"))));
