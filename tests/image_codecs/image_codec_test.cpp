@@ -78,6 +78,24 @@ TEST(ImageCodecs, AreFoundByName) {
   EXPECT_EQ(findDepthCodec(""), nullptr);
 }
 
+TEST(ImageCodecs, JpegHasLimitsOfItsOwn) {
+  const ColorCodec* codec = findColorCodec("jpeg");
+  if (codec != nullptr) {  // this build may lack it
+    EXPECT_THROW(codec->encode(Image<Rgb8>(65501, 1), 90), WorkError);
+    EXPECT_GT(psnrAfter(*codec, coloredDisc(300, 180), 90), 30) << "the next one does not suffer";
+  }
+}
+
+/// Its bytes are many times those that output begins with.
+TEST(ImageCodecs, JpegOutputGrows) {
+  const ColorCodec* codec = findColorCodec("jpeg");
+  if (codec != nullptr) {
+    const Image<Rgb8> image = colorNoise(500, 400);
+    EXPECT_GT(codec->encode(image, 100).size(), size_t{1} << 18);
+    EXPECT_GT(psnrAfter(*codec, image, 100), 40);  // rounded to 1 level in YCbCr and in frequencies: some 1.5 levels
+  }
+}
+
 TEST(ImageCodecs, JpegXlIsLosslessAtAHundred) {
   const Image<Rgb8> image = colorNoise(40, 30);
   const ColorCodec* codec = findColorCodec("jxl");
