@@ -221,11 +221,11 @@ glm::vec3 PixelMasks::mean(std::span<PixelTriangle> seen, BlockTriangles& triang
     return a.nearest != b.nearest ? a.nearest > b.nearest : a.number < b.number;
   };
   // The nearest first, some at a time: where they hide the rest, that need not be sorted.
-  constexpr size_t kLeastSorted = 48;
+  constexpr size_t kMinSorted = 48;
   for (auto from = seen.begin(); from != seen.end();) {
     const auto left = static_cast<size_t>(seen.end() - from);
-    const size_t some = std::max(kLeastSorted, left / 8);
-    const auto to = some + kLeastSorted < left ? from + static_cast<std::ptrdiff_t>(some) : seen.end();
+    const size_t some = std::max(kMinSorted, left / 8);
+    const auto to = some + kMinSorted < left ? from + static_cast<std::ptrdiff_t>(some) : seen.end();
     if (to != seen.end()) {
       std::nth_element(from, to, seen.end(), isNearer);
     }

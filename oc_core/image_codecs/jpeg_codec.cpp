@@ -3,8 +3,9 @@
 #include <cmath>
 #include <csetjmp>
 #include <cstdio>
-#include <cstdlib>
+#include <exception>
 #include <string>
+#include <vector>
 
 // It takes FILE from whoever includes it.
 #include <jpeglib.h>
@@ -56,23 +57,62 @@ void refuseManyScans(j_common_ptr jpeg) {
   }
 }
 
-/// What the functions with a jump leave behind.
-struct JpegBytes {
-  unsigned char* data = nullptr;
-  unsigned long size = 0;
-  bool isDone = false;
+/// Where the bytes of a JPEG go: jpeg_mem_dest() would leave a pointer to what it has freed when memory runs out.
+struct GrowingOutput {
+  jpeg_destination_mgr base;  ///< first: libjpeg knows this part alone
+  std::vector<std::byte>* bytes;
 };
 
-void compressJpeg(const Rgb8* pixels, int width, int height, int quality, bool wholeChroma, JumpingErrors& errors,
-                  JpegBytes& bytes) {
+/// Without memory it does not return, but jumps as errors of libjpeg do.
+void growTo(j_compress_ptr jpeg, size_t size) {
+  std::vector<std::byte>& bytes = *reinterpret_cast<GrowingOutput*>(jpeg->dest)->bytes;
+  const size_t used = bytes.size();
+  bool isGrown = true;
+  try {
+    bytes.resize(size);
+  } catch (const std::exception&) {  // bad_alloc or length_error; the jump must not start in here
+    isGrown = false;
+  }
+  if (!isGrown) {
+    auto* errors = reinterpret_cast<JumpingErrors*>(jpeg->err);
+    std::snprintf(errors->message, sizeof errors->message, "there is no memory for %zu bytes of it", size);
+    std::longjmp(errors->start, 1);
+  }
+  jpeg->dest->next_output_byte = reinterpret_cast<JOCTET*>(bytes.data() + used);
+  jpeg->dest->free_in_buffer = size - used;
+}
+
+void beginOutput(j_compress_ptr jpeg) {
+  constexpr size_t kFirstBytes = size_t{1} << 14;
+  growTo(jpeg, kFirstBytes);
+}
+
+boolean continueOutput(j_compress_ptr jpeg) {
+  growTo(jpeg, 2 * reinterpret_cast<GrowingOutput*>(jpeg->dest)->bytes->size());
+  return TRUE;
+}
+
+void endOutput(j_compress_ptr jpeg) {
+  std::vector<std::byte>& bytes = *reinterpret_cast<GrowingOutput*>(jpeg->dest)->bytes;
+  bytes.resize(bytes.size() - jpeg->dest->free_in_buffer);
+}
+
+/// Fills `bytes`, which are empty. Returns whether it could; otherwise errors.message says why not.
+bool compressJpeg(const Rgb8* pixels, int width, int height, int quality, bool wholeChroma, JumpingErrors& errors,
+                  std::vector<std::byte>& bytes) {
   jpeg_compress_struct jpeg{};
+  GrowingOutput output{};
   jpeg.err = &errors.base;
   if (setjmp(errors.start) != 0) {
     jpeg_destroy_compress(&jpeg);
-    return;
+    return false;
   }
   jpeg_create_compress(&jpeg);
-  jpeg_mem_dest(&jpeg, &bytes.data, &bytes.size);
+  output.base.init_destination = beginOutput;
+  output.base.empty_output_buffer = continueOutput;
+  output.base.term_destination = endOutput;
+  output.bytes = &bytes;
+  jpeg.dest = &output.base;
   jpeg.image_width = static_cast<JDIMENSION>(width);
   jpeg.image_height = static_cast<JDIMENSION>(height);
   jpeg.input_components = 3;
@@ -93,7 +133,7 @@ void compressJpeg(const Rgb8* pixels, int width, int height, int quality, bool w
   }
   jpeg_finish_compress(&jpeg);
   jpeg_destroy_compress(&jpeg);
-  bytes.isDone = true;
+  return true;
 }
 
 /// Returns whether all of it was read; otherwise errors.message says why not.
@@ -133,13 +173,9 @@ bool decompressJpeg(std::span<const std::byte> bytes, Image<Rgb8>& image, Jumpin
 std::vector<std::byte> encodeJpeg(const Image<Rgb8>& image, double quality) {
   JumpingErrors errors{};
   prepareErrors(errors);
-  JpegBytes jpeg;
-  compressJpeg(image.data(), image.width(), image.height(), static_cast<int>(std::lround(quality)),
-               quality >= kJpegWholeChroma, errors, jpeg);
-  const auto* first = reinterpret_cast<const std::byte*>(jpeg.data);
-  std::vector<std::byte> bytes(first, first + (jpeg.isDone ? jpeg.size : 0));
-  std::free(jpeg.data);
-  if (!jpeg.isDone) {
+  std::vector<std::byte> bytes;
+  if (!compressJpeg(image.data(), image.width(), image.height(), static_cast<int>(std::lround(quality)),
+                    quality >= kJpegWholeChroma, errors, bytes)) {
     throw WorkError(std::string("cannot make a JPEG of this image (") + errors.message + ")", "image",
                     "use a smaller one");
   }

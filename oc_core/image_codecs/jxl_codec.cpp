@@ -11,11 +11,11 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/image_codecs/codec_error.h"
+#include "oc_core/image_codecs/jxl_stream.h"
 
 namespace ocelli {
 namespace {
 
-constexpr const char* kJxlName = "JPEG XL";
 constexpr int kColorEffort = 5;  // of 9: 7, which is libjxl's own, takes three times as long
 constexpr int kDepthEffort = 4;
 
@@ -23,18 +23,22 @@ using JxlEncoderHolder = std::unique_ptr<JxlEncoder, decltype(&JxlEncoderDestroy
 using JxlDecoderHolder = std::unique_ptr<JxlDecoder, decltype(&JxlDecoderDestroy)>;
 
 /// The loops of libjxl on the threads of the toolkit. It wants to know which thread works, below the number it is
-/// told: that is the chunk here.
+/// told: that is the chunk here. Exceptions must not pass through libjxl.
 JxlParallelRetCode runJxlLoop(void* /*runner*/, void* jxl, JxlParallelRunInit init, JxlParallelRunFunction body,
                               uint32_t begin, uint32_t end) {
   const auto chunks = static_cast<size_t>(std::max(1, threadCount()));
   if (const JxlParallelRetCode failed = init(jxl, chunks); failed != 0) {
     return failed;
   }
-  parallelChunks(end - begin, chunks, [&](size_t chunk, size_t first, size_t last) {
-    for (size_t i = first; i < last; ++i) {
-      body(jxl, begin + static_cast<uint32_t>(i), chunk);
-    }
-  });
+  try {
+    parallelChunks(end - begin, chunks, [&](size_t chunk, size_t first, size_t last) {
+      for (size_t i = first; i < last; ++i) {
+        body(jxl, begin + static_cast<uint32_t>(i), chunk);
+      }
+    });
+  } catch (...) {  // memory has run out; libjxl ends its work
+    return JXL_PARALLEL_RET_RUNNER_ERROR;
+  }
   return 0;
 }
 
@@ -89,6 +93,14 @@ std::vector<std::byte> jxlOutput(JxlEncoder* encoder, const std::string& failure
   return bytes;
 }
 
+/// What libjxl makes frames for that are not shown; readJxl() takes none.
+constexpr JxlEncoderFrameSettingId kHiddenFrames[] = {JXL_ENC_FRAME_SETTING_PATCHES, JXL_ENC_FRAME_SETTING_DOTS,
+                                                      JXL_ENC_FRAME_SETTING_PROGRESSIVE_DC};
+
+bool setJxlOption(JxlEncoderFrameSettings* settings, JxlEncoderFrameSettingId option, int64_t value) {
+  return JxlEncoderFrameSettingsSetOption(settings, option, value) == JXL_ENC_SUCCESS;
+}
+
 /// `distance` of 0: lossless.
 std::vector<std::byte> jxlFile(const JxlPixels& pixels, float distance, int effort) {
   const std::string failure = "libjxl cannot make a JPEG XL of this image";
@@ -103,8 +115,8 @@ std::vector<std::byte> jxlFile(const JxlPixels& pixels, float distance, int effo
                JxlEncoderSetBasicInfo(encoder.get(), &info) == JXL_ENC_SUCCESS &&
                JxlEncoderSetColorEncoding(encoder.get(), &color) == JXL_ENC_SUCCESS;
   JxlEncoderFrameSettings* settings = works ? JxlEncoderFrameSettingsCreate(encoder.get(), nullptr) : nullptr;
-  works = settings != nullptr &&
-          JxlEncoderFrameSettingsSetOption(settings, JXL_ENC_FRAME_SETTING_EFFORT, effort) == JXL_ENC_SUCCESS &&
+  works = settings != nullptr && setJxlOption(settings, JXL_ENC_FRAME_SETTING_EFFORT, effort) &&
+          std::ranges::all_of(kHiddenFrames, [&](auto option) { return setJxlOption(settings, option, 0); }) &&
           (lossless ? JxlEncoderSetFrameLossless(settings, JXL_TRUE)
                     : JxlEncoderSetFrameDistance(settings, distance)) == JXL_ENC_SUCCESS &&
           JxlEncoderAddImageFrame(settings, &format, pixels.data, pixels.bytes) == JXL_ENC_SUCCESS;
@@ -139,24 +151,37 @@ void checkJxlFrame(JxlDecoder* decoder, const JxlPixels& pixels) {
   }
 }
 
+/// The decoder has read the headers of the image, and nothing of frames. Hands it the rest, which is the last input.
+void checkFirstJxlFrame(JxlDecoder* decoder, std::span<const std::byte> stream) {
+  const std::span<const std::byte> rest = stream.last(JxlDecoderReleaseInput(decoder));
+  checkJxlFrameShown(rest);
+  if (JxlDecoderSetInput(decoder, reinterpret_cast<const uint8_t*>(rest.data()), rest.size()) != JXL_DEC_SUCCESS) {
+    failDecoding(kJxlName, "libjxl does not go on");
+  }
+  JxlDecoderCloseInput(decoder);
+}
+
 /// `pixels.data` is written to.
 void readJxl(std::span<const std::byte> bytes, const JxlPixels& pixels, void* data) {
+  const std::span<const std::byte> stream = jxlCodestream(bytes);
   const JxlDecoderHolder decoder(JxlDecoderCreate(nullptr), JxlDecoderDestroy);
-  constexpr int kEvents = JXL_DEC_BASIC_INFO | JXL_DEC_FRAME | JXL_DEC_FULL_IMAGE;
+  constexpr int kEvents = JXL_DEC_BASIC_INFO | JXL_DEC_COLOR_ENCODING | JXL_DEC_FRAME | JXL_DEC_FULL_IMAGE;
   if (decoder == nullptr || JxlDecoderSetParallelRunner(decoder.get(), runJxlLoop, nullptr) != JXL_DEC_SUCCESS ||
       JxlDecoderSubscribeEvents(decoder.get(), kEvents) != JXL_DEC_SUCCESS ||
       JxlDecoderSetCoalescing(decoder.get(), JXL_FALSE) != JXL_DEC_SUCCESS ||
-      JxlDecoderSetInput(decoder.get(), reinterpret_cast<const uint8_t*>(bytes.data()), bytes.size()) !=
+      JxlDecoderSetInput(decoder.get(), reinterpret_cast<const uint8_t*>(stream.data()), stream.size()) !=
           JXL_DEC_SUCCESS) {
     throw WorkError("libjxl does not start", "JPEG XL", "check its installation");
   }
-  JxlDecoderCloseInput(decoder.get());
   const JxlPixelFormat format = pixels.format();
   bool isWhole = false;
   while (true) {
     switch (JxlDecoderProcessInput(decoder.get())) {
       case JXL_DEC_BASIC_INFO:
         checkJxlInfo(decoder.get(), pixels);
+        break;
+      case JXL_DEC_COLOR_ENCODING:
+        checkFirstJxlFrame(decoder.get(), stream);
         break;
       case JXL_DEC_FRAME:
         checkJxlFrame(decoder.get(), pixels);

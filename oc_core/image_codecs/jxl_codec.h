@@ -14,8 +14,9 @@ namespace ocelli {
 
 /// `quality` as cjxl takes it.
 std::vector<std::byte> encodeJxl(const Image<Rgb8>& image, double quality);
-/// Throws InputError as ColorCodec::decode. Only still images of one frame without further channels are taken: others
-/// could ask for more memory than the image.
+/// Throws InputError as ColorCodec::decode. Only still images of one frame, hidden ones included, without further
+/// channels are taken: others could ask for more memory than the image. A profile of colours may still ask for some: as
+/// much as libjxl takes.
 Image<Rgb8> decodeJxl(std::span<const std::byte> bytes, glm::ivec2 expectedSize);
 
 std::vector<std::byte> encodeJxlDepth(const Image<uint16_t>& image);

@@ -12,7 +12,7 @@ namespace {
 constexpr double kNarrowest = 0.25;
 /// What is left between outer rectangles and beside borders, shares of the image: more than single floats round by.
 constexpr double kGap = 1e-5;
-constexpr double kLeastZoom = 1.01;
+constexpr double kMinWishZoom = 1.01;
 
 struct Rectangle {
   glm::dvec2 lower;
@@ -49,7 +49,7 @@ std::optional<RegionWish> fitted(RegionWish wish) {
   const glm::dvec2 most = roomAround(wish.center) * 2.0 / ((1 + kNarrowest) * wish.zoom);
   wish.content = glm::min(wish.content, most);
   const glm::dvec2 extent = wish.content * wish.zoom;
-  const bool isSome = wish.zoom >= kLeastZoom && std::min(extent.x, extent.y) >= GpcRegion::kMinExtent;
+  const bool isSome = wish.zoom >= kMinWishZoom && std::min(extent.x, extent.y) >= GpcRegion::kMinExtent;
   return isSome ? std::optional(wish) : std::nullopt;
 }
 

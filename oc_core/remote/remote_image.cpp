@@ -12,21 +12,13 @@
 #include "oc_core/image_codecs/image_codec.h"
 #include "oc_core/remote/depth_smoothing.h"
 #include "oc_core/remote/remote_depth.h"
+#include "oc_core/remote/row_names.h"
 
 namespace ocelli {
 namespace {
 
 constexpr const char* kImage = "message \"image\"";
 constexpr double kMaxSeconds = 1e9;
-
-template <class Row>
-std::vector<std::string> codecNames(std::span<const Row> rows) {
-  std::vector<std::string> names;
-  for (const Row& row : rows) {
-    names.emplace_back(row.name);
-  }
-  return names;
-}
 
 size_t readBytes(JsonFields& fields) {
   return static_cast<size_t>(fields.integer("bytes", 0, static_cast<int>(RemoteImageHeader::kMaxPlaneBytes)));
@@ -37,13 +29,13 @@ void readLayout(JsonFields& fields, GpcLayout& layout) {
   if (hasRegions) {
     readGpcLayout(fields, layout);
   } else {
-    layout.sampling = findGpcSampling(fields.choice("sampling", codecNames(gpcSamplings())).c_str());
+    layout.sampling = findGpcSampling(fields.choice("sampling", rowNames(gpcSamplings())).c_str());
   }
 }
 
 void readDepth(JsonFields plane, RemoteImageHeader& header) {
   constexpr double kTiny = 1e-12;
-  header.depthCodec = plane.choice("codec", codecNames(depthCodecs()));
+  header.depthCodec = plane.choice("codec", rowNames(depthCodecs()));
   header.depthBytes = readBytes(plane);
   header.inverseNear = plane.number("inverse_near", kTiny, 1 / kTiny);
   header.inverseFar = plane.number("inverse_far", kTiny, header.inverseNear);
@@ -52,7 +44,7 @@ void readDepth(JsonFields plane, RemoteImageHeader& header) {
 }
 
 void readColor(JsonFields plane, RemoteImageHeader& header) {
-  header.colorCodec = plane.choice("codec", codecNames(colorCodecs()));
+  header.colorCodec = plane.choice("codec", rowNames(colorCodecs()));
   header.colorBytes = readBytes(plane);
   plane.rejectUnknown();
 }

@@ -7,18 +7,10 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/camera/gpc_layout.h"
 #include "oc_core/image_codecs/image_codec.h"
+#include "oc_core/remote/row_names.h"
 
 namespace ocelli {
 namespace {
-
-template <class Row>
-std::vector<std::string> namesOf(std::span<const Row> rows) {
-  std::vector<std::string> names;
-  for (const Row& row : rows) {
-    names.emplace_back(row.name);
-  }
-  return names;
-}
 
 /// A value of the settings, with whatever type it has.
 template <class Settings, class Body>
@@ -64,12 +56,12 @@ std::span<const RemoteOption> remoteOptions() {
        .unit = "",
        .meaning = "How samples spread around the regions",
        .place = &RemoteSettings::sampling,
-       .words = [] { return namesOf(gpcSamplings()); }},
+       .words = [] { return rowNames(gpcSamplings()); }},
       {.name = "color",
        .unit = "",
        .meaning = "The format of colours",
        .place = &RemoteSettings::color,
-       .words = [] { return namesOf(colorCodecs()); }},
+       .words = [] { return rowNames(colorCodecs()); }},
       {.name = "quality",
        .unit = "",
        .meaning = "Of colours in a lossy format",
@@ -80,7 +72,7 @@ std::span<const RemoteOption> remoteOptions() {
        .unit = "",
        .meaning = "The format of depths",
        .place = &RemoteSettings::depth,
-       .words = [] { return namesOf(depthCodecs()); }},
+       .words = [] { return rowNames(depthCodecs()); }},
       {.name = "translation",
        .unit = "",
        .meaning = "How far the eye is expected to move, by the distance of the nearest sample",

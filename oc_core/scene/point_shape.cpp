@@ -15,9 +15,9 @@ namespace {
 
 /// The least variance, over the middle one, up to which neighbours are a surface: 0.25 where two planes meet at a
 /// right angle at the point, about 0.5 where neighbours fill space.
-constexpr double kMostOffPlane = 0.3;
+constexpr double kMaxOffPlane = 0.3;
 /// The middle variance, over the largest one, down to which neighbours are more than a line.
-constexpr double kLeastAcross = 0.01;
+constexpr double kMinAcross = 0.01;
 
 /// Turns `a`, symmetric, so that a[p][q] is 0, and the columns of `vectors` with it (Jacobi 1846).
 void annihilate(glm::dmat3& a, glm::dmat3& vectors, int p, int q) {
@@ -115,8 +115,7 @@ PointPlane fittingPlane(std::span<const glm::vec3> offsets) {
   const double least = spread[order[0]][order[0]];
   const double between = spread[order[1]][order[1]];
   const double most = spread[order[2]][order[2]];
-  return {glm::normalize(glm::vec3(vectors[order[0]])),
-          between > kLeastAcross * most && least <= kMostOffPlane * between};
+  return {glm::normalize(glm::vec3(vectors[order[0]])), between > kMinAcross * most && least <= kMaxOffPlane * between};
 }
 
 PointPanel cellPanel(std::span<const glm::vec3> offsets, const glm::vec3& normal, float reach) {

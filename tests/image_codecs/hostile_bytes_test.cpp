@@ -1,10 +1,13 @@
 // What decoders make of bytes that are no image: an InputError, or an image of the size that was asked for.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <zlib.h>
 
+#include <filesystem>
 #include <span>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/random_numbers.h"
 #include "oc_core/image_codecs/image_codec.h"
 #include "tests/image_codecs/coded_samples.h"
@@ -126,6 +129,51 @@ TEST(DeflateBytes, WithMoreBehindThemAreRefused) {
   Bytes bytes = findDepthCodec("deflate")->encode(depthOfDisc(kSize.x, kSize.y));
   bytes.push_back(std::byte{0});
   EXPECT_THROW(findDepthCodec("deflate")->decode(bytes, kSize), InputError);
+}
+
+/// A box of a JPEG XL container.
+Bytes jxlBox(uint32_t size, std::string_view type, std::span<const std::byte> content) {
+  Bytes box;
+  for (const int shift : {24, 16, 8, 0}) {
+    box.push_back(static_cast<std::byte>(size >> shift));
+  }
+  const auto letters = std::as_bytes(std::span(type));
+  box.insert(box.end(), letters.begin(), letters.end());
+  box.insert(box.end(), content.begin(), content.end());
+  return box;
+}
+
+TEST(JxlBytes, OfAContainerAreTakenInOnePiece) {
+  const ColorCodec* codec = findColorCodec("jxl");
+  if (codec == nullptr) {
+    GTEST_SKIP() << "this build lacks it";
+  }
+  const Image<Rgb8> disc = coloredDisc(kSize.x, kSize.y);
+  const Bytes stream = codec->encode(disc, 100);
+  const auto size = static_cast<uint32_t>(stream.size()) + 8;
+  EXPECT_EQ(codec->decode(jxlBox(0, "jxlc", stream), kSize), disc);
+  EXPECT_EQ(codec->decode(jxlBox(size, "jxlc", stream), kSize), disc);
+  for (const Bytes& refused : {jxlBox(size + 1, "jxlc", stream), jxlBox(size - 1, "jxlc", stream),
+                               jxlBox(7, "jxlc", stream), jxlBox(0, "jxlp", stream), jxlBox(0, "Exif", stream),
+                               jxlBox(8, "jxlc", {}), jxlBox(8, "jxll", {}), jxlBox(0, "jxll", {})}) {
+    EXPECT_THROW(codec->decode(refused, kSize), InputError);
+  }
+}
+
+/// hidden_frame.jxl repeats a letter, which is in a frame of its own (libjxl 0.7, lossless, with patches). A
+/// hidden frame may be of any size, and libjxl decodes it before it tells of anything.
+TEST(JxlBytes, WithAHiddenFrameAreRefused) {
+  const ColorCodec* codec = findColorCodec("jxl");
+  if (codec == nullptr) {
+    GTEST_SKIP() << "this build lacks it";
+  }
+  const std::string file = readFile(std::filesystem::path(OCELLI_HOSTILE_FOLDER) / "hidden_frame.jxl");
+  try {
+    codec->decode(std::as_bytes(std::span(file)), {256, 160});
+    ADD_FAILURE() << "it was taken";
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::HasSubstr("hidden frame"));
+  }
 }
 
 /// PNG says its size in bytes 16 to 23, followed by a checksum: one for the size of another image comes from its PNG.

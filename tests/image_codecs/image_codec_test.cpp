@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdlib>
+
 #include "oc_core/base/error.h"
 #include "oc_core/image/image_error.h"
 #include "tests/image_codecs/coded_samples.h"
@@ -76,6 +79,45 @@ TEST(ImageCodecs, AreFoundByName) {
   EXPECT_STREQ(findDepthCodec("deflate")->mediaType, "application/zlib");
   EXPECT_EQ(findColorCodec("gif"), nullptr);
   EXPECT_EQ(findDepthCodec(""), nullptr);
+}
+
+TEST(ImageCodecs, JpegHasLimitsOfItsOwn) {
+  const ColorCodec* codec = findColorCodec("jpeg");
+  if (codec != nullptr) {  // this build may lack it
+    EXPECT_THROW(codec->encode(Image<Rgb8>(65501, 1), 90), WorkError);
+    EXPECT_GT(psnrAfter(*codec, coloredDisc(300, 180), 90), 30) << "the next one does not suffer";
+  }
+}
+
+/// Its bytes are many times those that output begins with.
+TEST(ImageCodecs, JpegOutputGrows) {
+  const ColorCodec* codec = findColorCodec("jpeg");
+  if (codec != nullptr) {
+    const Image<Rgb8> image = colorNoise(500, 400);
+    EXPECT_GT(codec->encode(image, 100).size(), size_t{1} << 18);
+    EXPECT_GT(psnrAfter(*codec, image, 100), 40);  // rounded to 1 level in YCbCr and in frequencies: some 1.5 levels
+  }
+}
+
+/// libjxl would make one of what is repeated. The decoder refuses them.
+TEST(ImageCodecs, JpegXlNeedsNoHiddenFrames) {
+  constexpr glm::ivec2 kSheet(256, 160);
+  Image<Rgb8> sheet(kSheet.x, kSheet.y);
+  for (int y = 0; y < kSheet.y; ++y) {
+    for (int x = 0; x < kSheet.x; ++x) {
+      const glm::ivec2 at(x % 20, y % 18);  // a ring in each cell
+      const int out = std::max(std::abs(at.x - 9), std::abs(at.y - 9));
+      sheet(x, y) = out == 3 ? Rgb8(0) : Rgb8(255);
+    }
+  }
+  const ColorCodec* codec = findColorCodec("jxl");
+  if (codec != nullptr) {  // this build may lack it
+    EXPECT_EQ(codec->decode(codec->encode(sheet, 100), kSheet), sheet);
+    EXPECT_GT(psnrAfter(*codec, sheet, 90), 30);
+    for (double quality = 0; quality < 100; quality += 10) {  // coarse ones would have their averages in a hidden frame
+      EXPECT_NO_THROW(psnrAfter(*codec, sheet, quality)) << quality;
+    }
+  }
 }
 
 TEST(ImageCodecs, JpegXlIsLosslessAtAHundred) {

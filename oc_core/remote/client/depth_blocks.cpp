@@ -13,7 +13,7 @@ namespace {
 
 constexpr int kTile = 16;               ///< samples along a side of the largest block
 constexpr float kMaxParallax = 0.06f;   ///< heights of a view: what CoverLimits lets near things move before far ones
-constexpr double kLeastSpan = 0.02;     ///< of 1/z, by that of near things: a wall has depth, too
+constexpr double kMinSpan = 0.02;       ///< of 1/z, by that of near things: a wall has depth, too
 constexpr float kMaxError = 0.2f;       ///< pixels
 constexpr float kJoinedFootprints = 3;  ///< steps of z between two samples of a surface, as in image_mesh.h
 constexpr float kViewLines = 720;
@@ -194,7 +194,7 @@ float blockTolerance(double nearZ, double farZ) {
     return 0;
   }
   // Between far and near things there may be kMaxParallax heights: so much is the span of 1/z.
-  const double span = std::max(1 / nearZ - 1 / farZ, kLeastSpan / nearZ);
+  const double span = std::max(1 / nearZ - 1 / farZ, kMinSpan / nearZ);
   return static_cast<float>(static_cast<double>(kMaxError / (kMaxParallax * kViewLines)) * span);
 }
 

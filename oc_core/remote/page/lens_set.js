@@ -6,7 +6,7 @@ import {isFree, outerHalf} from './gpc_map.js';
 export const maxLenses = 8;  // as many as a server takes
 export const lensZoom = {min: 1, max: 16};
 const kLensTransition = {min: 0.1, max: 4};
-const kLeastExtent = 0.04;
+const kMinLensExtent = 0.04;
 const kNewLens = {center: [0.5, 0.5], extent: [0.18, 0.26], zoom: 3, transition_width: 0.6};
 
 const clamp = (x, least, most) => Math.min(most, Math.max(least, x));
@@ -72,7 +72,7 @@ export class LensSet {
     const lens = this.lenses[index];
     const [x, y] = [0, 1].map((axis) => {
       const across = lens.center[axis] - corner[axis] * lens.extent[axis] / 2;
-      const extent = Math.max(kLeastExtent, corner[axis] * (point[axis] - across));
+      const extent = Math.max(kMinLensExtent, corner[axis] * (point[axis] - across));
       return {center: across + corner[axis] * extent / 2, extent};
     });
     return this.accept(index, {...lens, center: [x.center, y.center], extent: [x.extent, y.extent]});
@@ -81,7 +81,7 @@ export class LensSet {
   /// Both sides by a factor, around the middle.
   scale(index, factor) {
     const lens = this.lenses[index];
-    const extent = lens.extent.map((each) => clamp(each * factor, kLeastExtent, 1));
+    const extent = lens.extent.map((each) => clamp(each * factor, kMinLensExtent, 1));
     return this.accept(index, {...lens, extent});
   }
 
