@@ -105,6 +105,20 @@ TEST(ImagePlay, isAsSlowAsItsClient) {
   EXPECT_NE(pictures[8], pictures[9]);
 }
 
+// With nothing told, all takes what it takes here; also without depth, where the time for coding it is left out.
+TEST(ImagePlay, takesWhatItTakesHere) {
+  const RemotePath path = turningPath(40, 10, 0.001);
+  for (const char* mode : {"gpc", "gpc-zoom"}) {
+    ImagePlayOptions options;
+    options.screen = {64, 36};
+    const Playback playback = play(path, {10e6, 0}, mode, options);
+    EXPECT_GT(playback.clientFrameSeconds, 0) << mode;
+    EXPECT_GT(playback.clientDecodeSeconds, 0) << mode;
+    ASSERT_TRUE(playback.firstPictureSeconds) << mode;
+    EXPECT_TRUE(playback.shown.back().frame) << mode;
+  }
+}
+
 TEST(ImagePlay, hasNoFirstPictureWhereNoneComesInTime) {
   const RemotePath path = turningPath(3, 10);
   const Playback playback = play(path, {1e3, 0.2}, "gpc");
