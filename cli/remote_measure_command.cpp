@@ -32,12 +32,13 @@ struct RemoteMeasureChoice {
   double framesPerSecond = 60;
   std::string screen = "1280x720";
   std::vector<std::string> links;
-  std::vector<std::string> modes{"gpc", "di", "jpeg", "x264", "x265"};
+  std::vector<std::string> modes{"gpc", "di", "jpeg", "x264", "x265", "x265-444"};
   RemoteMeasureOptions options;
   size_t every = 15;
   bool quick = false;
   double serverMilliseconds = -1;
   double clientMilliseconds = -1;
+  double decodeMilliseconds = -1;
   double peerMilliseconds = 10;
   std::string json;
   std::string csv;
@@ -73,6 +74,7 @@ void runRemoteMeasure(RemoteMeasureChoice& choice, const CommandContext& context
   options.every = choice.quick ? static_cast<size_t>(kQuickEvery) * choice.every : choice.every;
   options.serverSeconds = secondsOrMeasured(choice.serverMilliseconds);
   options.clientSeconds = secondsOrMeasured(choice.clientMilliseconds);
+  options.decodeSeconds = secondsOrMeasured(choice.decodeMilliseconds);
   options.peerSeconds = choice.peerMilliseconds / 1e3;
   for (const std::string& file : {choice.json, choice.csv}) {
     if (!file.empty() && file != "-") {
@@ -176,6 +178,12 @@ void addRemoteMeasure(CLI::App& remote, const CommandContext& context) {
   command
       .add_option("--client-ms", choice->clientMilliseconds,
                   "What the client takes to draw a picture; -1: what it takes here")
+      ->check(numberCheck(-1, 1e5))
+      ->type_name("MS");
+  command
+      .add_option("--decode-ms", choice->decodeMilliseconds,
+                  "What the client takes to decode a message of an image: its colours, and then all of it; -1: what it "
+                  "takes here")
       ->check(numberCheck(-1, 1e5))
       ->type_name("MS");
   command

@@ -54,7 +54,7 @@ Playback playFrames(const RemotePath& path, const LinkSpeed& speed, const FrameP
     arrivals.push_back({arrival, frame});
     ++playback.images;
     if (!pacing.sendsOn) {
-      asked = arrival;
+      asked = std::max(arrival, path.secondsOf(frame + 1));  // no frame twice
       continue;
     }
     // The server draws the next one so that it is ready when the link is free, from the newest view that it has then.
@@ -62,13 +62,15 @@ Playback playFrames(const RemotePath& path, const LinkSpeed& speed, const FrameP
     asked = std::max(next, path.secondsOf(frame + 1));
   }
   playback.bytes = link.sentBytes();
-  playback.firstPictureSeconds = arrivals.front().seconds;
   size_t come = 0;
   for (size_t k = 0; k < path.views.size(); ++k) {
     while (come < arrivals.size() && arrivals[come].seconds <= path.secondsOf(k) + kClockRounding) {
       ++come;
     }
     playback.shown.push_back(come > 0 ? ShownView{arrivals[come - 1].frame} : ShownView{});
+  }
+  if (come > 0) {
+    playback.firstPictureSeconds = arrivals.front().seconds;
   }
   return playback;
 }

@@ -18,7 +18,7 @@ struct FramePacing {
   const char* name;
   const char* meaning;
   /// Whether the server sends on as soon as the link is free, always the newest view it knows. Otherwise the client
-  /// asks for the next frame when the last one has come.
+  /// asks for the next frame when the last one has come, and its view is another frame's.
   bool sendsOn;
 };
 std::span<const FramePacing> framePacings();

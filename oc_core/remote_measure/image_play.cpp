@@ -6,6 +6,7 @@
 #include <deque>
 
 #include "oc_core/base/steady_time.h"
+#include "oc_core/image_codecs/image_codec.h"
 #include "oc_core/remote/remote_image.h"
 
 namespace ocelli {
@@ -109,11 +110,19 @@ class ImageServer {
 
   void answer(const ImageWish& wish, double begin, std::deque<Delivery>& deliveries) {
     const double from = now();
-    RemoteImage image = scene_.answer({wish.sequence, wish.view, screen_, {}}, settings_, ++images_);
-    const double ready = begin + seconds_.value_or(now() - from);
+    const ReferenceImage drawn =
+        scene_.draw(planRemoteImage({wish.sequence, wish.view, screen_, {}}, settings_), settings_.samples);
+    const double drawSeconds = now() - from;
+    RemoteImage image = encodeRemoteImage(drawn, settings_, ++images_, wish.sequence, drawSeconds);
+    double takes = now() - from;
     if (!hasDepth_) {
+      // What coding its depth took does not count.
       image.depth.clear();
+      const double encodeFrom = now();
+      findColorCodec(settings_.color)->encode(srgbFromLinear(drawn.color), settings_.quality);
+      takes = drawSeconds + now() - encodeFrom;
     }
+    const double ready = begin + seconds_.value_or(takes);
     const double color =
         link_.arrival(ready, headerBytes(image.headerJson) + kPieceHeader + bytesOnTheWire(image.color.size()));
     const double all = hasDepth_ ? link_.arrival(ready, bytesOnTheWire(image.depth.size())) : color;
@@ -142,26 +151,83 @@ ImageCover coverOfPlan(const View& view, const glm::ivec2& screen, const RemoteS
   return {plan.reference, plan.layout};
 }
 
-/// A client that takes longer than a frame to draw shows the view of the frame at which it began.
-class DrawingClock {
- public:
-  DrawingClock(double frameSeconds, double drawSeconds) : frame_(frameSeconds), draw_(drawSeconds) {}
+double medianOf(std::vector<double> values) {
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
 
-  /// The frame whose view is on the screen at this one.
-  size_t shownAt(size_t frame) const {
-    if (draw_ <= frame_) {
-      return frame;
-    }
-    const double seconds = static_cast<double>(frame) * frame_;
-    const double drawings = std::floor(seconds / draw_ + 1e-9);
-    // The drawing that ended last began one drawing earlier.
-    const double began = std::max(drawings - 1, 0.0) * draw_;
-    return static_cast<size_t>(std::floor(began / frame_ + 1e-9));
+/// What the client has decoded, and when it is ready: one message after the other.
+class ClientDecoder {
+ public:
+  struct Ready {
+    double seconds = 0;
+    ClientImage image;
+  };
+
+  explicit ClientDecoder(std::optional<double> seconds) : seconds_(seconds) {}
+
+  Ready decode(const Delivery& delivery) {
+    const double from = now();
+    ClientImage image = clientImageOf(
+        delivery.sequence, decodeRemoteImage(delivery.image.headerJson, delivery.image.color, delivery.image.depth),
+        delivery.hasAll);
+    const double takes = seconds_.value_or(now() - from);
+    freeAt_ = std::max(freeAt_, delivery.seconds) + takes;
+    total_ += takes;
+    images_ += delivery.hasAll;
+    return {freeAt_, std::move(image)};
   }
+  /// Of an image, with all its messages.
+  double meanSeconds() const { return images_ > 0 ? total_ / images_ : 0; }
 
  private:
+  std::optional<double> seconds_;
+  double freeAt_ = 0;
+  double total_ = 0;
+  int images_ = 0;
+};
+
+/// What is on the client's screen, and what will be.
+class ClientScreen {
+ public:
+  struct Picture {
+    size_t frame = 0;  ///< of the path, whose view it shows
+    bool isCovered = false;
+    std::shared_ptr<const QuickImage> image;
+    double shownAt = 0;
+  };
+
+  explicit ClientScreen(double frameSeconds) : frame_(frameSeconds) {}
+
+  /// At a frame of the path, with what the client would draw then; `seconds` is when it can begin at the soonest, and
+  /// what drawing takes.
+  void at(double seconds, double drawSeconds, Picture next) {
+    while (!drawn_.empty() && drawn_.front().shownAt <= seconds + kTimeRounding) {
+      onScreen_ = std::move(drawn_.front());
+      drawn_.pop_front();
+    }
+    if (drawSeconds <= frame_ + kTimeRounding && drawn_.empty()) {
+      next.shownAt = seconds + drawSeconds;
+      onScreen_ = std::move(next);
+      freeAt_ = seconds;
+      return;
+    }
+    const double begin = std::max(freeAt_, seconds);
+    if (begin < seconds + frame_ - kTimeRounding) {
+      freeAt_ = next.shownAt = begin + drawSeconds;
+      drawn_.push_back(std::move(next));
+    }
+  }
+  const std::optional<Picture>& picture() const { return onScreen_; }
+
+ private:
+  static constexpr double kTimeRounding = 1e-9;
+
   double frame_;
-  double draw_;
+  std::optional<Picture> onScreen_;
+  std::deque<Picture> drawn_;  ///< or being drawn
+  double freeAt_ = 0;
 };
 
 }  // namespace
@@ -204,52 +270,51 @@ Playback playImages(const RemoteScene& scene, const RemotePath& path, const Link
   RemoteClient client(
       options.screen, [&](const View& view) { return coverOfPlan(view, options.screen, settings); }, options.rule);
   ImageServer server(scene, settings, mode.hasDepth, options.screen, options.serverSeconds, speed);
+  ClientDecoder decoder(options.clientDecodeSeconds);
+  ClientScreen screen(path.secondsOf(1));
   std::deque<Delivery> deliveries;
-  Playback playback;
+  std::deque<ClientDecoder::Ready> decoded;
   std::vector<double> drawings;
+  const auto drawn = [&](size_t frame, const QuickImage& image) {
+    const double from = now();
+    Image<Rgb8> picture = image.draw(PinholeCamera(path.views[frame], options.screen.x, options.screen.y)).color;
+    drawings.push_back(now() - from);
+    return picture;
+  };
+  const auto drawSeconds = [&] { return options.clientFrameSeconds.value_or(medianOf(drawings)); };
+  Playback playback;
   for (size_t k = 0; k < path.views.size(); ++k) {
     const double seconds = path.secondsOf(k);
     const View& view = path.views[k];
     server.runUntil(seconds, deliveries);
     while (!deliveries.empty() && deliveries.front().seconds <= seconds) {
-      const Delivery& delivery = deliveries.front();
-      if (client.heldImages() == 0) {
-        playback.firstPictureSeconds = delivery.seconds;
-      }
-      client.receive(delivery.sequence,
-                     decodeRemoteImage(delivery.image.headerJson, delivery.image.color, delivery.image.depth),
-                     delivery.hasAll, delivery.seconds);
+      decoded.push_back(decoder.decode(deliveries.front()));
       deliveries.pop_front();
+    }
+    while (!decoded.empty() && decoded.front().seconds <= seconds) {
+      client.receive(std::move(decoded.front().image), decoded.front().seconds);
+      decoded.pop_front();
     }
     if (const std::optional<ImageWish> wish = client.look(view, seconds)) {
       server.ask(*wish, seconds);
     }
-    const RemoteClient::Choice choice = client.choose(view);
-    ShownView shown;
-    if (choice.image != nullptr) {
-      shown = {k, choice.load.isCovered()};
-      if (k % options.every == 0) {
-        const double from = now();
-        const Image<Rgb8> picture = client.draw(view);
-        drawings.push_back(now() - from);
-        sink(k, picture);
+    if (const RemoteClient::Choice choice = client.choose(view); choice.image != nullptr) {
+      if (drawings.empty()) {
+        drawn(k, *choice.image->quick);  // for its time
       }
+      screen.at(seconds, drawSeconds(), {k, choice.load.isCovered(), choice.image->quick});
     }
-    playback.shown.push_back(shown);
-  }
-  if (!drawings.empty()) {
-    const auto middle = drawings.begin() + static_cast<std::ptrdiff_t>(drawings.size() / 2);
-    std::nth_element(drawings.begin(), middle, drawings.end());
-    playback.clientFrameSeconds = *middle;
-  }
-  playback.clientFrameSeconds = options.clientFrameSeconds.value_or(playback.clientFrameSeconds);
-  const DrawingClock clock(path.secondsOf(1), playback.clientFrameSeconds);
-  for (size_t k = 0; k < playback.shown.size(); ++k) {
-    ShownView& shown = playback.shown[k];
-    if (shown.frame) {
-      shown.frame = clock.shownAt(k);
+    const std::optional<ClientScreen::Picture>& picture = screen.picture();
+    playback.shown.push_back(picture ? ShownView{picture->frame, picture->isCovered} : ShownView{});
+    if (picture && !playback.firstPictureSeconds) {
+      playback.firstPictureSeconds = picture->shownAt;
+    }
+    if (k % options.every == 0) {
+      sink(k, picture ? drawn(picture->frame, *picture->image) : Image<Rgb8>(options.screen.x, options.screen.y));
     }
   }
+  playback.clientFrameSeconds = drawings.empty() ? 0 : drawSeconds();
+  playback.clientDecodeSeconds = decoder.meanSeconds();
   playback.bytes = server.sentBytes();
   playback.images = server.images();
   return playback;

@@ -9,49 +9,48 @@ namespace {
 
 constexpr double kTimeRounding = 1e-9;
 
+/// The view at a frame is the one that is wanted then.
+bool isWanted(const RemotePath& path, const std::vector<ShownView>& shown, size_t frame) {
+  const ShownView& now = shown[frame];
+  return now.frame && now.isCovered && path.views[*now.frame] == path.views[frame];
+}
+
 }  // namespace
 
 std::vector<double> lagsOf(const RemotePath& path, const std::vector<ShownView>& shown) {
   OC_CHECK(shown.size() == path.views.size(), "a playback has each frame of its path");
   std::vector<double> lags(shown.size());
-  std::optional<size_t> lastCovered;
+  size_t lastCovered = 0;
   for (size_t k = 0; k < shown.size(); ++k) {
-    if (!shown[k].frame) {
-      continue;
-    }
-    if (shown[k].isCovered) {
+    if (shown[k].frame && shown[k].isCovered) {
       lastCovered = *shown[k].frame;
     }
-    // Before anything was covered, since the first picture.
-    const size_t since = lastCovered.value_or(*shown[k].frame);
-    const bool isWanted = shown[k].isCovered && path.views[*shown[k].frame] == path.views[k];
-    if (!lastCovered) {
-      lastCovered = since;
-    }
-    lags[k] = isWanted ? 0 : path.secondsOf(k) - path.secondsOf(since);
+    lags[k] = isWanted(path, shown, k) ? 0 : path.secondsOf(k) - path.secondsOf(lastCovered);
   }
   return lags;
 }
 
 StallFigures stallsOf(const RemotePath& path, const std::vector<ShownView>& shown, bool onlyCovered) {
-  const std::vector<double> lags = lagsOf(path, shown);
+  OC_CHECK(shown.size() == path.views.size(), "a playback has each frame of its path");
   StallFigures figures;
-  size_t run = 0;
-  for (size_t k = 0; k <= lags.size(); ++k) {
-    const bool stalls =
-        k < lags.size() && lags[k] > kMaxLagSeconds + kTimeRounding && (!onlyCovered || shown[k].isCovered);
-    if (stalls) {
-      ++run;
-      continue;
-    }
-    if (run > 0) {
-      const double seconds = path.secondsOf(run);
+  size_t since = 0;
+  const auto end = [&](size_t frame) {
+    const double seconds = path.secondsOf(frame - since);
+    if (seconds > kMaxStillSeconds + kTimeRounding) {
       figures.longestSeconds = std::max(figures.longestSeconds, seconds);
       figures.totalSeconds += seconds;
       ++figures.count;
-      run = 0;
+    }
+    since = frame;
+  };
+  for (size_t k = 0; k < shown.size(); ++k) {
+    const bool isCovered = shown[k].frame && shown[k].isCovered;
+    const bool isOther = isCovered && (k == 0 || shown[k] != shown[k - 1]);
+    if (isOther || isWanted(path, shown, k) || (onlyCovered && !isCovered)) {
+      end(k);
     }
   }
+  end(shown.size());
   return figures;
 }
 

@@ -15,23 +15,27 @@ namespace ocelli {
 struct ShownView {
   std::optional<size_t> frame{};  ///< of the path; nothing before the first picture
   bool isCovered = true;  ///< the client's image covers the view (image_cover.h); frames from a server are exact
+
+  bool operator==(const ShownView&) const = default;
 };
 
 struct Playback {
-  std::vector<ShownView> shown;  ///< one for each frame of the path
-  size_t bytes = 0;              ///< sent to the client
-  size_t images = 0;             ///< or frames
-  double firstPictureSeconds = 0;
-  double clientFrameSeconds = 0;  ///< to draw a picture; 0 where the client only shows what has come
+  std::vector<ShownView> shown;                 ///< one for each frame of the path
+  size_t bytes = 0;                             ///< sent to the client
+  size_t images = 0;                            ///< or frames
+  std::optional<double> firstPictureSeconds{};  ///< nothing where no picture came while the path lasted
+  double clientFrameSeconds = 0;                ///< to draw a picture; 0 where the client only shows what has come
+  double clientDecodeSeconds = 0;  ///< from the bytes of an image to what is drawn from, on average; 0 for frames
 };
 
-/// Called with each picture that is to be judged: the frame of the path at which it is on the screen.
+/// Called with each picture that is to be judged: the frame of the path at which it is on the screen. Before the first
+/// picture the screen is black.
 using PictureSink = std::function<void(size_t frame, const Image<Rgb8>& picture)>;
 
-inline constexpr double kMaxLagSeconds = 0.1;  ///< more is a stall
+inline constexpr double kMaxStillSeconds = 0.1;  ///< more is a stall
 
-/// How old what is shown is at each frame of the path: 0 before the first picture, and where the view is the one
-/// wanted, and covered. Uncovered, the time since it was covered last.
+/// How old what is shown is at each frame of the path: 0 where the view is the one wanted, and covered. Uncovered, the
+/// time since it was covered last; before anything was, since the path began.
 std::vector<double> lagsOf(const RemotePath& path, const std::vector<ShownView>& shown);
 
 struct StallFigures {
@@ -39,12 +43,14 @@ struct StallFigures {
   size_t count = 0;
   double totalSeconds = 0;
 };
-/// Runs of frames whose lag exceeds kMaxLagSeconds. `onlyCovered` leaves those out whose view was not covered.
+/// Times of more than kMaxStillSeconds in which no other covered view comes on the screen, though the one wanted is not
+/// there. What comes late, but on and on, is no stall; the wait for the first picture is one. `onlyCovered` counts
+/// those alone in which a covered view is on the screen.
 StallFigures stallsOf(const RemotePath& path, const std::vector<ShownView>& shown, bool onlyCovered);
 
 /// Different views that were shown, a second of the path.
 double viewsPerSecond(const RemotePath& path, const std::vector<ShownView>& shown);
-/// Of the frames that show a picture.
+/// Of the frames that show a picture; 0 where none does.
 double coveredShare(const std::vector<ShownView>& shown);
 
 }  // namespace ocelli

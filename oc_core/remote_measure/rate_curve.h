@@ -10,8 +10,8 @@ namespace ocelli {
 
 struct RatePoint {
   double rateFactor = 0;
-  double bytes = 0;
-  double flip = 0;  ///< mean over the frames that are judged, without latency
+  double bytes = 0;  ///< on the wire
+  double flip = 0;   ///< mean over the frames that are judged, without latency
 };
 
 /// The bytes at which a stream has this error: between two points along a straight line of the logarithms of both.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "oc_core/base/error.h"
 #include "oc_core/evaluation/flip.h"
@@ -17,6 +18,10 @@ namespace {
 
 constexpr const char* kJpegMode = "jpeg";
 constexpr size_t kMoments = 4;
+
+double meanOf(std::span<const double> values) {
+  return values.empty() ? 0 : std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
+}
 
 /// One measurement as it runs.
 class PathMeasurement {
@@ -74,10 +79,15 @@ class PathMeasurement {
     row.firstPictureSeconds = playback.firstPictureSeconds;
     row.viewsPerSecond = viewsPerSecond(options_.path, playback.shown);
     row.clientFrameSeconds = playback.clientFrameSeconds;
+    row.clientDecodeSeconds = playback.clientDecodeSeconds;
     row.covered = coveredShare(playback.shown);
     row.stalls = stallsOf(options_.path, playback.shown, false);
     row.coveredStalls = stallsOf(options_.path, playback.shown, true);
     row.lags = lagsOf(options_.path, playback.shown);
+    row.meanLagSeconds = meanOf(row.lags);
+    for (size_t k = 0; k < playback.shown.size(); k += options_.every) {
+      row.blackFrames += !playback.shown[k].frame;
+    }
     return row;
   }
 
@@ -89,8 +99,8 @@ class PathMeasurement {
     const RemoteSettings settings = mode.settings(options_.settings, found_.equalSize);
     for (const LinkSpeed& link : options_.links) {
       tell(fmt::format("{} over {}", mode.name, link.name()));
-      ImagePlayOptions play{options_.screen, options_.rule, options_.serverSeconds, options_.clientSeconds,
-                            options_.every};
+      const ImagePlayOptions play{options_.screen,        options_.rule,          options_.serverSeconds,
+                                  options_.clientSeconds, options_.decodeSeconds, options_.every};
       PictureErrors errors;
       std::vector<size_t> judged;
       std::map<size_t, Image<Rgb8>> kept;
@@ -106,7 +116,30 @@ class PathMeasurement {
       row.shown = std::move(errors);
       row.judged = std::move(judged);
       row.kept = std::move(kept);
-      found_.rows.push_back(std::move(row));
+      addRow(std::move(row));
+    }
+  }
+
+  /// Of what shows nothing no error is known: black is near enough to a dark scene.
+  void addRow(ModeFigures row) {
+    if (!row.firstPictureSeconds) {
+      row.shown = {};
+      row.judged.clear();
+      row.blackFrames = 0;
+      row.kept.clear();
+    }
+    found_.rows.push_back(std::move(row));
+  }
+
+  /// Judges the black screen before the first picture.
+  void judgeBlack(ModeFigures& row, const Playback& playback) const {
+    const Image<Rgb8> black(options_.screen.x, options_.screen.y);
+    for (size_t k = 0; k < playback.shown.size() && !playback.shown[k].frame; k += options_.every) {
+      judge(black, k, row.shown);
+      row.judged.push_back(k);
+      if (keeps(k, row.link)) {
+        row.kept.emplace(k, black);
+      }
     }
   }
 
@@ -143,10 +176,11 @@ class PathMeasurement {
           tell(fmt::format("jpeg of quality {:g}, {}, over {}", quality, pacing.name, link.name()));
           const Playback playback = playFrames(options_.path, link, pacing, frames, options_.peerSeconds);
           ModeFigures row = figuresOf(kJpegMode, fmt::format("{:g}, {}", quality, pacing.name), link, playback);
+          judgeBlack(row, playback);
           for (const auto& [frame, shownFrame] : judgedFrames(playback)) {
             judgeShown(row, frame, shownFrame, frames.picture(shownFrame));
           }
-          found_.rows.push_back(std::move(row));
+          addRow(std::move(row));
         }
       }
     }
@@ -159,16 +193,19 @@ class PathMeasurement {
       return;
     }
     film_.complete(progress_);
-    std::map<double, StreamEncoder::Stream> streams;  // by the rate that they must not exceed
+    std::map<double, StreamEncoder::Stream> streams;  // by the rate of the link that carries them
     for (const LinkSpeed& link : options_.links) {
       tell(fmt::format("{} over {}", kind.name, link.name()));
       if (!streams.contains(link.bytesPerSecond)) {
-        streams.emplace(link.bytesPerSecond,
-                        encoder.encode(film_, {options_.streamFactor, link.bytesPerSecond}, progress_));
+        streams.emplace(
+            link.bytesPerSecond,
+            encoder.encode(film_, {options_.streamFactor, streamBytesPerSecond(link, film_.framesPerSecond())},
+                           progress_));
       }
       const StreamEncoder::Stream& stream = streams.at(link.bytesPerSecond);
       const Playback playback = playStream(options_.path, link, stream.frameBytes, options_.peerSeconds);
       ModeFigures row = figuresOf(kind.name, "", link, playback);
+      judgeBlack(row, playback);
       std::map<size_t, std::vector<size_t>> framesOfShown;
       std::vector<size_t> shownFrames;
       for (const auto& [frame, shownFrame] : judgedFrames(playback)) {
@@ -182,14 +219,14 @@ class PathMeasurement {
           judgeShown(row, frame, shownFrame, picture);
         }
       });
-      found_.rows.push_back(std::move(row));
+      addRow(std::move(row));
     }
     streams.clear();
     measureCurve(kind, encoder);
   }
 
   void measureCurve(const StreamKind& kind, const StreamEncoder& encoder) {
-    StreamCurve curve{kind.name, {}};
+    StreamCurve curve{kind.name, {}, {}};
     std::vector<size_t> frames;
     for (size_t k = 0; k < film_.frames(); k += options_.every) {
       frames.push_back(k);
@@ -200,7 +237,12 @@ class PathMeasurement {
       PictureErrors errors;
       encoder.decode(stream, options_.screen, frames,
                      [&](size_t frame, const Image<Rgb8>& picture) { judge(picture, frame, errors); });
-      curve.points.push_back({factor, static_cast<double>(stream.bytes()), errors.meanFlip()});
+      size_t bytes = 0;
+      for (const size_t each : stream.frameBytes) {
+        bytes += bytesOnTheWire(each);
+      }
+      curve.points.push_back({factor, static_cast<double>(bytes), errors.meanFlip()});
+      curve.flips.push_back(std::move(errors.flips));
     }
     found_.curves.push_back(std::move(curve));
   }
@@ -251,11 +293,7 @@ void PictureErrors::add(double flip, double squaredError) {
 }
 
 double PictureErrors::meanFlip() const {
-  double sum = 0;
-  for (const double flip : flips) {
-    sum += flip;
-  }
-  return flips.empty() ? 0 : sum / static_cast<double>(flips.size());
+  return meanOf(flips);
 }
 
 double PictureErrors::flip95() const {
@@ -272,6 +310,10 @@ double PictureErrors::psnrDecibels() const {
   return ocelli::psnrDecibels(flips.empty() ? 0 : squaredErrors / static_cast<double>(flips.size()));
 }
 
+double ModeFigures::pictureFlip() const {
+  return meanOf(std::span(shown.flips).subspan(std::min(blackFrames, shown.flips.size())));
+}
+
 RemoteMeasurement measureRemote(const RemoteScene& scene, const RemoteMeasureOptions& options,
                                 const Progress& progress) {
   checkOptions(options);
@@ -281,8 +323,12 @@ RemoteMeasurement measureRemote(const RemoteScene& scene, const RemoteMeasureOpt
 std::optional<double> bytesOfEqualStream(const RemoteMeasurement& measurement, const std::string& mode,
                                          const ModeFigures& row) {
   for (const StreamCurve& curve : measurement.curves) {
-    if (curve.mode == mode) {
-      return bytesAtFlip(curve.points, row.shown.meanFlip());
+    if (curve.mode == mode && row.shown.flips.size() > row.blackFrames) {
+      std::vector<RatePoint> points = curve.points;
+      for (size_t i = 0; i < points.size(); ++i) {
+        points[i].flip = meanOf(std::span(curve.flips[i]).subspan(row.blackFrames));
+      }
+      return bytesAtFlip(std::move(points), row.pictureFlip());
     }
   }
   return std::nullopt;

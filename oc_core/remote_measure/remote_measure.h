@@ -2,8 +2,9 @@
 // with compressed frames and with streams of video; what each shows is compared with what should be seen at that
 // moment.
 //
-// So latency counts as an error. Beside it stands the error without latency: of each frame that was shown against the
-// view that it is of.
+// So latency counts as an error, and so does the time before the first picture, in which the screen is black: all modes
+// are judged at the same frames of the path. Beside it stands, for peers, the error without latency: of each frame that
+// was shown against the view that it is of.
 #pragma once
 
 #include <map>
@@ -31,6 +32,7 @@ struct RemoteMeasureOptions {
   size_t every = 15;                                    ///< one of so many frames is judged
   std::optional<double> serverSeconds{};                ///< to draw and encode an image; nothing: what it takes
   std::optional<double> clientSeconds{};                ///< to draw a picture; nothing: what it takes
+  std::optional<double> decodeSeconds{};                ///< to decode a message; nothing: what it takes
   double peerSeconds = 0.01;                            ///< to draw and encode a frame
 };
 
@@ -59,24 +61,30 @@ struct ModeFigures {
   LinkSpeed link;
   size_t bytes = 0;
   size_t images = 0;
-  double firstPictureSeconds = 0;
+  std::optional<double> firstPictureSeconds{};  ///< nothing: no picture came, and no error is known
   double viewsPerSecond = 0;
+  double meanLagSeconds = 0;
   double clientFrameSeconds = 0;
+  double clientDecodeSeconds = 0;
   double covered = 1;
   StallFigures stalls;
   StallFigures coveredStalls;  ///< of views that the client's image covers
   PictureErrors shown;
-  PictureErrors withoutLatency;          ///< none judged of images, which have no latency
+  size_t blackFrames = 0;                ///< of those judged: the first ones, before the first picture
+  PictureErrors withoutLatency;          ///< of frames and streams alone
   std::vector<double> lags;              ///< of each frame of the path, seconds
   std::vector<size_t> judged;            ///< frames of the path, as shown.flips
   std::map<size_t, Image<Rgb8>> kept{};  ///< pictures at some moments, over the first link
 
+  /// Mean FLIP since the first picture; 0 where none was judged.
+  double pictureFlip() const;
   std::string name() const { return variant.empty() ? mode : mode + " " + variant; }
 };
 
 struct StreamCurve {
   std::string mode;
   std::vector<RatePoint> points;
+  std::vector<std::vector<double>> flips;  ///< of each point, of each frame of the path that is judged
 };
 
 struct RemoteMeasurement {
@@ -92,8 +100,8 @@ struct RemoteMeasurement {
 RemoteMeasurement measureRemote(const RemoteScene& scene, const RemoteMeasureOptions& options,
                                 const Progress& progress = {});
 
-/// The bytes that a stream of this codec takes where its error without latency is that of the row: nothing beyond its
-/// curve.
+/// The bytes on the wire that a stream of this codec takes where its error without latency is pictureFlip() of the row,
+/// over the same frames: nothing beyond its curve, and where the row has no picture.
 std::optional<double> bytesOfEqualStream(const RemoteMeasurement& measurement, const std::string& mode,
                                          const ModeFigures& row);
 

@@ -35,8 +35,16 @@ std::string errorText(const PictureErrors& errors, double value) {
 constexpr RemoteColumn kColumns[] = {
     {"Sent", "MB", [](const ModeFigures& r) { return fmt::format("{:.3f}", static_cast<double>(r.bytes) / 1e6); }},
     {"Sent", "images", [](const ModeFigures& r) { return groupedDigits(r.images); }},
-    {"Shown", "first, s", [](const ModeFigures& r) { return fmt::format("{:.2f}", r.firstPictureSeconds); }},
+    {"Shown", "first, s",
+     [](const ModeFigures& r) {
+       return r.firstPictureSeconds ? fmt::format("{:.2f}", *r.firstPictureSeconds) : std::string("\u2013");
+     }},
     {"Shown", "views / s", [](const ModeFigures& r) { return fmt::format("{:.1f}", r.viewsPerSecond); }},
+    {"Shown", "lag, ms", [](const ModeFigures& r) { return fmt::format("{:.0f}", 1e3 * r.meanLagSeconds); }},
+    {"Shown", "decoding, ms",
+     [](const ModeFigures& r) {
+       return r.clientDecodeSeconds > 0 ? fmt::format("{:.0f}", 1e3 * r.clientDecodeSeconds) : std::string("\u2013");
+     }},
     {"Shown", "covered, %", [](const ModeFigures& r) { return fmt::format("{:.1f}", 100 * r.covered); }},
     {"FLIP", "mean", [](const ModeFigures& r) { return errorText(r.shown, r.shown.meanFlip()); }},
     {"FLIP", "95 %", [](const ModeFigures& r) { return errorText(r.shown, r.shown.flip95()); }},
@@ -44,6 +52,9 @@ constexpr RemoteColumn kColumns[] = {
      [](const ModeFigures& r) { return errorText(r.withoutLatency, r.withoutLatency.meanFlip()); }},
     {"PSNR", "dB",
      [](const ModeFigures& r) {
+       if (r.shown.flips.empty()) {
+         return std::string("\u2013");
+       }
        const double value = r.shown.psnrDecibels();
        return std::isfinite(value) ? fmt::format("{:.1f}", value) : std::string("\u221e");
      }},
@@ -130,7 +141,7 @@ std::string chartSection(const RemoteMeasureOptions& options, const RemoteMeasur
     }
     ChartSeries series{mode + ", each link", {}, bytes.size(), false, true};
     for (const ModeFigures& row : measurement.rows) {
-      if (row.mode == mode) {
+      if (row.mode == mode && !row.shown.flips.empty()) {
         series.points.emplace_back(static_cast<double>(row.bytes) / 1e6, row.shown.meanFlip());
       }
     }
@@ -176,14 +187,14 @@ std::string pictureSection(const RemoteMeasureOptions& options, const RemoteMeas
 std::string equalSection(const RemoteMeasurement& measurement) {
   std::string rows;
   for (const ModeFigures& row : measurement.rows) {
-    if (row.mode != "gpc") {
+    if (row.mode != "gpc" || row.shown.flips.empty()) {
       continue;
     }
     for (const StreamCurve& curve : measurement.curves) {
       const std::optional<double> bytes = bytesOfEqualStream(measurement, curve.mode, row);
       rows += fmt::format(
           "<tr><th scope=\"row\">{}</th><td>{:.4f}</td><td>{:.3f}</td><td>{}</td><td>{}</td><td>{}</td></tr>\n",
-          htmlFromText(row.link.name()), row.shown.meanFlip(), static_cast<double>(row.bytes) / 1e6,
+          htmlFromText(row.link.name()), row.pictureFlip(), static_cast<double>(row.bytes) / 1e6,
           htmlFromText(curve.mode), bytes ? fmt::format("{:.3f}", *bytes / 1e6) : "beyond its curve",
           bytes ? fmt::format("{:.3f}", static_cast<double>(row.bytes) / *bytes) : "\u2013");
     }
@@ -193,7 +204,8 @@ std::string equalSection(const RemoteMeasurement& measurement) {
   }
   return "<div class=\"scroll\" tabindex=\"0\" role=\"region\" aria-label=\"Bytes at equal "
          "error\"><table><caption>Bytes "
-         "over the path at equal error: the stream\u2019s without latency</caption>\n<thead><tr><th "
+         "over the path at equal error since the first picture of gpc: the stream\u2019s without "
+         "latency</caption>\n<thead><tr><th "
          "scope=\"col\">Link</th>"
          "<th scope=\"col\">FLIP</th><th scope=\"col\">gpc, MB</th><th scope=\"col\">stream</th><th scope=\"col\">its "
          "MB</th><th scope=\"col\">ratio</th></tr></thead>\n<tbody>\n" +
@@ -213,13 +225,16 @@ std::string meaningSection(const RemoteMeasureOptions& options) {
   html +=
       entry("FLIP, PSNR",
             fmt::format("What is on the screen at a moment against the view wanted at that moment: latency counts. One "
-                        "of {} frames is judged. Before the first picture nothing is.",
+                        "of {} frames is judged. Before the first picture the screen is black, which is judged, too.",
                         options.every));
   html += entry("No latency", "Each shown frame against the view that it is of.");
+  html += entry("Lag", "How old what is shown is, on average. Uncovered, the time since the view was covered last.");
+  html += entry("Decoding", "What the client takes to decode an image, on a thread of its own.");
   html +=
       entry("Stalls",
-            "Times in which what is shown is of a view more than 100 ms old, or, of images, is not covered for longer "
-            "than that. The last column counts views that the client\u2019s image covers only.");
+            "Times of more than 100 ms in which what is shown does not change, or, of images, is not covered, though "
+            "another view is wanted. The wait for the first picture is one. The last column counts views that the "
+            "client\u2019s image covers only.");
   html += entry("Covered", "Frames whose view the client\u2019s image reaches, with its detail and near its eye.");
   return html + "</dl>\n";
 }

@@ -1,5 +1,8 @@
 #include "oc_core/remote_measure/stream_play.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "oc_core/base/check.h"
 #include "oc_core/remote_measure/image_play.h"
 
@@ -7,6 +10,9 @@ namespace ocelli {
 namespace {
 
 constexpr double kArrivalRounding = 1e-9;
+
+constexpr double kRateMargin = 0.05;
+constexpr double kMinStreamShare = 0.1;
 
 }  // namespace
 
@@ -29,8 +35,18 @@ Playback playStream(const RemotePath& path, const LinkSpeed& speed, std::span<co
   }
   playback.bytes = link.sentBytes();
   playback.images = frameBytes.size();
-  playback.firstPictureSeconds = arrivals.front();
+  if (come > 0) {
+    playback.firstPictureSeconds = arrivals.front();
+  }
   return playback;
+}
+
+double streamBytesPerSecond(const LinkSpeed& speed, double framesPerSecond) {
+  // Those of a frame that takes all of the link.
+  const auto frame = static_cast<size_t>(std::ceil(speed.bytesPerSecond / framesPerSecond));
+  const auto headers = static_cast<double>(bytesOnTheWire(frame) - frame);
+  return std::max((speed.bytesPerSecond - headers * framesPerSecond) * (1 - kRateMargin),
+                  kMinStreamShare * speed.bytesPerSecond);
 }
 
 }  // namespace ocelli

@@ -14,4 +14,8 @@ namespace ocelli {
 Playback playStream(const RemotePath& path, const LinkSpeed& speed, std::span<const size_t> frameBytes,
                     double serverSeconds);
 
+/// What an encoder may take of a link, bytes a second: the rest is for the headers of so many messages, and 5 % for
+/// what the control of its rate misses by. At least a tenth of the link.
+double streamBytesPerSecond(const LinkSpeed& speed, double framesPerSecond);
+
 }  // namespace ocelli

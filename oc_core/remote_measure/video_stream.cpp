@@ -12,7 +12,6 @@
 #include "oc_core/base/child_process.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
-#include "oc_core/base/steady_time.h"
 
 namespace ocelli {
 namespace {
@@ -22,17 +21,31 @@ constexpr double kBufferSeconds = 0.1;
 constexpr const char* kScaling = "bicubic+accurate_rnd+full_chroma_int+full_chroma_inp";
 
 /// Whole frames only at the beginning: what costs a stream least.
-constexpr std::array<StreamKind, 2> kKinds{{
-    {"x264", "libx264", "H.264 by x264, a frame at a time",
-     [] {
-       return std::vector<std::string>{"-preset", "medium", "-tune", "zerolatency", "-x264-params", "keyint=infinite"};
-     }},
-    {"x265", "libx265", "HEVC by x265, a frame at a time",
-     [] {
-       return std::vector<std::string>{"-preset",     "medium",       "-tune",
-                                       "zerolatency", "-x265-params", "keyint=-1:log-level=error"};
-     }},
+std::vector<std::string> x264Arguments() {
+  return {"-preset", "medium", "-tune", "zerolatency", "-x264-params", "keyint=infinite"};
+}
+std::vector<std::string> x265Arguments() {
+  return {"-preset", "medium", "-tune", "zerolatency", "-x265-params", "keyint=-1:log-level=error"};
+}
+
+constexpr std::array<StreamKind, 4> kKinds{{
+    {"x264", "libx264", "H.264 by x264, a frame at a time, colour at half the resolution", "yuv420p", x264Arguments},
+    {"x265", "libx265", "HEVC by x265, a frame at a time, colour at half the resolution", "yuv420p", x265Arguments},
+    {"x264-444", "libx264", "H.264 by x264, a frame at a time, colour at the full resolution", "yuv444p",
+     x264Arguments},
+    {"x265-444", "libx265", "HEVC by x265, a frame at a time, colour at the full resolution", "yuv444p", x265Arguments},
 }};
+
+/// An expression of ffmpeg's that is 1 for these frames, in rising order: halves of halves, as a sum of all of them
+/// would be as deep as it is long.
+std::string selectionOf(std::span<const size_t> frames) {
+  if (frames.size() == 1) {
+    return fmt::format("eq(n,{})", frames[0]);
+  }
+  const size_t half = frames.size() / 2;
+  return fmt::format("if(lt(n,{}),{},{})", frames[half], selectionOf(frames.first(half)),
+                     selectionOf(frames.subspan(half)));
+}
 
 std::vector<std::string> joined(std::vector<std::string> first, const std::vector<std::string>& second) {
   first.insert(first.end(), second.begin(), second.end());
@@ -113,7 +126,7 @@ void StreamEncoder::run(const std::vector<std::string>& arguments, const Progres
 StreamEncoder::Stream StreamEncoder::encode(const PathFilm& film, const StreamQuality& quality,
                                             const Progress& progress) const {
   if (film.screen().x % 2 != 0 || film.screen().y % 2 != 0) {
-    throw InputError("video takes pictures of an even width and height", "--size", "give an even width and height");
+    throw InputError("video takes pictures of an even width and height", "--screen", "give an even width and height");
   }
   Stream stream;
   stream.file = std::make_unique<UnnamedFile>();
@@ -131,7 +144,7 @@ StreamEncoder::Stream StreamEncoder::encode(const PathFilm& film, const StreamQu
                                      "-sws_flags",
                                      kScaling,
                                      "-pix_fmt",
-                                     "yuv420p",
+                                     kind_.pixelFormat,
                                      "-c:v",
                                      kind_.encoder};
   arguments = joined(std::move(arguments), kind_.arguments());
@@ -142,9 +155,7 @@ StreamEncoder::Stream StreamEncoder::encode(const PathFilm& film, const StreamQu
                                               fmt::format("{:.0f}", bits * kBufferSeconds)});
   }
   arguments = joined(std::move(arguments), {"-f", "matroska", stream.file->path()});
-  const int64_t from = steadyNanoseconds();
   run(arguments, progress);
-  stream.secondsPerFrame = static_cast<double>(steadyNanoseconds() - from) * 1e-9 / static_cast<double>(film.frames());
   UnnamedFile sizes;
   run({"-i", stream.file->path(), "-c", "copy", "-f", "framecrc", sizes.path()}, {});
   const std::span<const std::byte> text = sizes.map();
@@ -161,13 +172,13 @@ void StreamEncoder::decode(const Stream& stream, const glm::ivec2& size, const s
   if (frames.empty()) {
     return;
   }
-  std::string wanted;
-  for (const size_t frame : frames) {
-    wanted += fmt::format("{}eq(n\\,{})", wanted.empty() ? "" : "+", frame);
-  }
+  // As a file: an argument of a program ends at 128 KiB.
+  const std::string filter = "select='" + selectionOf(frames) + "'";
+  UnnamedFile script;
+  script.append(std::as_bytes(std::span(filter)));
   UnnamedFile raw;
-  run({"-i", stream.file->path(), "-vf", "select=" + wanted, "-fps_mode", "passthrough", "-sws_flags", kScaling, "-f",
-       "rawvideo", "-pix_fmt", "rgb24", raw.path()},
+  run({"-i", stream.file->path(), "-filter_script:v", script.path(), "-fps_mode", "passthrough", "-sws_flags", kScaling,
+       "-f", "rawvideo", "-pix_fmt", "rgb24", raw.path()},
       {});
   const std::span<const std::byte> bytes = raw.map();
   Image<Rgb8> picture(size.x, size.y);

@@ -21,6 +21,7 @@ struct StreamKind {
   const char* name;
   const char* encoder;  ///< ffmpeg's name
   const char* meaning;
+  const char* pixelFormat;  ///< ffmpeg's name
   /// What ffmpeg is told besides quality and rate.
   std::vector<std::string> (*arguments)();
 };
@@ -46,7 +47,6 @@ class StreamEncoder {
 
   struct Stream {
     std::vector<size_t> frameBytes;  ///< as many as the film has frames
-    double secondsPerFrame = 0;      ///< that encoding took
     std::unique_ptr<UnnamedFile> file;
 
     size_t bytes() const;

@@ -149,6 +149,27 @@ TEST(RemoteClient, drawsFromTheImageThatServesBest) {
   EXPECT_EQ(client.choose(right).image->sequence, 3u);
 }
 
+// As the page does it (oc_core/remote/page/look_planner.js): an image of the view's own eye that covers it is exact,
+// even where another one has less of a load.
+TEST(RemoteClient, prefersAnImageOfTheViewsOwnEye) {
+  RemoteClient client(kClientScreen, planOf);
+  const View view = clientView(20);
+  const View turned = clientTurned(view, 0, 7);
+  const View beside = movedEye(view, {0.01f, 0, 0});
+  const auto loadOf = [&](const View& at) {
+    return coverLoad(ImageCover(imageFor(at)), view, kClientScreen, client.rule().limits);
+  };
+  ASSERT_TRUE(loadOf(turned).isExact());
+  ASSERT_TRUE(loadOf(beside).isCovered());
+  ASSERT_FALSE(loadOf(beside).isExact());
+  ASSERT_LT(loadOf(beside).whole(), loadOf(turned).whole());
+  client.receive(1, imageFor(turned), true, 1);
+  client.receive(2, imageFor(beside), true, 2);
+  EXPECT_EQ(client.choose(view).image->sequence, 1u);
+  // Beyond what the first one reaches, the other one serves.
+  EXPECT_EQ(client.choose(clientTurned(view, 0, -5)).image->sequence, 2u);
+}
+
 TEST(RemoteClient, servesViewsFromElsewhereOnceDepthIsThere) {
   RemoteClient client(kClientScreen, planOf);
   const View view = clientView(20);

@@ -43,7 +43,23 @@ TEST(FramePlay, asksForAFrameWhenTheLastHasCome) {
   EXPECT_THAT(framesShown(playback), ElementsAre(-1, -1, -1, 0, 0, 0, 3, 3, 3, 6));
   EXPECT_EQ(playback.images, 4u);
   EXPECT_EQ(playback.bytes, 400u);
-  EXPECT_NEAR(playback.firstPictureSeconds, 0.3, 1e-12);
+  EXPECT_NEAR(playback.firstPictureSeconds.value(), 0.3, 1e-12);
+}
+
+TEST(FramePlay, asksForNoFrameTwice) {
+  const RemotePath path = turningPath(10, 10);
+  const PathFilm film = grayFilm(10, 10);
+  FrameBytes frames(film, kFixedCodec, 0);
+  const Playback playback = playFrames(path, {1e6, 0.002}, framePacings()[0], frames, 0.001);
+  EXPECT_EQ(playback.images, 10u);
+  EXPECT_THAT(framesShown(playback), ElementsAre(-1, 0, 1, 2, 3, 4, 5, 6, 7, 8));
+}
+
+TEST(FramePlay, hasNoFirstPictureWhereNoneComesInTime) {
+  const RemotePath path = turningPath(3, 10);
+  const PathFilm film = grayFilm(3, 10);
+  FrameBytes frames(film, kFixedCodec, 0);
+  EXPECT_FALSE(playFrames(path, {400, 0.2}, framePacings()[0], frames, 0.05).firstPictureSeconds);
 }
 
 // The link takes a frame each 0.05 s, so that every one of them is sent.

@@ -36,22 +36,50 @@ TEST(Playback, lagsSinceItWasCoveredLast) {
   EXPECT_NEAR(lags[2], 0.1, 1e-12);
   EXPECT_NEAR(lags[3], 0.2, 1e-12);
   EXPECT_NEAR(lags[4], 0, 1e-12);
-  // Nothing covered yet: since the first picture.
+  // Nothing covered yet: since the path began.
   shown = shownViews({-1, 1, 2, 3, 4});
   for (size_t k = 1; k < 5; ++k) {
     shown[k].isCovered = false;
   }
-  EXPECT_NEAR(lagsOf(path, shown)[4], 0.3, 1e-12);
+  EXPECT_NEAR(lagsOf(path, shown)[4], 0.4, 1e-12);
 }
 
-TEST(Playback, stallsWhereItLagsFor) {
+TEST(Playback, stallsWhereNothingElseComes) {
   const RemotePath path = turningPath(12, 10);
-  //                                       lags   0  .1  .2  .3   0  .1   0  .2  .1  .2  .2   0
+  // Frame 0 stays for 0.4 s, 4 and 7 for 0.2 s.
   const std::vector<ShownView> shown = shownViews({0, 0, 0, 0, 4, 4, 6, 5, 7, 7, 8, 11});
   const StallFigures stalls = stallsOf(path, shown, false);
   EXPECT_EQ(stalls.count, 3u);
-  EXPECT_NEAR(stalls.longestSeconds, 0.2, 1e-12);
-  EXPECT_NEAR(stalls.totalSeconds, 0.5, 1e-12);
+  EXPECT_NEAR(stalls.longestSeconds, 0.4, 1e-12);
+  EXPECT_NEAR(stalls.totalSeconds, 0.8, 1e-12);
+}
+
+// A round trip of 0.3 s is a lag; a stall is but the wait for the first picture.
+TEST(Playback, doesNotStallWhereFramesComeLateButOnAndOn) {
+  const RemotePath path = turningPath(8, 10);
+  const std::vector<ShownView> shown = shownViews({-1, -1, -1, 0, 1, 2, 3, 4});
+  EXPECT_NEAR(lagsOf(path, shown)[7], 0.3, 1e-12);
+  const StallFigures stalls = stallsOf(path, shown, false);
+  EXPECT_EQ(stalls.count, 1u);
+  EXPECT_NEAR(stalls.totalSeconds, 0.3, 1e-12);
+  EXPECT_EQ(stallsOf(path, shown, true).count, 0u);
+}
+
+TEST(Playback, stallsFromBeginningToEndWhereNothingComes) {
+  const RemotePath path = turningPath(5, 10);
+  const std::vector<ShownView> shown = shownViews({-1, -1, -1, -1, -1});
+  EXPECT_NEAR(stallsOf(path, shown, false).longestSeconds, 0.5, 1e-12);
+  EXPECT_NEAR(lagsOf(path, shown)[4], 0.4, 1e-12);
+}
+
+TEST(Playback, doesNotStallWhereTheViewRests) {
+  RemotePath path = turningPath(6, 10);
+  for (size_t k = 2; k < 6; ++k) {
+    path.views[k] = path.views[1];
+  }
+  EXPECT_EQ(stallsOf(path, shownViews({0, 1, 1, 1, 1, 1}), false).count, 0u);
+  // It does where the view that rests has not come.
+  EXPECT_NEAR(stallsOf(path, shownViews({0, 0, 0, 0, 1, 1}), false).totalSeconds, 0.4, 1e-12);
 }
 
 TEST(Playback, doesNotStallWhileCoveredWhereItIsNot) {
@@ -61,8 +89,8 @@ TEST(Playback, doesNotStallWhileCoveredWhereItIsNot) {
     shown[k].isCovered = false;
   }
   EXPECT_EQ(stallsOf(path, shown, true).count, 0u);
-  // Its lags are 0.1, 0.2 and 0.3 s: two of them are too long.
-  EXPECT_NEAR(stallsOf(path, shown, false).longestSeconds, 0.2, 1e-12);
+  // From the first frame, which is covered, to the fifth.
+  EXPECT_NEAR(stallsOf(path, shown, false).longestSeconds, 0.4, 1e-12);
   EXPECT_NEAR(coveredShare(shown), 0.5, 1e-12);
 }
 

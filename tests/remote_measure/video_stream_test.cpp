@@ -73,8 +73,66 @@ TEST_P(VideoStream, takesEvenSizesOnly) {
   EXPECT_THROW(encoder_.encode(squareFilm(2, {33, 20}), {20, std::nullopt}), InputError);
 }
 
-INSTANTIATE_TEST_SUITE_P(Kinds, VideoStream, testing::Values(findStreamKind("x264"), findStreamKind("x265")),
-                         [](const auto& kind) { return std::string(kind.param->name); });
+INSTANTIATE_TEST_SUITE_P(Kinds, VideoStream,
+                         testing::Values(findStreamKind("x264"), findStreamKind("x265"), findStreamKind("x264-444"),
+                                         findStreamKind("x265-444")),
+                         [](const auto& kind) {
+                           std::string name = kind.param->name;
+                           std::erase(name, '-');
+                           return name;
+                         });
+
+TEST(VideoStreams, keepFullColorWhereTheySaySo) {
+  // Red and blue columns, of one pixel each.
+  Image<Rgb8> columns(64, 48);
+  for (int y = 0; y < 48; ++y) {
+    for (int x = 0; x < 64; ++x) {
+      columns(x, y) = x % 2 == 0 ? Rgb8(200, 0, 0) : Rgb8(0, 0, 200);
+    }
+  }
+  const PathFilm film({columns, columns}, 60);
+  const auto decibels = [&](const char* name) {
+    const StreamEncoder encoder(*findStreamKind(name));
+    double value = 0;
+    if (encoder.isThere()) {
+      encoder.decode(
+          encoder.encode(film, {5, std::nullopt}), film.screen(), {1},
+          [&](size_t, const Image<Rgb8>& picture) { value = psnrDecibels(meanSquaredError(picture, columns)); });
+    }
+    return value;
+  };
+  if (decibels("x264") == 0) {
+    GTEST_SKIP() << "no x264";
+  }
+  EXPECT_GT(decibels("x264-444"), decibels("x264") + 10);
+}
+
+// More frames than one argument of a program can name.
+TEST(VideoStreams, giveBackVeryManyFrames) {
+  const StreamEncoder encoder(*findStreamKind("x264"));
+  if (!encoder.isThere()) {
+    GTEST_SKIP() << encoder.missing();
+  }
+  constexpr size_t kFrames = 12000;
+  std::vector<Image<Rgb8>> images;
+  std::vector<size_t> frames;
+  for (size_t i = 0; i < kFrames; ++i) {
+    images.emplace_back(16, 16, Rgb8(static_cast<uint8_t>(i / 100)));
+    if (i % 10 != 5) {
+      frames.push_back(i);
+    }
+  }
+  const PathFilm film(images, 60);
+  std::vector<size_t> got;
+  int worst = 0;
+  encoder.decode(encoder.encode(film, {20, std::nullopt}), film.screen(), frames,
+                 [&](size_t frame, const Image<Rgb8>& picture) {
+                   got.push_back(frame);
+                   worst = std::max(worst, std::abs(picture(8, 8).x - static_cast<int>(frame / 100)));
+                 });
+  EXPECT_EQ(got, frames);
+  EXPECT_LE(worst, 4) << "a frame of another moment differs by more";
+}
 
 class WithoutVideo : public testing::Test {
  protected:

@@ -59,6 +59,8 @@ struct CoverLoad {
 
   double whole() const { return std::max({reach, detail, shift}); }
   bool isCovered() const { return whole() <= 1; }
+  /// Covered, and from the image's own eye: nothing is hidden that the view shows.
+  bool isExact() const { return shift == 0 && isCovered(); }
 };
 
 /// `screen` is the size of the view in pixels.

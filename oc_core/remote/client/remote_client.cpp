@@ -4,6 +4,15 @@
 #include <utility>
 
 namespace ocelli {
+namespace {
+
+constexpr double kDetailRounding = 1.001;  ///< an image of as many pixels as the view has a sample for each
+
+}  // namespace
+
+ClientImage clientImageOf(uint32_t sequence, const ReferenceImage& image, bool hasDepth) {
+  return {sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth), 0};
+}
 
 RemoteClient::RemoteClient(const glm::ivec2& screen, Plan plan, const ClientRule& rule)
     : screen_(screen), plan_(std::move(plan)), rule_(rule), tripSeconds_(rule.firstTripSeconds) {}
@@ -28,9 +37,9 @@ std::optional<View> RemoteClient::wanted(const View& view, const Choice& now, do
   }
   const ViewMotion motion = motionAt(view, seconds);
   if (motion.isResting()) {
-    const bool isExact = now.load.shift == 0 && now.load.isCovered() && now.load.detail <= rule_.limits.leastDetail;
+    const bool isSharp = now.load.isExact() && now.load.detail <= rule_.limits.leastDetail * kDetailRounding;
     const bool isRested = seconds - restingSince_ >= rule_.restSeconds;
-    return !isExact && isRested && lastWish_ != view ? std::optional(view) : std::nullopt;
+    return !isSharp && isRested && lastWish_ != view ? std::optional(view) : std::nullopt;
   }
   const View ahead = viewAhead(view, motion, std::min(tripSeconds_ + rule_.aheadSeconds, rule_.maxAheadSeconds));
   if (choose(ahead).load.whole() <= rule_.askAt || isAskedFor(ahead)) {
@@ -65,29 +74,29 @@ std::optional<ImageWish> RemoteClient::look(const View& view, double seconds) {
   return wish;
 }
 
-void RemoteClient::receive(uint32_t sequence, const ReferenceImage& image, bool hasDepth, double seconds) {
-  while (!asked_.empty() && asked_.front().wish.sequence <= sequence) {
-    if (asked_.front().wish.sequence == sequence) {
-      if (!hasDepth) {
+void RemoteClient::receive(ClientImage image, double seconds) {
+  while (!asked_.empty() && asked_.front().wish.sequence <= image.sequence) {
+    if (asked_.front().wish.sequence == image.sequence) {
+      if (!image.hasDepth) {
         break;
       }
       tripSeconds_ = seconds - asked_.front().seconds;
     }
     asked_.pop_front();
   }
-  const auto held =
-      std::find_if(images_.begin(), images_.end(), [&](const ClientImage& each) { return each.sequence == sequence; });
+  const auto held = std::find_if(images_.begin(), images_.end(),
+                                 [&](const ClientImage& each) { return each.sequence == image.sequence; });
   if (held != images_.end()) {
-    *held = ClientImage{sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth),
-                        held->usedAt};
+    image.usedAt = held->usedAt;
+    *held = std::move(image);
     return;
   }
   if (images_.size() >= rule_.maxImages) {
     images_.erase(std::min_element(images_.begin(), images_.end(),
                                    [](const ClientImage& a, const ClientImage& b) { return a.usedAt < b.usedAt; }));
   }
-  images_.push_back(
-      {sequence, hasDepth, std::make_shared<QuickImage>(image, hasDepth), ImageCover(image, hasDepth), seconds});
+  image.usedAt = seconds;
+  images_.push_back(std::move(image));
 }
 
 RemoteClient::Choice RemoteClient::choose(const View& view) const {
@@ -95,8 +104,9 @@ RemoteClient::Choice RemoteClient::choose(const View& view) const {
   Choice best;
   for (const ClientImage& image : images_) {
     const CoverLoad load = coverLoad(image.cover, camera, rule_.limits);
-    // Later ones are newer. Among those that cover the view, a small difference of the load says nothing of quality.
-    if (best.image == nullptr || load.whole() <= best.load.whole()) {
+    const bool isBetter = load.isExact() == best.load.isExact() ? load.whole() <= best.load.whole() : load.isExact();
+    // Later ones are newer.
+    if (best.image == nullptr || isBetter) {
       best = {&image, load};
     }
   }

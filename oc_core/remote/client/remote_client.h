@@ -2,8 +2,9 @@
 // reference for the client of the page, without sockets, clocks and windows. It is told the wanted view at each frame,
 // and each image when its bytes have come.
 //
-// Which image. Of those it holds the one with the least load for the view (image_cover.h); of equals the newest. It
-// holds `maxImages`, and gives up the one that was drawn from longest ago.
+// Which image. Of those it holds one that covers the view from its own eye, as there pictures are exact; else, or of
+// several, the one with the least load for the view (image_cover.h); of equals the newest. It holds `maxImages`, and
+// gives up the one that was drawn from longest ago.
 //
 // When it asks. At each frame, with the view V wanted now, and its motion over the last `motionSeconds`:
 //   1. Nothing held and nothing asked: ask for V.
@@ -56,6 +57,9 @@ struct ClientImage {
   double usedAt = 0;
 };
 
+/// What a client draws from, of an answer: most of what taking one in costs. Any thread may make it.
+ClientImage clientImageOf(uint32_t sequence, const ReferenceImage& image, bool hasDepth);
+
 class RemoteClient {
  public:
   /// What an image that is asked for at a view will cover: its pinhole and its layout.
@@ -64,8 +68,11 @@ class RemoteClient {
 
   /// The view wanted at a moment that is no earlier than the one before; a request to send, or nothing.
   std::optional<ImageWish> look(const View& view, double seconds);
-  /// The answer to a request; without depth first, then once more with it. Its colours are taken over the first time.
-  void receive(uint32_t sequence, const ReferenceImage& image, bool hasDepth, double seconds);
+  /// The answer to a request; without depth first, then once more with it.
+  void receive(ClientImage image, double seconds);
+  void receive(uint32_t sequence, const ReferenceImage& image, bool hasDepth, double seconds) {
+    receive(clientImageOf(sequence, image, hasDepth), seconds);
+  }
 
   /// The image that a view is drawn from, and its load; null where there is none.
   struct Choice {
