@@ -135,8 +135,11 @@ std::optional<WorkResult> BackgroundWork::make(const WorkWanted& wanted, WorkSte
 void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
   if (done.scene == nullptr || done.scene->revision != wanted.sceneRevision) {
     const auto made = make(wanted, WorkStep::kScene, done.sceneKey, [&](const Progress& progress) {
-      LoadedScene scene{
-          wanted.source, wanted.sceneRevision, loadScene(wanted.source, wanted.sceneOptions, progress), {}};
+      LoadedScene scene{wanted.source,
+                        wanted.sceneRevision,
+                        loadScene(wanted.source, wanted.sceneOptions, progress),
+                        {},
+                        wanted.sceneOptions.points};
       scene.bounds = boundsOf(scene.mesh);
       return WorkResult{.scene = std::make_shared<const LoadedScene>(std::move(scene))};
     });

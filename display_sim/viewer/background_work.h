@@ -25,6 +25,7 @@ struct LoadedScene {
   uint64_t revision = 0;  ///< of the request
   Mesh mesh;
   Box bounds;
+  PointSceneOptions points{};  ///< with which it was loaded
 };
 
 struct BuiltCamera {

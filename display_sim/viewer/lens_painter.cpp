@@ -1,5 +1,6 @@
 #include "display_sim/viewer/lens_painter.h"
 
+#include "oc_core/focus/rate_image.h"
 #include "oc_core/render/rasterize_gpc.h"
 
 namespace ocelli {
@@ -7,19 +8,6 @@ namespace {
 
 bool isSamePinhole(const PinholeCamera& a, const PinholeCamera& b) {
   return a.view() == b.view() && a.width() == b.width() && a.height() == b.height();
-}
-
-Image<float> ratesOf(const GpcMap& map, int width, int height) {
-  Image<float> rates(width, height);
-  parallelFor(static_cast<size_t>(height), 8, [&](size_t begin, size_t end) {
-    for (size_t y = begin; y < end; ++y) {
-      for (int x = 0; x < width; ++x) {
-        const int row = static_cast<int>(y);
-        rates(x, row) = static_cast<float>(map.rateAt(glm::dvec2(x, row) + 0.5));
-      }
-    }
-  });
-  return rates;
 }
 
 }  // namespace
@@ -59,7 +47,11 @@ FragmentImage LensPainter::drawn(const LensWanted& wanted, const GpcCamera& came
 Image<Rgb8> LensPainter::paint(const LensWanted& wanted, const glm::ivec2& size) {
   const GpcCamera camera(PinholeCamera(wanted.view, size.x, size.y), wanted.layout);
   Image<Rgb8> picture = srgbFromLinear(colorImage(drawn(wanted, camera), wanted.scene->mesh, glm::vec3(0)));
-  return wanted.rates ? rateHeat(ratesOf(camera.map(), size.x, size.y), rateRangeOf(wanted.layout), picture) : picture;
+  if (!wanted.rates) {
+    return picture;
+  }
+  const Image<float> rates = rateImage(size, [&](const glm::dvec2& at) { return camera.map().rateAt(at); });
+  return rateHeat(rates, rateRangeOf(wanted.layout), picture);
 }
 
 }  // namespace ocelli

@@ -57,6 +57,7 @@ LensStatus LensWork::status() const {
 void LensWork::waitUntilIdle() {
   std::unique_lock lock(mutex_);
   hurry_ = true;
+  changed_.notify_all();  // make() may be waiting for the lenses to stand still
   changed_.wait(lock, [this] { return !busy_; });
   hurry_ = false;
 }

@@ -186,6 +186,7 @@ void Viewer::take(const WorkResult& result) {
     say(errorMessage(result.error), true);
     if (result.step == WorkStep::kScene) {  // what was there stays
       state_.work.source = loadedSource_;
+      state_.work.sceneOptions.points = loadedPoints_;
       state_.work.sceneRevision = loadedRevision_;
       state_.effect = effectBefore_;
     }
@@ -197,6 +198,7 @@ void Viewer::take(const WorkResult& result) {
   }
   if (result.scene) {
     loadedSource_ = result.scene->source;
+    loadedPoints_ = result.scene->points;
     loadedRevision_ = result.scene->revision;
   }
 }

@@ -167,8 +167,9 @@ class Viewer {
   ViewerFacts facts_;
   uint64_t loadedRevision_ = 0;  ///< of the scene that shows; 0: none yet
   std::string loadedSource_;
-  bool panelHasKeys_ = false;  ///< after F6
-  bool leavesPanel_ = false;   ///< in the next frame
+  PointSceneOptions loadedPoints_;  ///< of that scene
+  bool panelHasKeys_ = false;       ///< after F6
+  bool leavesPanel_ = false;        ///< in the next frame
   ResizeEvent window_;
   glm::vec2 pointer_{-1};
   std::optional<Drag> drag_;

@@ -125,6 +125,9 @@ void leavePane(ViewerState& state, Pane pane) {
 }
 
 void openScene(ViewerState& state, const std::string& source) {
+  if (source != state.work.source) {
+    state.work.sceneOptions.points = {};
+  }
   state.work.source = source;
   state.work.sceneRevision = ++state.work.lastRevision;
 }

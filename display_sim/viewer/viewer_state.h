@@ -146,7 +146,8 @@ bool isOffered(const ViewerState& state, Pane pane);
 /// Where it is alone or active, others show and one of them is.
 void leavePane(ViewerState& state, Pane pane);
 
-/// Shows another scene. The views stay as they are.
+/// Shows another scene, or the same one anew. The views stay as they are, and so do the options of the scene, except
+/// those of its points: their width is in the units of one file.
 void openScene(ViewerState& state, const std::string& source);
 /// By its name, or a file; a view cell that was set stays so, unless a file sets one. Throws InputError as
 /// cameraChoice() does.

@@ -56,11 +56,11 @@ struct Growth {
   glm::dvec2 after;
 
   /// The greatest extent along an axis with which it does not reach beyond `lower` below, or `upper` above.
-  double mostWithin(int axis, double lower, double upper) const {
+  double maxWithin(int axis, double lower, double upper) const {
     return std::min((from[axis] - lower) / before[axis], (upper - from[axis]) / after[axis]);
   }
   /// The greatest extent along an axis with which it lies beside a box; 0 where it never does.
-  double mostBeside(int axis, const LensBox& box) const {
+  double maxBeside(int axis, const LensBox& box) const {
     return box.lower[axis] >= from[axis]   ? (box.lower[axis] - from[axis]) / after[axis]
            : box.upper[axis] <= from[axis] ? (from[axis] - box.upper[axis]) / before[axis]
                                            : 0;
@@ -72,13 +72,13 @@ std::optional<glm::dvec2> nearestExtent(const GpcLayout& layout, size_t lens, co
                                         const glm::dvec2& wanted, const glm::dvec2& size) {
   LensBox room;
   for (int axis = 0; axis < 2; ++axis) {
-    room.upper[axis] = std::min(growth.mostWithin(axis, 0, 1), 1.0);
+    room.upper[axis] = std::min(growth.maxWithin(axis, 0, 1), 1.0);
     const auto now = static_cast<double>(layout.regions[lens].extent[axis]);
     room.lower[axis] = std::min({kMinLensExtent, now, room.upper[axis]});
   }
   std::vector<LensBox> taken;
   for (const LensBox& box : boxesOfOthers(layout, lens)) {
-    taken.push_back({{growth.mostBeside(0, box), growth.mostBeside(1, box)}, glm::dvec2(kInfinite)});
+    taken.push_back({{growth.maxBeside(0, box), growth.maxBeside(1, box)}, glm::dvec2(kInfinite)});
   }
   return nearestFreePoint(wanted, room, taken, size);
 }
@@ -90,22 +90,22 @@ glm::dvec2 directionOf(LensCorner corner) {
 }
 
 /// The greatest `outer` for which a lens has room.
-double mostOuter(const GpcLayout& layout, size_t lens) {
+double maxOuter(const GpcLayout& layout, size_t lens) {
   const GpcRegion& region = layout.regions[lens];
   const Growth growth{glm::dvec2(region.center), glm::dvec2(region.extent) / 2.0, glm::dvec2(region.extent) / 2.0};
-  double most = std::min(growth.mostWithin(0, 0, 1), growth.mostWithin(1, 0, 1));
+  double outer = std::min(growth.maxWithin(0, 0, 1), growth.maxWithin(1, 0, 1));
   for (const LensBox& box : boxesOfOthers(layout, lens)) {
-    most = std::min(most, std::max(growth.mostBeside(0, box), growth.mostBeside(1, box)));
+    outer = std::min(outer, std::max(growth.maxBeside(0, box), growth.maxBeside(1, box)));
   }
-  return most;
+  return outer;
 }
 
 bool folds(const GpcLayout& layout, float zoom, double outer) {
   return !GpcProfile(*layout.sampling, static_cast<double>(zoom), outer).isIncreasing();
 }
 
-/// The least transition width that does not fold, where that of the lens does not.
-double leastWidth(const GpcLayout& layout, const GpcRegion& lens) {
+/// The smallest transition width that does not fold, where that of the lens does not.
+double minWidth(const GpcLayout& layout, const GpcRegion& lens) {
   double folding = GpcRegion::kMinTransition;
   if (!folds(layout, lens.zoom, 1 + folding)) {
     return folding;
@@ -182,12 +182,12 @@ void zoomLens(GpcLayout& layout, size_t lens, double wanted) {
 
 void widenLens(GpcLayout& layout, size_t lens, double wanted) {
   GpcRegion& region = lensOf(layout, lens);
-  const double least = leastWidth(layout, region);
-  const double most = std::min(mostOuter(layout, lens) - 1, GpcRegion::kMaxTransition);
-  if (most < least) {  // it fits exactly, but for rounding
+  const double lower = minWidth(layout, region);
+  const double upper = std::min(maxOuter(layout, lens) - 1, GpcRegion::kMaxTransition);
+  if (upper < lower) {  // it fits exactly, but for rounding
     return;
   }
-  region.transitionWidth = static_cast<float>(std::clamp(wanted, least, most));
+  region.transitionWidth = static_cast<float>(std::clamp(wanted, lower, upper));
   if (folds(layout, region.zoom, region.outer())) {  // rounded down
     region.transitionWidth = std::nextafter(region.transitionWidth, static_cast<float>(GpcRegion::kMaxTransition));
   }

@@ -8,6 +8,7 @@
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/gpc_map.h"
+#include "oc_core/focus/rate_image.h"
 
 namespace ocelli {
 namespace {
@@ -202,6 +203,27 @@ double focusBend(const FocusMap& map, const std::vector<FocusBox>& contents, con
   return bend;
 }
 
+/// Whether any place of the segment from a to b lies in the box, the border of which belongs to it.
+bool meets(const FocusBox& box, const glm::dvec2& a, const glm::dvec2& b) {
+  double begin = 0;  // of the part that lies between the sides looked at, as shares of the segment
+  double end = 1;
+  for (int axis = 0; axis < 2; ++axis) {
+    const double from = a[axis] - box.center[axis];
+    const double step = b[axis] - a[axis];
+    if (step == 0) {
+      if (std::abs(from) > box.half[axis]) {
+        return false;
+      }
+      continue;
+    }
+    const double lower = (-box.half[axis] - from) / step;
+    const double upper = (box.half[axis] - from) / step;
+    begin = std::max(begin, std::min(lower, upper));
+    end = std::min(end, std::max(lower, upper));
+  }
+  return begin <= end;
+}
+
 /// Segments from the centre of every fourth pixel along the axes and both diagonals, where they lie in the context.
 double contextBend(const FocusMap& map, const std::vector<FocusBox>& contents, const glm::ivec2& size) {
   constexpr int kEvery = 4;
@@ -209,13 +231,7 @@ double contextBend(const FocusMap& map, const std::vector<FocusBox>& contents, c
   const std::array<glm::dvec2, 4> ways{glm::dvec2(1, 0), glm::dvec2(0, 1), glm::normalize(glm::dvec2(1, 1)),
                                        glm::normalize(glm::dvec2(1, -1))};
   const auto isClear = [&](const glm::dvec2& a, const glm::dvec2& b) {
-    constexpr int kTried = 8;
-    for (int i = 0; i <= kTried; ++i) {
-      if (isInAny(contents, glm::mix(a, b, static_cast<double>(i) / kTried))) {
-        return false;
-      }
-    }
-    return true;
+    return std::none_of(contents.begin(), contents.end(), [&](const FocusBox& box) { return meets(box, a, b); });
   };
   return overRows<double>((size.y + kEvery - 1) / kEvery,
                           [&](int row) {
@@ -296,29 +312,21 @@ Jumps jumpsOf(const FocusMap& map, const glm::ivec2& size) {
   return {std::max(across.pixels, down.pixels), std::max(across.rate, down.rate)};
 }
 
-template <class RateAt>
-Image<float> ratesImage(const glm::ivec2& size, const RateAt& rateAt) {
-  Image<float> rates(size.x, size.y);
-  parallelFor(static_cast<size_t>(size.y), 4, [&](size_t begin, size_t end) {
-    for (size_t y = begin; y < end; ++y) {
-      for (int x = 0; x < size.x; ++x) {
-        rates(x, static_cast<int>(y)) = static_cast<float>(rateAt(glm::dvec2(x, y) + 0.5));
-      }
-    }
-  });
-  return rates;
-}
-
 }  // namespace
 
 FocusFigures focusFigures(const FocusMap& map, const GpcLayout& layout, const glm::ivec2& size) {
   const std::vector<FocusBox> contents = focusContents(layout, size);
   FocusFigures figures;
   const PictureSums picture = picturePart(map, contents, size);
-  figures.focusShare = static_cast<double>(picture.inFocus) / (static_cast<double>(size.x) * size.y);
-  figures.leastFocusRate = picture.leastFocusRate;
-  figures.greatestFocusRate = picture.greatestFocusRate;
-  figures.leastContextRate = picture.leastContextRate;
+  const size_t pixels = static_cast<size_t>(size.x) * static_cast<size_t>(size.y);
+  figures.focusShare = static_cast<double>(picture.inFocus) / static_cast<double>(pixels);
+  if (picture.inFocus > 0) {
+    figures.leastFocusRate = picture.leastFocusRate;
+    figures.greatestFocusRate = picture.greatestFocusRate;
+  }
+  if (picture.inFocus < pixels) {
+    figures.leastContextRate = picture.leastContextRate;
+  }
   const ContextSums context = contextPart(map, contents, size);
   const auto shareOfContext = [&](size_t part) {
     return static_cast<double>(part) / static_cast<double>(std::max<size_t>(context.context, 1));
@@ -334,11 +342,11 @@ FocusFigures focusFigures(const FocusMap& map, const GpcLayout& layout, const gl
 }
 
 Image<float> pictureRates(const FocusMap& map, const glm::ivec2& size) {
-  return ratesImage(size, [&](const glm::dvec2& at) { return ratesAt(map, at).x; });
+  return rateImage(size, [&](const glm::dvec2& at) { return ratesAt(map, at).x; });
 }
 
 Image<float> plainRates(const FocusMap& map, const glm::ivec2& size) {
-  return ratesImage(size, [&](const glm::dvec2& plain) {
+  return rateImage(size, [&](const glm::dvec2& plain) {
     const std::optional<glm::dvec2> at = shownAt(map, plain, size);
     return at ? ratesAt(map, *at).x : 0;
   });

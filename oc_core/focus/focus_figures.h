@@ -7,6 +7,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,13 +17,15 @@
 namespace ocelli {
 
 struct FocusFigures {
-  double focusShare = 0;      ///< of the picture's pixels that show what is in focus
-  double leastFocusRate = 0;  ///< samples for each one of the plain view within the foci, in the direction with fewest
-  double greatestFocusRate = 0;  ///< and in that with most
-  double focusBend = 0;          ///< of lines that are straight in the plain view, across a focus: bow / length
-  double hiddenShare = 0;        ///< of the context: what the picture does not show
-  double sparseShare = 0;        ///< of the context: what it shows with less than half the plain view's samples, or not
-  double leastContextRate = 0;   ///< of what it shows of the context
+  double focusShare = 0;  ///< of the picture's pixels that show what is in focus
+  /// Samples for each one of the plain view within the foci, in the direction with fewest, and in that with most;
+  /// nothing where no pixel of the picture shows what is in focus.
+  std::optional<double> leastFocusRate{};
+  std::optional<double> greatestFocusRate{};
+  double focusBend = 0;    ///< of lines that are straight in the plain view, across a focus: bow / length
+  double hiddenShare = 0;  ///< of the context: what the picture does not show
+  double sparseShare = 0;  ///< of the context: what it shows with less than half the plain view's samples, or not
+  std::optional<double> leastContextRate{};  ///< of what it shows of the context; nothing where that is nothing
   double contextBend = 0;  ///< as focusBend, of segments as long as an eighth of the height that lie in the context
   double jumpPixels = 0;   ///< how far apart neighbours in the picture may lie in the plain view
   double rateStep = 1;     ///< the greatest factor between the rates on both sides of a place

@@ -144,7 +144,7 @@ TEST_F(CameraCommand, compareMakesAPageOfAllWaysToShowFoci) {
   }
   const ProgramResult json = runProgram(command + "gpc -o " + path("focus") + " --json");
   EXPECT_EQ(json.exitCode, 0) << json.error;
-  EXPECT_THAT(json.output, AllOf(HasSubstr("\"hiddenShare\": "), HasSubstr("\"rasterMilliseconds\": null")));
+  EXPECT_THAT(json.output, AllOf(HasSubstr("\"hidden_share\": "), HasSubstr("\"raster_milliseconds\": null")));
 }
 
 TEST_F(CameraCommand, filesSayTheSizeOfTheirImages) {

@@ -127,6 +127,7 @@ TEST(FocusPage, holdsEveryWayAndEveryFigure) {
   for (const FocusColumn& column : focusColumns()) {
     EXPECT_NE(html.find(htmlFromText(column.meaning)), std::string::npos) << column.key;
     EXPECT_THAT(focusTable(comparison()), HasSubstr(column.heading));
+    EXPECT_THAT(column.key, testing::MatchesRegex("[a-z]+(_[a-z]+)*")) << "as all keys of JSON";
   }
   EXPECT_EQ(html.find("<script"), std::string::npos);
   EXPECT_EQ(html.find("http"), std::string::npos) << "nothing from the network";

@@ -30,9 +30,9 @@ TEST(FocusFigures, thePlainViewLosesNothingAndZoomsNothing) {
   const FocusFigures figures = figuresOf("plain", squareFocus());
   // The focus is 20 x 20 pixels large.
   EXPECT_DOUBLE_EQ(figures.focusShare, 400.0 / (320 * 240));
-  EXPECT_NEAR(figures.leastFocusRate, 1, kRateRounding);
-  EXPECT_NEAR(figures.greatestFocusRate, 1, kRateRounding);
-  EXPECT_NEAR(figures.leastContextRate, 1, kRateRounding);
+  EXPECT_NEAR(figures.leastFocusRate.value(), 1, kRateRounding);
+  EXPECT_NEAR(figures.greatestFocusRate.value(), 1, kRateRounding);
+  EXPECT_NEAR(figures.leastContextRate.value(), 1, kRateRounding);
   EXPECT_NEAR(figures.focusBend, 0, 1e-12);
   EXPECT_NEAR(figures.contextBend, 0, 1e-12);
   EXPECT_EQ(figures.hiddenShare, 0);
@@ -46,9 +46,9 @@ TEST(FocusFigures, anInsetHidesWhatItCoversAndJumpsAtItsBorder) {
   EXPECT_DOUBLE_EQ(figures.focusShare, 6400.0 / (320 * 240));
   EXPECT_DOUBLE_EQ(figures.hiddenShare, (6400.0 - 400) / (320 * 240 - 400));
   EXPECT_DOUBLE_EQ(figures.sparseShare, figures.hiddenShare) << "all else is as in the plain view";
-  EXPECT_NEAR(figures.leastFocusRate, 4, kRateRounding);
-  EXPECT_NEAR(figures.greatestFocusRate, 4, kRateRounding);
-  EXPECT_NEAR(figures.leastContextRate, 1, kRateRounding);
+  EXPECT_NEAR(figures.leastFocusRate.value(), 4, kRateRounding);
+  EXPECT_NEAR(figures.greatestFocusRate.value(), 4, kRateRounding);
+  EXPECT_NEAR(figures.leastContextRate.value(), 1, kRateRounding);
   EXPECT_NEAR(figures.focusBend, 0, 1e-12);
   // A place of the border at (40, y) from the middle is beside what is seen at a quarter of that. The row that is
   // nearest to a corner and looked at is at most four pixels from it.
@@ -61,8 +61,8 @@ TEST(FocusFigures, aGeneralPinholesFocusIsUndistortedAndNothingIsHidden) {
   for (const char* sampling : {"linear", "quadratic", "cubic"}) {
     const FocusFigures figures = figuresOf("gpc", squareFocus(sampling));
     EXPECT_DOUBLE_EQ(figures.focusShare, 6400.0 / (320 * 240)) << sampling;
-    EXPECT_NEAR(figures.leastFocusRate, 4, kRateRounding) << sampling;
-    EXPECT_NEAR(figures.greatestFocusRate, 4, kRateRounding) << sampling;
+    EXPECT_NEAR(figures.leastFocusRate.value(), 4, kRateRounding) << sampling;
+    EXPECT_NEAR(figures.greatestFocusRate.value(), 4, kRateRounding) << sampling;
     EXPECT_NEAR(figures.focusBend, 0, 1e-12) << sampling;
     EXPECT_EQ(figures.hiddenShare, 0) << sampling;
     EXPECT_TRUE(figures.isContinuous()) << sampling << " " << figures.jumpPixels;
@@ -82,7 +82,7 @@ TEST(FocusFigures, theLeastRateIsThatOfCameraShow) {
   for (const GpcLayout& layout : {squareFocus(), squareFocus("linear"), twoFoci()}) {
     const RateSummary summary = summarizeRates(GpcCamera(PinholeCamera(View{}, kFocusSize.x, kFocusSize.y), layout));
     // That is from derivatives at the same places, with the exact least rate along the axes among them.
-    EXPECT_NEAR(figuresOf("gpc", layout).leastContextRate, summary.leastAnywhere, 0.01 * summary.leastAnywhere);
+    EXPECT_NEAR(figuresOf("gpc", layout).leastContextRate.value(), summary.leastAnywhere, 0.01 * summary.leastAnywhere);
   }
 }
 
@@ -92,11 +92,11 @@ TEST(FocusFigures, aFisheyeBendsItsFocusAndZoomsItUnevenly) {
   EXPECT_TRUE(figures.isContinuous());
   EXPECT_GT(figures.focusBend, 0.05);
   // Pixels around the middle have nearly the zoom there, d + 1 = 7.
-  EXPECT_NEAR(figures.greatestFocusRate, fisheyeDistortion(4, 2) + 1, 0.3);
+  EXPECT_NEAR(figures.greatestFocusRate.value(), fisheyeDistortion(4, 2) + 1, 0.3);
   // At the corner of the focus, at x = sqrt(2) / 8 of the border: g' = (d + 1) / (d x + 1)^2 = 1.65.
-  EXPECT_NEAR(figures.leastFocusRate, 7 / std::pow(6 * std::sqrt(2.0) / 8 + 1, 2), 0.1);
+  EXPECT_NEAR(figures.leastFocusRate.value(), 7 / std::pow(6 * std::sqrt(2.0) / 8 + 1, 2), 0.1);
   // At the border g' = 1 / (d + 1).
-  EXPECT_NEAR(figures.leastContextRate, 1.0 / 7, 0.01);
+  EXPECT_NEAR(figures.leastContextRate.value(), 1.0 / 7, 0.01);
   EXPECT_NEAR(figures.rateStep, 7, 0.1);
 }
 
@@ -106,12 +106,50 @@ TEST(FocusFigures, theMostExtremeLensHasFiguresToo) {
   layout.regions[0].transitionWidth = 0.01f;
   for (const FocusWay& way : focusWays()) {
     const FocusFigures figures = focusFigures(*way.map(layout, kFocusSize), layout, kFocusSize);
-    for (const double value : {figures.leastFocusRate, figures.greatestFocusRate, figures.leastContextRate,
-                               figures.focusBend, figures.contextBend, figures.jumpPixels, figures.rateStep}) {
+    for (const double value :
+         {figures.leastFocusRate.value(), figures.greatestFocusRate.value(), figures.leastContextRate.value(),
+          figures.focusBend, figures.contextBend, figures.jumpPixels, figures.rateStep}) {
       EXPECT_TRUE(std::isfinite(value)) << way.name;
     }
-    EXPECT_GT(figures.leastContextRate, 0) << way.name;
+    EXPECT_GT(figures.leastContextRate.value(), 0) << way.name;
   }
+}
+
+TEST(FocusFigures, aFocusBetweenPixelCentresHasNoRate) {
+  GpcLayout layout = squareFocus();
+  layout.regions[0].extent = {2.8f / 320, 2.8f / 240};  // around the corner of four pixels, a quarter of it in focus
+  const FocusFigures plain = focusFigures(*focusWay("plain").map(layout, kFocusSize), layout, kFocusSize);
+  EXPECT_EQ(plain.focusShare, 0);
+  EXPECT_EQ(plain.leastFocusRate, std::nullopt);
+  EXPECT_EQ(plain.greatestFocusRate, std::nullopt);
+  EXPECT_NEAR(plain.leastContextRate.value(), 1, kRateRounding);
+  const FocusFigures gpc = focusFigures(*focusWay("gpc").map(layout, kFocusSize), layout, kFocusSize);
+  EXPECT_DOUBLE_EQ(gpc.focusShare, 4.0 / (320 * 240));
+  EXPECT_NEAR(gpc.leastFocusRate.value(), 4, kRateRounding);
+}
+
+/// The plain view, but for what is in focus, which is upside down.
+class FlippedFocusMap final : public FocusMap {
+ public:
+  explicit FlippedFocusMap(const FocusBox& focus) : focus_(focus) {}
+  glm::dvec2 plainFromPicture(const glm::dvec2& picture) const override {
+    return focus_.contains(picture) ? glm::dvec2(picture.x, 2 * focus_.center.y - picture.y) : picture;
+  }
+  std::optional<glm::dvec2> pictureFromPlain(const glm::dvec2& plain) const override { return plainFromPicture(plain); }
+
+ private:
+  FocusBox focus_;
+};
+
+TEST(FocusFigures, aNarrowFocusIsNoContext) {
+  GpcLayout layout = squareFocus();
+  layout.regions[0].zoom = 64;  // 1.25 pixels are in focus, the segments are 30 pixels long
+  const FlippedFocusMap map(focusContents(layout, kFocusSize).front());
+  EXPECT_NEAR(focusFigures(map, layout, kFocusSize).contextBend, 0, 1e-12);
+  GpcLayout elsewhere = layout;
+  elsewhere.regions[0].center.x = 0.75f;
+  // Half a pixel above its middle is shown half a pixel below.
+  EXPECT_NEAR(focusFigures(map, elsewhere, kFocusSize).contextBend, 1.0 / 30, 1e-3);
 }
 
 /// What a picture shows of the plain view is the integral of its Jacobian's determinant: another way to the hidden

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/error.h"
+#include "tests/base/temporary_folder.h"
 
 namespace ocelli {
 namespace {
@@ -84,6 +85,24 @@ TEST(BackgroundWork, theNewestOfManyWishesIsTheOneThatStays) {
   const Mesh boxes = loadScene("builtin:boxes");
   const auto expected = buildRepresentation(state.work.camera, PinholeCamera(View{}, 72, 48), boxes);
   EXPECT_EQ(taken.all.camera->representation.mesh.positions, expected.mesh.positions);
+}
+
+TEST(BackgroundWork, aSceneOfTrianglesFollowsOneOfPointsOfAWidth) {
+  const test::TemporaryFolder folder;
+  const std::string points = folder.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n").string();
+  BackgroundWork work;
+  ViewerState state = someState(points);
+  state.work.sceneOptions.points.width = 0.25;
+  work.want(state.work);
+  const Taken first = takeAll(work);
+  ASSERT_TRUE(first.all.scene);
+  EXPECT_EQ(first.all.scene->points.width, 0.25);
+  openScene(state, "builtin:fence");
+  work.want(state.work);
+  const Taken next = takeAll(work);
+  EXPECT_TRUE(next.failed.empty());
+  ASSERT_TRUE(next.all.scene);
+  EXPECT_EQ(next.all.scene->source, "builtin:fence");
 }
 
 TEST(BackgroundWork, aBrokenSceneIsAnErrorAndTheOldOneStands) {

@@ -16,9 +16,9 @@ class TestViewer {
   static constexpr int kHeight = 640;
 
   explicit TestViewer(GlProvider provider, const std::string& source = "builtin:room",
-                      const std::string& camera = "ddoc")
+                      const std::string& camera = "ddoc", const SceneOptions& sceneOptions = {})
       : context(openTestContext(provider)),
-        viewer(*context, options(source, camera, folder.path())),
+        viewer(*context, options(source, camera, sceneOptions, folder.path())),
         player(viewer, folder.path()) {
     player.play(ResizeStep{kWidth, kHeight, 1});
     player.play(WaitStep{});
@@ -52,10 +52,11 @@ class TestViewer {
   ScriptPlayer player;
 
  private:
-  static ViewerOptions options(const std::string& source, const std::string& camera,
+  static ViewerOptions options(const std::string& source, const std::string& camera, const SceneOptions& sceneOptions,
                                const std::filesystem::path& folder) {
     ViewerOptions options;
     options.source = source;
+    options.sceneOptions = sceneOptions;
     options.camera = cameraChoice(camera);
     options.width = 180;
     options.height = 120;

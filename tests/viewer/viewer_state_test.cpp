@@ -46,6 +46,18 @@ TEST(ViewerState, everyChangeOfWorkHasARevisionOfItsOwn) {
   expectFresh(state.work.sceneRevision);
 }
 
+TEST(ViewerState, theWidthOfPointsIsThatOfOneScene) {
+  SceneOptions options;
+  options.points.width = 0.25;
+  options.textures = false;
+  ViewerState state = viewerState("points.xyz", options, cameraChoice("ddoc"), View{}, 72, 48, "test");
+  openScene(state, "points.xyz");
+  EXPECT_EQ(state.work.sceneOptions.points.width, 0.25) << "the same scene again";
+  openScene(state, "builtin:fence");
+  EXPECT_FALSE(state.work.sceneOptions.points.width);
+  EXPECT_FALSE(state.work.sceneOptions.textures) << "said of every scene";
+}
+
 TEST(ViewerState, aCameraKeepsTheCell) {
   ViewerState state = stateOf();
   chooseCellSide(state, 0.4);

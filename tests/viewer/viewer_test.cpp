@@ -44,6 +44,24 @@ TEST_P(ViewerTest, aBrokenFileIsAMessageAndTheOldSceneStays) {
   EXPECT_FALSE(test.viewer.facts().messageIsError);
 }
 
+TEST_P(ViewerTest, theWidthOfPointsIsThatOfTheSceneWithWhichItWasGiven) {
+  const test::TemporaryFolder folder;
+  const std::string points = folder.write("points.xyz", "0 0 0\n1 0 0\n0 1 0\n1 1 0\n").string();
+  SceneOptions options;
+  options.points.width = 0.25;
+  TestViewer test(GetParam(), points, "di", options);
+  test.player.play(DropStep{folder.write("broken.ply", "ply\n").string()});
+  test.settle();
+  EXPECT_TRUE(test.viewer.facts().messageIsError);
+  EXPECT_EQ(test.viewer.state().work.source, points);
+  EXPECT_EQ(test.viewer.state().work.sceneOptions.points.width, 0.25) << "of what stays";
+  test.key(Key::kEscape);
+  test.player.play(OpenStep{"builtin:fence"});
+  test.settle();
+  EXPECT_FALSE(test.viewer.facts().messageIsError) << test.viewer.facts().message;
+  EXPECT_EQ(test.viewer.facts().data->scene->source, "builtin:fence");
+}
+
 TEST_P(ViewerTest, brokenViewsAndCamerasAreMessagesToo) {
   TestViewer test(GetParam());
   for (const char* text : {"{\"eye\": [0, 0]}", "{\"camera\": \"none\"}", "not JSON", "[]"}) {
