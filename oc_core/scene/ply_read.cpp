@@ -331,7 +331,7 @@ class PlyReader {
     const auto isCorners = [](const Property& p) {
       return p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
-    if (std::none_of(element.properties.begin(), element.properties.end(), isCorners)) {
+    if (element.count > 0 && std::none_of(element.properties.begin(), element.properties.end(), isCorners)) {
       fail("the faces have no list 'vertex_indices'", "export it as a triangle mesh");
     }
     visitor_.beginFaces(element.count);
@@ -451,7 +451,7 @@ bool plyHoldsPoints(const fs::path& path) {
   auto [stream, bytes] = opened(path);
   bool hasVertices = false;
   for (const Element& element : ply::readHeader(stream, path.string()).elements) {
-    if ((element.name == "face" && element.count > 0) || element.name == "tristrips") {
+    if (element.count > 0 && (element.name == "face" || element.name == "tristrips")) {
       return false;
     }
     hasVertices = hasVertices || element.name == "vertex";

@@ -59,8 +59,8 @@ class PointMesher {
     facts_.areWidthsChosen = !options_.width.has_value();
     check();
     report(progress_, "looking at the points", 0);
-    dropRepeated();
     normalize();
+    dropRepeated();
     if (count() == 1 && !options_.width) {
       throw InputError(facts_.points == 1 ? "this is one point, whose size nothing tells"
                                           : "all points stand at one place, so that nothing tells their size",
@@ -92,6 +92,7 @@ class PointMesher {
     }
   }
 
+  /// Rounding may have put points at one place that were not.
   void dropRepeated() {
     std::vector<uint32_t> order(count());
     std::iota(order.begin(), order.end(), 0u);

@@ -14,7 +14,8 @@ struct PointMesh {
   PointFacts facts;
 };
 
-/// Each point in its colour, in the order of the file, where another point does not stand there before it:
+/// Each point in its colour, in the order of the file, where another point does not stand there before it
+/// (to the rounding of floats from -1 to 1, over the box of all points):
 ///
 /// - where it has a normal, or its neighbours lie about in a plane, a panel in that plane: a rectangle of two
 /// triangles,
@@ -26,8 +27,8 @@ struct PointMesh {
 /// times the median. With PointSceneOptions::width panels are squares, and octahedra as high, of that width.
 ///
 /// Throws InputError naming `where` where there is no point or a coordinate is not a finite number, where all points
-/// stand at one place and no width is given, or where the mesh would have more than kMaxSceneTriangles. Takes about 100
-/// bytes a point besides the mesh.
+/// stand at one place and no width is given, or where the mesh would have more than kMaxSceneTriangles. Takes 150 to
+/// 200 bytes a point besides the mesh.
 PointMesh meshOfPoints(PointCloud cloud, const PointSceneOptions& options, const std::string& where,
                        const Progress& progress = {});
 

@@ -19,6 +19,48 @@ namespace {
 
 constexpr size_t kSteps = 1024;
 
+/// Sets of things of which each is turned against another one of its set, or is not. A thing is never more steps from
+/// its root than the logarithm of the size of the set.
+class TurnedSets {
+ public:
+  struct Root {
+    uint32_t thing;
+    bool isAgainst;  ///< what was asked for is turned against it
+  };
+
+  explicit TurnedSets(size_t count) : above_(count), sizes_(count, 1), isAgainst_(count, false) {
+    std::iota(above_.begin(), above_.end(), 0u);
+  }
+
+  Root rootOf(uint32_t thing) const {
+    bool against = false;
+    for (; above_[thing] != thing; thing = above_[thing]) {
+      against = against != isAgainst_[thing];
+    }
+    return {thing, against};
+  }
+
+  /// Nothing changes where the two are in one set.
+  void join(uint32_t a, uint32_t b, bool areAgainst) {
+    Root larger = rootOf(a);
+    Root smaller = rootOf(b);
+    if (larger.thing == smaller.thing) {
+      return;
+    }
+    if (sizes_[larger.thing] < sizes_[smaller.thing]) {
+      std::swap(larger, smaller);
+    }
+    above_[smaller.thing] = larger.thing;
+    sizes_[larger.thing] += sizes_[smaller.thing];
+    isAgainst_[smaller.thing] = areAgainst != (larger.isAgainst != smaller.isAgainst);
+  }
+
+ private:
+  std::vector<uint32_t> above_;  ///< itself at the root
+  std::vector<uint32_t> sizes_;  ///< of the sets, at their roots
+  std::vector<bool> isAgainst_;  ///< the one above; meaningless at the root
+};
+
 class Orienter {
  public:
   Orienter(std::span<const glm::vec3> positions, std::span<const uint32_t> neighbors, size_t perPoint,
@@ -55,8 +97,12 @@ class Orienter {
   /// each other in the plane between the two; -1 where it is its opposite. So the other side of a thin sheet gets the
   /// opposite normal (after Koenig and Gumhold 2009, section 3).
   float agreement(uint32_t from, uint32_t to) const {
-    const glm::vec3 along = glm::normalize(positions_[to] - positions_[from]);
+    const glm::vec3 apart = positions_[to] - positions_[from];
     const glm::vec3& normal = normals_[from];
+    if (glm::dot(apart, apart) < std::numeric_limits<float>::min()) {
+      return glm::dot(normal, normals_[to]);  // at one place, as far as squares tell
+    }
+    const glm::vec3 along = glm::normalize(apart);
     return glm::dot(normal - 2 * glm::dot(normal, along) * along, normals_[to]);
   }
 
@@ -107,36 +153,16 @@ class Orienter {
     }
     std::vector<std::pair<std::pair<uint32_t, uint32_t>, double>> pairs(agreements.begin(), agreements.end());
     std::ranges::stable_sort(pairs, std::greater(), [](const auto& pair) { return std::abs(pair.second); });
-    // A forest whose trees are what belongs together; each part knows whether it is turned against the one above.
-    above_.resize(parts_);
-    std::iota(above_.begin(), above_.end(), 0u);
-    isAgainst_.assign(parts_, false);
+    sets_ = TurnedSets(parts_);
     for (const auto& [pair, agree] : pairs) {
-      const auto [first, firstAgainst] = rootOf(pair.first);
-      const auto [second, secondAgainst] = rootOf(pair.second);
-      if (first != second) {
-        above_[second] = first;
-        isAgainst_[second] = (agree < 0) != (firstAgainst != secondAgainst);
-      }
+      sets_.join(pair.first, pair.second, agree < 0);
     }
     for (uint32_t point = 0; point < positions_.size(); ++point) {
-      const auto [root, against] = rootOf(partOf_[point]);
-      normals_[point] = against ? -normals_[point] : normals_[point];
+      normals_[point] = sets_.rootOf(partOf_[point]).isAgainst ? -normals_[point] : normals_[point];
     }
   }
 
-  /// The part at the root, and whether `part` is turned against it. Shortens the way there.
-  std::pair<uint32_t, bool> rootOf(uint32_t part) {
-    if (above_[part] == part) {
-      return {part, false};
-    }
-    const auto [root, against] = rootOf(above_[part]);
-    above_[part] = root;
-    isAgainst_[part] = isAgainst_[part] != against;
-    return {root, isAgainst_[part]};
-  }
-
-  /// What the extreme points of a tree of parts say.
+  /// What the extreme points of parts that are joined say.
   struct Outside {
     glm::vec3 lowest{std::numeric_limits<float>::max()};
     glm::vec3 highest{std::numeric_limits<float>::lowest()};
@@ -155,7 +181,7 @@ class Orienter {
   void turnOutwards() {
     std::vector<Outside> outsides(parts_);
     for (uint32_t point = 0; point < positions_.size(); ++point) {
-      Outside& outside = outsides[rootOf(partOf_[point]).first];
+      Outside& outside = outsides[sets_.rootOf(partOf_[point]).thing];
       for (glm::length_t axis = 0; axis < 3; ++axis) {
         const float place = positions_[point][axis];
         const float along = normals_[point][axis];
@@ -171,7 +197,7 @@ class Orienter {
       outside.sumZ += static_cast<double>(normals_[point].z);
     }
     for (uint32_t point = 0; point < positions_.size(); ++point) {
-      if (outsides[rootOf(partOf_[point]).first].isInside()) {
+      if (outsides[sets_.rootOf(partOf_[point]).thing].isInside()) {
         normals_[point] = -normals_[point];
       }
     }
@@ -185,8 +211,7 @@ class Orienter {
   uint32_t parts_ = 0;
   std::array<std::vector<Step>, kSteps> steps_;
   size_t first_ = kSteps;
-  std::vector<uint32_t> above_;  ///< of each part; itself at the root
-  std::vector<bool> isAgainst_;
+  TurnedSets sets_{0};  ///< of parts
 };
 
 }  // namespace

@@ -62,12 +62,17 @@ std::pair<glm::vec3, glm::vec3> spreadAxes(std::span<const glm::vec3> offsets, c
   return {along, glm::cross(normal, along)};
 }
 
-/// A convex polygon around the origin. Each cut adds one corner at the most.
+/// A convex polygon around the origin. Each cut adds one corner at the most, but for rounding: corners that it makes
+/// out of edges shorter than it, and for which there is no room, are left out.
 struct Cell {
   std::array<glm::vec2, 4 + kMaxPanelNeighbors> corners;
   size_t size = 0;
 
-  void push(const glm::vec2& corner) { corners[size++] = corner; }
+  void push(const glm::vec2& corner) {
+    if (size < corners.size()) {
+      corners[size++] = corner;
+    }
+  }
 };
 
 /// What of `cell` is nearer to the origin than to `other`.

@@ -45,7 +45,7 @@ class PointTextReader {
           where_, "copy or export it again: it looks truncated");
     }
     if (layout_ != nullptr && layout_->isEither()) {
-      (areColors_ ? cloud_.normals : cloud_.colors) = {};
+      (areColors_ && !areAxes_ ? cloud_.normals : cloud_.colors) = {};
     }
     for (glm::vec3& color : cloud_.colors) {
       for (glm::length_t i = 0; i < 3; ++i) {
@@ -60,10 +60,21 @@ class PointTextReader {
     throw InputError(what, where_ + ", line " + std::to_string(lineNumber_), next);
   }
 
+  /// The end of the file where there is no more; a disk that fails is not taken for that.
+  int nextByte() {
+    try {
+      if (!stream_.bad()) {
+        return stream_.rdbuf()->sbumpc();
+      }
+    } catch (const std::ios_base::failure&) {  // a buffer that is read without its stream says so
+    }
+    fail("the file cannot be read from here on", "check its disk, or copy it again");
+  }
+
   bool nextLine(std::string& line) {
     line.clear();
     ++lineNumber_;
-    for (int c = stream_.rdbuf()->sbumpc(); c != std::istream::traits_type::eof(); c = stream_.rdbuf()->sbumpc()) {
+    for (int c = nextByte(); c != std::istream::traits_type::eof(); c = nextByte()) {
       if (c == '\n') {
         return true;
       }
@@ -154,7 +165,9 @@ class PointTextReader {
       }
     }
     if (layout_->normal) {
-      cloud_.normals.push_back(three(*layout_->normal));
+      const glm::vec3 normal = three(*layout_->normal);
+      cloud_.normals.push_back(normal);
+      areAxes_ = areAxes_ && isAxis(normal);
     }
   }
 
@@ -167,12 +180,18 @@ class PointTextReader {
     return true;
   }
 
+  /// Whether all but one are 0, and that is 1.
+  static bool isAxis(const glm::vec3& normal) {
+    return normal == glm::vec3(1, 0, 0) || normal == glm::vec3(0, 1, 0) || normal == glm::vec3(0, 0, 1);
+  }
+
   std::istream& stream_;
   const std::string& where_;
   size_t lineNumber_ = 0;
   std::optional<uint64_t> told_;
   const LineLayout* layout_ = nullptr;
-  bool areColors_ = true;  ///< of numbers that may be either
+  bool areColors_ = true;  ///< of numbers that may be either: whole ones from 0 to 255
+  bool areAxes_ = true;    ///< of normals: each is along x, y or z
   PointCloud cloud_;
 };
 

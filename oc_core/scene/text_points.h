@@ -18,12 +18,13 @@ bool isPointText(const std::filesystem::path& path);
 ///
 ///   3  x y z
 ///   4  x y z, an intensity
-///   6  x y z, then a colour where all are whole numbers from 0 to 255 in all of the file, otherwise a normal
+///   6  x y z, then a colour where all are whole numbers from 0 to 255 in all of the file, otherwise a normal; a normal
+///      too where each line has 1 0 0, 0 1 0 or 0 0 1, as floors and boxes do, and colours that all but black are not
 ///   7  x y z, an intensity, a colour
 ///   9  x y z, a colour, a normal
 ///
-/// Colours are sRGB from 0 to 255; intensities are left out. Throws InputError naming the line for anything else, and
-/// where there are more than kMaxScenePoints.
+/// Colours are sRGB from 0 to 255; intensities are left out. Throws InputError naming the line for anything else,
+/// where the file cannot be read to its end, and where there are more than kMaxScenePoints.
 PointCloud readTextPoints(const std::filesystem::path& path);
 PointCloud readTextPoints(std::istream& stream, const std::string& where);
 

@@ -23,11 +23,11 @@ constexpr float kStickRadius = 0.26f;
 constexpr float kHydrogenBondRadius = 0.14f;
 /// The axis leans to the right, so that the helix reaches across the image.
 constexpr double kLeanDegrees = 50;
-constexpr int kFewestBallSegments = 4;
+constexpr int kMinBallSegments = 4;
 
 /// How finely balls and sticks are made.
 struct BallsAndSticks {
-  int ballSegments = kFewestBallSegments;
+  int ballSegments = kMinBallSegments;
   int stickSides = 3;
 };
 
@@ -39,16 +39,17 @@ size_t trianglesOfStick(int sides) {
   return static_cast<size_t>(4 * sides - 4);
 }
 
-/// Those that come nearest to `triangles` altogether, where sticks have half to all of the segments of balls.
+/// Those that come nearest to `triangles` altogether, and not above what a scene may have, where sticks have half to
+/// all of the segments of balls.
 BallsAndSticks chooseDetail(const DnaMolecule& molecule, size_t triangles) {
   BallsAndSticks best;
   size_t bestError = triangles + 1;
-  for (int ball = kFewestBallSegments; molecule.atoms.size() * trianglesOfBall(ball) <= triangles; ++ball) {
+  for (int ball = kMinBallSegments; molecule.atoms.size() * trianglesOfBall(ball) <= triangles; ++ball) {
     for (int sides = std::max(ball / 2, 3); sides <= ball; ++sides) {
       const size_t made =
           molecule.atoms.size() * trianglesOfBall(ball) + molecule.bonds.size() * trianglesOfStick(sides);
       const size_t error = made > triangles ? made - triangles : triangles - made;
-      if (error < bestError) {
+      if (error < bestError && made <= kMaxSceneTriangles) {
         bestError = error;
         best = {ball, sides};
       }

@@ -33,7 +33,7 @@ BuiltinScene treeScene() {
   using Kind = BuiltinParameter::Kind;
   return {.name = "tree",
           .summary = "a tree with leaves on a lawn; the tree is an object",
-          .parameters = {{"triangles", "of the tree", Kind::kInteger, "9000", static_cast<double>(fewestTriangles()),
+          .parameters = {{"triangles", "of the tree", Kind::kInteger, "9000", static_cast<double>(minTreeTriangles()),
                           kMaxTreeTriangles},
                          {"seed", "of the random numbers", Kind::kInteger, "2", 0, 4294967295.0}},
           .build = buildTree};

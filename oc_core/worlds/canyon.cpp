@@ -22,7 +22,7 @@ constexpr float kBottom = -40;
 constexpr float kBank = 8;           // width of the flat land on either side of the river
 constexpr float kCanyonWidth = 130;  // from the bank to the rim
 constexpr size_t kSideRows = 12;
-constexpr size_t kFewestCells = 8;
+constexpr size_t kMinCells = 8;
 
 float smooth(float t) {
   return t * t * (3 - 2 * t);
@@ -271,7 +271,7 @@ size_t canyonTriangles(size_t cells) {
 }
 
 size_t canyonCells(size_t triangles) {
-  size_t cells = kFewestCells;
+  size_t cells = kMinCells;
   while (canyonTriangles(cells) + canyonTriangles(cells + 1) <= 2 * triangles) {
     ++cells;
   }
@@ -296,7 +296,7 @@ std::vector<glm::vec3> canyonPath(uint64_t seed) {
 }
 
 Mesh makeCanyon(const CanyonOptions& options, const std::vector<glm::vec3>& path) {
-  OC_CHECK(options.cells >= kFewestCells && path.size() >= 2, "a canyon has a terrain and a river");
+  OC_CHECK(options.cells >= kMinCells && path.size() >= 2, "a canyon has a terrain and a river");
   return CanyonBuilder(options, path).build();
 }
 

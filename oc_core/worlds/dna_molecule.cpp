@@ -19,7 +19,7 @@ using Part = DnaAtom::Part;
 constexpr double kTwistDegrees = 36;
 constexpr double kRise = 3.38;
 /// No two atoms that are not bonded come as near, and no bond is as long.
-constexpr float kLongestBond = 1.75f;
+constexpr float kMaxBondLength = 1.75f;
 
 constexpr size_t kPhosphorus = 0;
 constexpr size_t kO3 = 8;
@@ -115,7 +115,7 @@ class DnaBuilder {
     const auto end = static_cast<uint32_t>(molecule_.atoms.size());
     for (uint32_t i = first; i < end; ++i) {
       for (uint32_t j = i + 1; j < end; ++j) {
-        if (glm::distance(molecule_.atoms[i].position, molecule_.atoms[j].position) < kLongestBond) {
+        if (glm::distance(molecule_.atoms[i].position, molecule_.atoms[j].position) < kMaxBondLength) {
           molecule_.bonds.push_back({i, j, false});
         }
       }

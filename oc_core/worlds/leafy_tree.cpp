@@ -139,12 +139,12 @@ class TreeBuilder {
 
 }  // namespace
 
-size_t fewestTriangles() {
+size_t minTreeTriangles() {
   return branchCount() * kTrianglesOfBranch + 1;
 }
 
 Mesh makeLeafyTree(size_t triangles, uint64_t seed) {
-  OC_CHECK(triangles >= fewestTriangles(), "a tree has a trunk, branches and a leaf");
+  OC_CHECK(triangles >= minTreeTriangles(), "a tree has a trunk, branches and a leaf");
   TreeBuilder builder(seed);
   builder.grow();
   builder.addLeaves(triangles - branchCount() * kTrianglesOfBranch);

@@ -9,9 +9,9 @@
 namespace ocelli {
 
 /// The fewest triangles of makeLeafyTree(): those of its trunk and branches, and of a leaf.
-size_t fewestTriangles();
+size_t minTreeTriangles();
 
-/// About 2 high, on y = 0 around the y axis, of exactly `triangles`, fewestTriangles() or more. Leaves have two
+/// About 2 high, on y = 0 around the y axis, of exactly `triangles`, minTreeTriangles() or more. Leaves have two
 /// triangles each, the last one may have one; however many there are, they have about the same area together.
 Mesh makeLeafyTree(size_t triangles, uint64_t seed);
 

@@ -86,6 +86,14 @@ TEST(PlyPoints, AreOnlyThoseOfFilesWithoutTriangles) {
   EXPECT_TRUE(plyHoldsPoints(folder.write("b.ply", withElement("element face 0\n" + list))));
   EXPECT_TRUE(plyHoldsPoints(folder.write("c.ply", withElement("element camera 1\nproperty float f\n") + "1\n")));
   EXPECT_FALSE(plyHoldsPoints(folder.write("d.ply", withElement("element tristrips 1\n" + list) + "3 0 1 2\n")));
+  for (const char* empty : {"element face 0\n", "element tristrips 0\n"}) {
+    for (const std::string& properties : {std::string(), list}) {
+      const auto path = folder.write("e.ply", withElement(empty + properties));
+      EXPECT_TRUE(plyHoldsPoints(path)) << empty;
+      EXPECT_EQ(readPlyPoints(path).positions.size(), 3u) << empty;
+      EXPECT_EQ(readSceneFile(path).points->points, 3u) << empty;
+    }
+  }
   // One of four vertices is unused.
   std::string mesh = pointHeader("ascii", 4, kPointXyz);
   mesh.insert(mesh.find("end_header"), "element face 1\n" + list);

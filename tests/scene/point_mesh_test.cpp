@@ -126,6 +126,21 @@ TEST(PointMesh, KeepsColorsAndTheOrderOfTheFile) {
   }
 }
 
+TEST(PointMesh, CountsPointsAsRepeatedThatRoundingPutsAtOnePlace) {
+  // The box is from 0 to 2, so that points are moved by 1, near which floats are 6e-8 apart; near 0 they are closer.
+  PointCloud cloud = cloudOf({{0, 0.5f, 0}, {2, 0.5f, 0}});
+  for (int i = 0; i < 900; ++i) {
+    const float x = static_cast<float>(i % 30 + 1) / 1024;
+    const float y = static_cast<float>(i / 30) / 32;
+    cloud.positions.push_back({x, y, 0});
+    cloud.positions.push_back({std::nextafter(x, 2.0f), y, 0});
+  }
+  const PointMesh points = meshOfPoints(cloud, {}, "test");
+  EXPECT_EQ(points.facts.points, 1802u);
+  EXPECT_EQ(points.facts.repeated, 900u);
+  EXPECT_NO_THROW(validate(points.mesh, "test"));
+}
+
 TEST(PointMesh, DoesNotLetAPointFarAwayGrow) {
   PointCloud cloud = spherePoints(300);
   cloud.positions.push_back({40, 0, 0});

@@ -101,6 +101,22 @@ TEST(CellPanel, IgnoresOtherSurfaces) {
   EXPECT_GE(glm::length(two.halfY), 0.5f - 1e-5f);
 }
 
+TEST(CellPanel, TakesNeighborsAsNearAsRounding) {
+  Random random(14);
+  for (int round = 0; round < 20'000; ++round) {
+    const glm::vec3 normal = randomUnit(random);
+    std::vector<glm::vec3> offsets;
+    for (size_t i = 0; i < kMaxPanelNeighbors; ++i) {
+      // Some far ones, and groups that are apart by about the rounding of these.
+      offsets.push_back(i % 4 == 0 ? 0.1f * randomUnit(random) : offsets.back() + 1e-7f * randomUnit(random));
+    }
+    const PointPanel panel = cellPanel(offsets, normal, 1);
+    const float halves = glm::length(panel.halfX) + glm::length(panel.halfY);
+    ASSERT_GT(halves, 0) << round;
+    ASSERT_LE(glm::length(panel.center) + halves, 3 * std::sqrt(2.0f)) << round;
+  }
+}
+
 /// The neighbours of points on a ring of `count`, in the plane z = 0: the two beside each.
 std::vector<uint32_t> ringLinks(uint32_t count) {
   std::vector<uint32_t> links;
@@ -161,6 +177,45 @@ TEST(OrientNormals, JoinsPartsThatNameEachOtherInOneDirection) {
   orientNormals(positions, links, 2, normals);
   for (const glm::vec3& normal : normals) {
     EXPECT_EQ(normal.z, 1) << "a flat part looks towards +z";
+  }
+}
+
+TEST(OrientNormals, JoinsVeryManyPartsInARow) {
+  // Each point names the one before it in the row alone, so that it is a part of its own. Normals turn less and less
+  // along the row, so that parts are joined from its end on, each to all behind it; and the second point is at the end.
+  constexpr uint32_t kCount = 200'000;
+  const auto pointAt = [](uint32_t place) { return place == 0 ? 0 : place == kCount - 1 ? 1 : place + 1; };
+  Random random(11);
+  std::vector<glm::vec3> positions(kCount);
+  std::vector<glm::vec3> even(kCount);
+  std::vector<glm::vec3> normals(kCount);
+  std::vector<uint32_t> links(2 * kCount, kNoNeighbor);
+  double angle = 0;
+  for (uint32_t place = 0; place < kCount; ++place) {
+    const uint32_t point = pointAt(place);
+    positions[point] = {static_cast<float>(place), 0, 0};
+    even[point] = glm::vec3(0, std::cos(angle), std::sin(angle));
+    normals[point] = even[point] * (random.below(2) == 0 ? 1.0f : -1.0f);
+    if (point > 1) {
+      links[2 * point] = pointAt(place - 1);
+    }
+    angle += 1 - 0.95 * place / kCount;
+  }
+  links[2 * (kCount - 1) + 1] = 1;  // named by its only neighbour, as it comes before that
+  orientNormals(positions, links, 2, normals);
+  const float side = glm::dot(normals[0], even[0]);
+  for (uint32_t i = 0; i < kCount; ++i) {
+    ASSERT_NEAR(glm::dot(normals[i], even[i]), side, 1e-6f) << i;
+  }
+}
+
+TEST(OrientNormals, TakesPointsAtOnePlace) {
+  // The square of the second distance is less than what floats hold.
+  for (const float apart : {0.0f, 1e-30f}) {
+    const std::vector<glm::vec3> positions{{0, 0, 0}, {apart, 0, 0}};
+    std::vector<glm::vec3> normals{{0, 0, 1}, {0, 0, -1}};
+    orientNormals(positions, std::vector<uint32_t>{1, 0}, 1, normals);
+    EXPECT_EQ(normals, std::vector<glm::vec3>(2, glm::vec3(0, 0, 1))) << apart;
   }
 }
 

@@ -37,6 +37,13 @@ TEST(TextPoints, HaveColorsOrNormals) {
   const PointCloud directed = pointsOf("0 0 0 0 0 1\n1 1 1 0 0.6 -0.8\n2 2 2 1 0 0\n");
   EXPECT_EQ(directed.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0.6f, -0.8f}, {1, 0, 0}}));
   EXPECT_TRUE(directed.colors.empty());
+  // Whole numbers that are unit vectors everywhere are those of a floor or a box.
+  const PointCloud floor = pointsOf("0 0 0 0 0 1\n1 1 0 0 0 1\n0 1 0 0 1 0\n");
+  EXPECT_EQ(floor.normals, (std::vector<glm::vec3>{{0, 0, 1}, {0, 0, 1}, {0, 1, 0}}));
+  EXPECT_TRUE(floor.colors.empty());
+  const PointCloud dark = pointsOf("0 0 0 0 0 1\n1 1 0 0 1 1\n0 1 0 0 0 1\n");
+  EXPECT_EQ(dark.colors.size(), 3u);
+  EXPECT_TRUE(dark.normals.empty());
   const PointCloud leica = pointsOf("2\n0 0 0 -1200 255 0 0\n1 1 1 0.5 128 128 128\n");
   EXPECT_EQ(leica.colors, (std::vector<glm::vec3>{{1, 0, 0}, grey}));
   const PointCloud both = pointsOf("0 0 0 255 255 255 0 -1 0\n");
@@ -57,6 +64,34 @@ TEST(TextPoints, SayWhichLineIsWrong) {
   EXPECT_THAT(read("1.5\n1 2 3\n"), ThrowsMessage<InputError>(HasSubstr("line 1")));
   EXPECT_THAT(read("99999999999999999999\n1 2 3\n"), ThrowsMessage<InputError>(HasSubstr("line 1")));
   EXPECT_THAT(read(std::string(5000, '1')), ThrowsMessage<InputError>(HasSubstr("too long")));
+}
+
+/// A file whose disk fails after its text.
+class FailingBuffer final : public std::stringbuf {
+ public:
+  explicit FailingBuffer(const std::string& text) : std::stringbuf(text, std::ios_base::in) {}
+
+ protected:
+  int_type underflow() override {
+    const int_type next = std::stringbuf::underflow();
+    if (next == traits_type::eof()) {
+      throw std::ios_base::failure("the disk failed");
+    }
+    return next;
+  }
+};
+
+TEST(TextPoints, AreNotCutWhereReadingFails) {
+  FailingBuffer buffer("1 2 3\n4 5 6\n");
+  std::istream stream(&buffer);
+  EXPECT_THAT([&] { readTextPoints(stream, "cloud.xyz"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("cannot be read"), HasSubstr("cloud.xyz, line 3"))));
+  std::istringstream broken("1 2 3\n");
+  broken.setstate(std::ios_base::badbit);
+  EXPECT_THAT([&] { readTextPoints(broken, "cloud.xyz"); }, ThrowsMessage<InputError>(HasSubstr("cannot be read")));
+  const test::TemporaryFolder folder;
+  EXPECT_THAT([&] { readTextPoints(folder.path()); }, ThrowsMessage<InputError>(HasSubstr("cannot be read")))
+      << "folders can be opened, but not read";
 }
 
 TEST(TextPoints, BecomeAScene) {

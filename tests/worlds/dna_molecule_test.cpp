@@ -95,6 +95,12 @@ TEST(BuiltinDna, HasAboutAsManyTrianglesAsAsked) {
       EXPECT_GT(signedVolume(mesh), 0);
     }
   }
+  for (const int pairs : {1, 2, 3, 5, 8, 13}) {
+    const Scene finest = makeBuiltinScene("builtin:dna,pairs=" + std::to_string(pairs) +
+                                          ",triangles=" + std::to_string(kMaxSceneTriangles));
+    EXPECT_NEAR(static_cast<double>(triangleCount(finest)), 0.99 * kMaxSceneTriangles, 0.01 * kMaxSceneTriangles)
+        << pairs << " pairs: about as many, but not more than a scene may have";
+  }
   const Scene coarsest = makeBuiltinScene("builtin:dna,pairs=3,triangles=1");
   EXPECT_EQ(triangleCount(coarsest), 8 * coarsest.instances.size());
   const std::vector<uint32_t> objects = objectOfTriangles(coarsest);

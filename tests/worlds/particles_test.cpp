@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <optional>
 
 #include "oc_core/scene/object_boxes.h"
 #include "oc_core/worlds/builtin_scenes.h"
@@ -42,7 +44,45 @@ TEST(Particles, AreSquaresInTheBallsOfTheirClusters) {
   }
 }
 
-TEST(Particles, FloatAboveTheTerrainApartFromEachOther) {
+/// How far `place` is above the triangle of a terrain that is below or above it, along y; nothing where there is none.
+std::optional<float> heightAbove(const Mesh& terrain, const glm::vec3& place) {
+  const auto areaFrom = [](const glm::vec3& a, const glm::vec3& b, const glm::vec3& c) {
+    return (b.x - a.x) * (c.z - a.z) - (b.z - a.z) * (c.x - a.x);
+  };
+  for (const glm::uvec3& triangle : terrain.triangles) {
+    const glm::vec3& a = terrain.positions[triangle.x];
+    const glm::vec3& b = terrain.positions[triangle.y];
+    const glm::vec3& c = terrain.positions[triangle.z];
+    const glm::vec3 weights =
+        glm::vec3(areaFrom(b, c, place), areaFrom(c, a, place), areaFrom(a, b, place)) / areaFrom(a, b, c);
+    if (std::min({weights.x, weights.y, weights.z}) >= 0) {
+      return place.y - glm::dot(weights, glm::vec3(a.y, b.y, c.y));
+    }
+  }
+  return std::nullopt;
+}
+
+TEST(Particles, FloatAboveTheTerrain) {
+  for (const char* source :
+       {"builtin:particles,clusters=6,radius=0.14,count=100", "builtin:particles,clusters=6,radius=0.3,count=100",
+        "builtin:particles,clusters=1,radius=0.3,count=100", "builtin:particles,clusters=2,radius=0.01,count=100"}) {
+    const Scene scene = makeBuiltinScene(source);
+    const Mesh& terrain = scene.meshes[0];
+    const glm::mat4 terrainFromWorld = glm::inverse(scene.instances[0].worldFromMesh);
+    size_t above = 0;
+    for (size_t i = 1; i < scene.instances.size(); ++i) {
+      const glm::mat4 terrainFromCluster = terrainFromWorld * scene.instances[i].worldFromMesh;
+      for (const glm::vec3& corner : scene.meshes[i].positions) {
+        const std::optional<float> height = heightAbove(terrain, glm::vec3(terrainFromCluster * glm::vec4(corner, 1)));
+        EXPECT_GT(height.value_or(1), 0) << source << ", cluster " << i;
+        above += height ? 1 : 0;
+      }
+    }
+    EXPECT_GT(above, 400 * (scene.instances.size() - 1) * 9 / 10) << source << ": few are beside the terrain";
+  }
+}
+
+TEST(Particles, FloatApartFromEachOther) {
   const GuidedScene scene = loadGuidedScene("builtin:particles,clusters=6,radius=0.14,count=2000");
   const std::map<uint32_t, Box> boxes = boxesOfObjects(scene.mesh, scene.objectOfTriangle);
   ASSERT_EQ(boxes.size(), 7u);
@@ -63,8 +103,8 @@ TEST(Particles, FollowTheSeed) {
 }
 
 TEST(LeafyTree, HasTheTrianglesAskedForAndASolidTrunk) {
-  const Mesh wood = makeLeafyTree(fewestTriangles(), 3);
-  EXPECT_EQ(wood.triangles.size(), fewestTriangles());
+  const Mesh wood = makeLeafyTree(minTreeTriangles(), 3);
+  EXPECT_EQ(wood.triangles.size(), minTreeTriangles());
   Mesh trunk = wood;
   trunk.triangles.pop_back();  // its one leaf
   EXPECT_TRUE(isClosed(trunk));
