@@ -40,37 +40,49 @@ std::optional<Number> numberIn(std::string_view text) {
   return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
 }
 
-[[noreturn]] void failValue(const AntialiasKey& key, const std::string& value, const std::string& where);
+/// As in ", 0 to 16"; empty where it is no number.
+std::string rangeOf(const AntialiasKey& key) {
+  return key.min < key.max ? fmt::format(", {:.10g} to {:.10g}", key.min, key.max) : "";
+}
 
 const AntialiasKey& keyNamed(std::string_view name) {
   const std::vector<AntialiasKey>& keys = antialiasKeys();
   return *std::find_if(keys.begin(), keys.end(), [&](const AntialiasKey& each) { return name == each.name; });
 }
 
-void readPlacement(AntialiasChoice& choice, const std::string& value, const std::string& where) {
+[[noreturn]] void failValue(const AntialiasKey& key, const std::string& value, const std::string& where) {
+  throw InputError(fmt::format("\"{}\" is no value of {}", value, key.name), where,
+                   fmt::format("give {}={}{}", key.name, key.values, rangeOf(key)));
+}
+
+bool isWithin(const AntialiasKey& key, double value) {
+  return value >= key.min && value <= key.max;
+}
+
+void readPlacement(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value,
+                   const std::string& where) {
   choice.placement = findSamplePlacement(value);
   if (choice.placement == nullptr) {
-    failValue(keyNamed("placement"), value, where);
+    failValue(key, value, where);
   }
 }
 
-void readExact(AntialiasChoice& choice, const std::string& value, const std::string& where) {
+void readExact(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
   const std::optional<int> triangles = numberIn<int>(value);
-  if (!triangles || *triangles < 0 || *triangles > static_cast<int>(PixelArea::kMaxTriangles)) {
-    failValue(keyNamed("exact"), value, where);
+  if (!triangles || !isWithin(key, *triangles)) {
+    failValue(key, value, where);
   }
   choice.maxExactTriangles = static_cast<size_t>(*triangles);
 }
 
-void readTile(AntialiasChoice& choice, const std::string& value, const std::string& where) {
+void readTile(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
   const size_t cross = std::min(value.find('x'), value.size());
   const std::string_view text = value;
   // 0 where there is no number, which is no size either.
   const int width = numberIn<int>(text.substr(0, cross)).value_or(0);
   const int height = numberIn<int>(text.substr(std::min(cross + 1, text.size()))).value_or(0);
-  const auto fits = [](int side) { return side >= 1 && side <= AntialiasTile::kMaxSide; };
-  if (!fits(width) || !fits(height)) {
-    failValue(keyNamed("tile"), value, where);
+  if (!isWithin(key, width) || !isWithin(key, height)) {
+    failValue(key, value, where);
   }
   if (int64_t{width} * height > AntialiasTile::kMaxSamples) {
     throw InputError(fmt::format("a tile of {} has {} samples", value, int64_t{width} * height), where,
@@ -79,40 +91,35 @@ void readTile(AntialiasChoice& choice, const std::string& value, const std::stri
   choice.tile = {width, height};
 }
 
-void readDense(AntialiasChoice& choice, const std::string& value, const std::string& where) {
+void readDense(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
   const std::optional<double> dense = numberIn<double>(value);
-  if (!dense || !(*dense >= 0 && *dense <= 1e6)) {
-    failValue(keyNamed("dense"), value, where);
+  if (!dense || !isWithin(key, *dense)) {
+    failValue(key, value, where);
   }
   choice.dense = *dense;
 }
 
-void readRegions(AntialiasChoice& choice, const std::string& value, const std::string& where) {
-  if (value.ends_with(".json")) {
+void readRegions(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
+  if (value.ends_with(".json") || value.ends_with(".JSON")) {
     choice.requested = readRegionFile(value);
     choice.regions = "file";
   } else if (value == "auto" || value == "objects") {
     choice.regions = value;
   } else {
-    failValue(keyNamed("regions"), value, where);
+    failValue(key, value, where);
   }
 }
 
-void readOutside(AntialiasChoice& choice, const std::string& value, const std::string& where) {
+void readOutside(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
   const AntialiasChoice outside = antialiasChoice(value, where + ", outside=" + value);
   if (outside.method->hasRegions) {
-    failValue(keyNamed("outside"), value, where);
+    failValue(key, value, where);
   }
   choice.outside = std::make_shared<const AntialiasChoice>(outside);
 }
 
 PixelRule onePoint(const AntialiasChoice& /*choice*/) {
   return {std::make_shared<SamplePattern>(1, *findSamplePlacement("grid")), false, 0};
-}
-
-void failValue(const AntialiasKey& key, const std::string& value, const std::string& where) {
-  throw InputError(fmt::format("\"{}\" is no value of {}", value, key.name), where,
-                   fmt::format("give {}={}", key.name, key.values));
 }
 
 std::string methodNames() {
@@ -200,17 +207,24 @@ const std::vector<AntialiasMethod>& antialiasMethods() {
 
 const std::vector<AntialiasKey>& antialiasKeys() {
   static const std::vector<AntialiasKey> rows = {
-      {"tile", "WIDTHxHEIGHT", "size of each region's off-screen tile, samples; 640x720", &readTile},
-      {"regions", "auto|objects|FILE.json",
-       "where triangles are dense, boxes around objects that are, or those of a file; auto", &readRegions},
-      {"dense", "NUMBER", "triangles a pixel from which on there is a region; 1", &readDense},
-      {"placement", "grid|sheared|slanted|multijittered|jittered", "how samples lie in their pixel; slanted",
+      {"tile", "WIDTHxHEIGHT", "640x720", "size of each region's off-screen tile, samples a side", &readTile, 1,
+       AntialiasTile::kMaxSide},
+      {"regions", "auto|objects|FILE.json", "auto",
+       "where triangles are dense, boxes around objects that are, or those of a file", &readRegions},
+      {"dense", "NUMBER", "1", "triangles a pixel from which on there is a region, where no file says so", &readDense,
+       0, 1e6},
+      {"placement", "grid|sheared|slanted|multijittered|jittered", "slanted", "how samples lie in their pixel",
        &readPlacement},
-      {"exact", "NUMBER", "pixels that at most so many triangles meet are averaged by area, 0 to 16; 4", &readExact},
-      {"outside", "METHOD", "how pixels outside of the regions are drawn: another of these ways; area-16",
-       &readOutside},
+      {"exact", "NUMBER", "4", "pixels that at most so many triangles meet are averaged by area", &readExact, 0,
+       PixelArea::kMaxTriangles},
+      {"outside", "METHOD", "area-16",
+       "how pixels outside of the regions are drawn: another of these ways, without keys of its own", &readOutside},
   };
   return rows;
+}
+
+std::string describeAntialiasKey(const AntialiasKey& key) {
+  return fmt::format("{}{}; {}", key.description, rangeOf(key), key.standard);
 }
 
 std::string antialiasHelp() {
@@ -226,7 +240,7 @@ std::string antialiasHelp() {
     help += each.keys.empty() ? "" : "]";
   }
   for (const AntialiasKey& each : antialiasKeys()) {
-    help += fmt::format("\n  {}={}: {}", each.name, each.values, each.description);
+    help += fmt::format("\n  {}={}: {}", each.name, each.values, describeAntialiasKey(each));
   }
   return help;
 }
@@ -237,6 +251,10 @@ AntialiasChoice antialiasChoice(const std::string& text, const std::string& wher
   const size_t nameEnd = std::min(text.find(','), text.size());
   choice.method = &methodIn(std::string_view(text).substr(0, nameEnd), choice, where);
   const std::vector<const char*>& keys = choice.method->keys;
+  for (const char* name : keys) {
+    const AntialiasKey& key = keyNamed(name);
+    key.read(key, choice, key.standard, where);
+  }
   std::vector<std::string> given;
   for (size_t start = nameEnd; start < text.size();) {
     const size_t end = std::min(text.find(',', start + 1), text.size());
@@ -255,11 +273,12 @@ AntialiasChoice antialiasChoice(const std::string& text, const std::string& wher
       throw InputError(fmt::format("\"{}\" stands twice", name), where, "leave one of them out");
     }
     given.push_back(name);
-    keyNamed(name).read(choice, pair.substr(name.size() + 1), where);
+    const AntialiasKey& key = keyNamed(name);
+    key.read(key, choice, pair.substr(name.size() + 1), where);
     start = end;
   }
-  if (choice.method->hasRegions && !choice.outside) {
-    choice.outside = std::make_shared<const AntialiasChoice>(antialiasChoice("area-16", where));
+  if (choice.regions == "file" && std::find(given.begin(), given.end(), "dense") != given.end()) {
+    throw InputError("a file says where its regions are, whatever is dense", where, "leave dense= or the file out");
   }
   return choice;
 }
@@ -274,6 +293,11 @@ std::vector<AntialiasRegion> antialiasRegions(const AntialiasChoice& choice, con
     const RegionRequest& request = choice.requested[i];
     regions.push_back(fittedRegion(scene, boxOfRequest(request, scene.view(), i + 1), choice.tile));
     regions.back().side = request.side > 0 ? request.side : regions.back().side;
+  }
+  if (choice.regions == "objects" &&
+      std::all_of(objectOfTriangle.begin(), objectOfTriangle.end(), [](uint32_t object) { return object == 0; })) {
+    throw InputError("no triangle of the scene is an object's: there is nothing to lay boxes around", "--antialias",
+                     "use regions=auto, or regions=FILE.json");
   }
   if (choice.regions != "file") {
     for (const PixelBounds& box : choice.regions == "objects" ? objectRectangles(scene, objectOfTriangle, choice.dense)

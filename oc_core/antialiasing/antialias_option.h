@@ -21,12 +21,12 @@ struct AntialiasChoice {
   const AntialiasMethod* method = nullptr;
   std::string text;  ///< as the user wrote it
   int samples = 1;   ///< a pixel
-  const SamplePlacement* placement = findSamplePlacement("slanted");
-  size_t maxExactTriangles = 4;
-  // What follows is of ways that have regions.
+  // What follows is as the way's keys say, or their defaults; of ways without the key it says nothing.
+  const SamplePlacement* placement = nullptr;
+  size_t maxExactTriangles = 0;
   AntialiasTile tile;
-  double dense = 1;                                ///< triangles a pixel from which on there is a region
-  std::string regions = "auto";                    ///< "auto", "objects", or "file"
+  double dense = 0;                                ///< triangles a pixel from which on there is a region
+  std::string regions;                             ///< "auto", "objects", or "file"
   std::vector<RegionRequest> requested;            ///< of the file
   std::shared_ptr<const AntialiasChoice> outside;  ///< of the regions
 };
@@ -44,14 +44,19 @@ struct AntialiasMethod {
 
 struct AntialiasKey {
   const char* name;
-  const char* values;       ///< what may stand after "="
-  const char* description;  ///< with the default
+  const char* values;    ///< what may stand after "="
+  const char* standard;  ///< the value where it is not given
+  const char* description;
   /// Throws InputError for a value that is wrong.
-  void (*read)(AntialiasChoice& choice, const std::string& value, const std::string& where);
+  void (*read)(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where);
+  double min = 0;  ///< of numbers; of others both are 0
+  double max = 0;
 };
 
 const std::vector<AntialiasMethod>& antialiasMethods();
 const std::vector<AntialiasKey>& antialiasKeys();
+/// What it means, its range and its default, as the help and the documentation say.
+std::string describeAntialiasKey(const AntialiasKey& key);
 /// A line for each way, and one for each key.
 std::string antialiasHelp();
 
@@ -61,8 +66,9 @@ AntialiasChoice antialiasChoice(const std::string& text, const std::string& wher
 /// The most samples of all regions of an image together: they take time, though no memory.
 inline constexpr int64_t kMaxRegionSamples = int64_t{1} << 34;
 
-/// The regions of a choice in an image. Throws InputError where one is smaller than a pixel, and where they have more
-/// samples than that. `objectOfTriangle` is that of the mesh: only for regions by objects.
+/// The regions of a choice in an image. Throws InputError where one is smaller than a pixel, where they have more
+/// samples than that, and where regions are asked for by objects but there is none. `objectOfTriangle` is that of the
+/// mesh: only for regions by objects.
 std::vector<AntialiasRegion> antialiasRegions(const AntialiasChoice& choice, const AntialiasScene& scene,
                                               const std::vector<uint32_t>& objectOfTriangle = {});
 

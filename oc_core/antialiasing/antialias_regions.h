@@ -14,8 +14,8 @@ struct AntialiasTile {
   static constexpr int kMaxSide = 32768;
   static constexpr int64_t kMaxSamples = int64_t{1} << 28;
 
-  int width = 640;
-  int height = 720;
+  int width = 1;
+  int height = 1;
 };
 
 struct AntialiasRegion {

@@ -41,7 +41,6 @@ struct AntialiasTriangle {
   BlockPlane inverseZ;              ///< 1/z, linear over the image
   float perArea = 0;                ///< edges[i].at() * perArea: what corner i weighs in the image
   ImageBox box;                     ///< in the reference's image, from the base
-  PixelBounds pixels;               ///< that it may show in, of the image; x1 and y1 lie beyond
   std::array<RasterVertex, 3> corners;
   uint32_t triangle = 0;
 

@@ -15,7 +15,7 @@ constexpr std::array<uint32_t, PixelMasks::kMaxRows + 1> kBelow = [] {
   return below;
 }();
 
-/// Of set bits, without the processor's instruction, which not all have; loops over it become vectors.
+/// Of set bits, without the CPU's instruction, which not all have; loops over it become vectors.
 uint32_t bitsIn(uint32_t x) {
   x -= (x >> 1) & 0x55555555u;
   x = (x & 0x33333333u) + ((x >> 2) & 0x33333333u);
@@ -75,15 +75,21 @@ bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
   const auto firstRow = static_cast<float>(shown.firstRow);
   size_t froms = 0;
   size_t tos = 0;
+  uint32_t sides = ~0u;  // bit k: row k from the first on lies on the inner side of the edges that run along the rows
   for (size_t i = 0; i < 3; ++i) {
     const BlockPlane& edge = t.edges[i];
     const float step = edge.b * stepPerB;
     const float slope = edge.a * side_ + step;
     const float atLeft = edge.a * square_.lower.x + edge.b * square_.lower.y + edge.c + step * firstRow;
-    // Along an edge that runs with the rows, as good as none: whole rows lie on one side.
-    const float scale = slope != 0 ? n / slope : 1e30f;
+    if (slope == 0) {  // whole rows lie on one side
+      for (int k = 0; k < rows; ++k) {
+        sides &= ~(atLeft + step * static_cast<float>(k) >= 0 ? 0 : 1u << k);
+      }
+      continue;
+    }
+    const float scale = n / slope;
     const Crossing crossing{-atLeft * scale, -step * scale};
-    (slope >= 0 ? from[froms++] : to[tos++]) = crossing;
+    (slope > 0 ? from[froms++] : to[tos++]) = crossing;
   }
   const float* offset = offset_.data() + shown.firstRow;
   uint32_t any = 0;
@@ -100,7 +106,9 @@ bool PixelMasks::cover(const AntialiasTriangle& t, Shown& shown) const {
     }
     for (int lane = 0; lane < kLanes && k + lane < rows; ++lane) {
       const auto i = static_cast<size_t>(lane);
-      const uint32_t row = kBelow[static_cast<size_t>(beyond[i])] & ~kBelow[static_cast<size_t>(first[i])];
+      const uint32_t onInnerSide = 0 - (sides >> (k + lane) & 1);
+      const uint32_t row =
+          onInnerSide & kBelow[static_cast<size_t>(beyond[i])] & ~kBelow[static_cast<size_t>(first[i])];
       shown.samples[static_cast<size_t>(shown.firstRow + k + lane)] = row;
       any |= row;
     }

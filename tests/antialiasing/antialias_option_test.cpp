@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "tests/antialiasing/antialias_scenes.h"
+#include "tests/base/temporary_folder.h"
 
 namespace ocelli::test {
 namespace {
@@ -30,7 +32,14 @@ TEST(AntialiasOption, readsWaysAndTheirKeys) {
   EXPECT_EQ(extreme.dense, 2.5);
   EXPECT_EQ(extreme.maxExactTriangles, 0U);
   EXPECT_EQ(extreme.outside->text, "msaa-16");
-  EXPECT_EQ(antialiasChoice("extreme", "").outside->text, "area-16");
+  const AntialiasChoice standard = antialiasChoice("extreme", "");
+  EXPECT_EQ(standard.tile.width, 640);
+  EXPECT_EQ(standard.tile.height, 720);
+  EXPECT_EQ(standard.regions, "auto");
+  EXPECT_EQ(standard.dense, 1);
+  EXPECT_STREQ(standard.placement->name, "slanted");
+  EXPECT_EQ(standard.maxExactTriangles, 4U);
+  EXPECT_EQ(standard.outside->text, "area-16");
 }
 
 TEST(AntialiasOption, helpNamesEveryWayAndKey) {
@@ -61,6 +70,8 @@ TEST(AntialiasOption, refusesWhatIsWrongAndSaysWhatIsRight) {
   EXPECT_THAT(optionError("extreme,exact=17"), testing::HasSubstr("give exact="));
   EXPECT_THAT(optionError("extreme,placement=round"), testing::HasSubstr("give placement="));
   EXPECT_THAT(optionError("extreme,dense=nan"), testing::HasSubstr("give dense="));
+  EXPECT_THAT(optionError("extreme,dense=-1"), testing::HasSubstr("give dense=NUMBER, 0 to 1000000"));
+  EXPECT_THAT(optionError("extreme,tile=32769x1"), testing::HasSubstr("give tile=WIDTHxHEIGHT, 1 to 32768"));
   EXPECT_THAT(optionError("extreme,regions=all"), testing::HasSubstr("give regions=auto|objects|FILE.json"));
   EXPECT_THAT(optionError("extreme,regions=missing.json"), testing::HasSubstr("missing.json"));
   EXPECT_THAT(optionError("extreme,outside=extreme"), testing::HasSubstr("give outside=METHOD"));
@@ -81,6 +92,28 @@ TEST(AntialiasOption, regionsSmallerThanAPixelAndTooManySamplesAreErrors) {
   EXPECT_THROW(antialiasRegions(choice, scene), InputError);
   choice.requested = {{{0.5, 0.5}, {1, 1}, 16}};
   EXPECT_EQ(antialiasRegions(choice, scene).front().side, 16);
+}
+
+TEST(AntialiasOption, aFileOfRegionsLeavesNothingToDensity) {
+  const TemporaryFolder folder;
+  const std::string file = (folder / "REGIONS.JSON").string();
+  writeFile(file, R"({"regions": [{"center": [0.5, 0.5], "extent": [0.5, 0.5]}]})");
+  EXPECT_EQ(antialiasChoice("extreme,regions=" + file, "").requested.size(), 1U);
+  for (const std::string& both : {"extreme,dense=2,regions=" + file, "extreme,regions=" + file + ",dense=2"}) {
+    EXPECT_THAT(optionError(both), testing::HasSubstr("leave dense= or the file out"));
+  }
+}
+
+TEST(AntialiasOption, regionsByObjectsNeedObjects) {
+  const PinholeCamera camera({}, 90, 60);
+  const Mesh mesh = triangleCloud(500, 0.1f);
+  const AntialiasScene scene(camera, mesh);
+  const AntialiasChoice choice = antialiasChoice("extreme,regions=objects,dense=0", "--antialias");
+  EXPECT_THROW(antialiasRegions(choice, scene), InputError);
+  std::vector<uint32_t> objects(mesh.triangles.size(), 0);
+  EXPECT_THROW(antialiasRegions(choice, scene, objects), InputError);
+  objects[0] = 1;
+  EXPECT_EQ(antialiasRegions(choice, scene, objects).size(), 1U);
 }
 
 TEST(AntialiasOption, raysTakeWhatIsOfSamplesEverywhere) {
