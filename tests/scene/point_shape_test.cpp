@@ -183,7 +183,7 @@ TEST(OrientNormals, JoinsPartsThatNameEachOtherInOneDirection) {
 TEST(OrientNormals, JoinsVeryManyPartsInARow) {
   // Each point names the one before it in the row alone, so that it is a part of its own. Normals turn less and less
   // along the row, so that parts are joined from its end on, each to all behind it; and the second point is at the end.
-  constexpr uint32_t kCount = 200'000;
+  constexpr uint32_t kCount = 500'000;
   const auto pointAt = [](uint32_t place) { return place == 0 ? 0 : place == kCount - 1 ? 1 : place + 1; };
   Random random(11);
   std::vector<glm::vec3> positions(kCount);
