@@ -4,6 +4,7 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <functional>
 
 #include "cli/scene_notes.h"
 #include "cli/viewed_scene.h"
@@ -24,6 +25,24 @@ namespace {
 /// What reference images show where there is nothing.
 constexpr glm::vec3 kBlack(0);
 
+bool isAll(const Image<glm::vec3>& image, const glm::vec3& color) {
+  return std::all_of(image.begin(), image.end(), [&](const glm::vec3& each) { return each == color; });
+}
+
+/// The image on a background. Throws InputError at `where` where it shows nothing of the mesh: where it is the
+/// background alone, whatever that is, so that a surface of the same colour counts as seen.
+Image<glm::vec3> drawnOn(const glm::vec3& background, const PinholeCamera& reference, const Mesh& mesh,
+                         const std::string& where, const std::function<Image<glm::vec3>(const glm::vec3&)>& draw) {
+  Image<glm::vec3> image = draw(background);
+  if (isAll(image, background)) {
+    const glm::vec3 other = background + 1.0f;
+    if (isAll(draw(other), other)) {
+      failSeeingNothing(reference, mesh, where);
+    }
+  }
+  return image;
+}
+
 /// The view of a camera whose samples are rays of the reference's eye; nothing for others.
 std::optional<AntialiasView> viewOf(const CameraChoice& choice, const PinholeCamera& reference) {
   if (choice.kind == findRepresentation("di")->kind) {
@@ -35,11 +54,25 @@ std::optional<AntialiasView> viewOf(const CameraChoice& choice, const PinholeCam
   return std::nullopt;
 }
 
-void noteRegions(const std::vector<AntialiasRegion>& regions, const CommandContext& context) {
+/// `outside` is the rule of pixels outside of them, which regions of no more samples take too.
+void noteRegions(const AntialiasChoice& choice, const std::vector<AntialiasRegion>& regions, const PixelRule& outside,
+                 const CommandContext& context) {
+  if (!choice.method->hasRegions) {
+    return;
+  }
+  if (regions.empty()) {
+    context.note(fmt::format("no region has more than {} triangles a pixel: all is drawn with {}", choice.dense,
+                             choice.outside->text));
+  }
   for (const AntialiasRegion& each : regions) {
-    context.note(fmt::format("region of {}x{} pixels at ({}, {}): {} samples a pixel, {:.2g} triangles a pixel",
-                             each.box.x1 - each.box.x0, each.box.y1 - each.box.y0, each.box.x0, each.box.y0,
-                             each.side * each.side, each.trianglesPerPixel));
+    const int samples = each.side * each.side;
+    const std::string drawn =
+        samples > outside.pattern->size()
+            ? fmt::format("{} samples a pixel", samples)
+            : fmt::format("{} samples a pixel would do, so drawn with {} as outside", samples, choice.outside->text);
+    context.note(fmt::format("region of {}x{} pixels at ({}, {}): {}, {:.2g} triangles a pixel",
+                             each.box.x1 - each.box.x0, each.box.y1 - each.box.y0, each.box.x0, each.box.y0, drawn,
+                             each.trianglesPerPixel));
   }
 }
 
@@ -48,12 +81,11 @@ Image<glm::vec3> rasterized(const AntialiasChoice& choice, const AntialiasView& 
   requireOutside(mesh, view.reference().eye(), "view");
   const AntialiasScene scene(view, mesh);
   const std::vector<AntialiasRegion> regions = antialiasRegions(choice, scene, objects);
-  noteRegions(regions, context);
+  const AntialiasPlan plan = antialiasPlan(choice, view, regions);
+  noteRegions(choice, regions, plan.rules.front(), context);
   AntialiasWork work;
-  Image<glm::vec3> image = scene.draw(antialiasPlan(choice, view, regions), kBlack, &work);
-  if (std::all_of(image.begin(), image.end(), [](const glm::vec3& each) { return each == kBlack; })) {
-    failSeeingNothing(view.reference(), mesh, "view");
-  }
+  Image<glm::vec3> image = drawnOn(kBlack, view.reference(), mesh, "view",
+                                   [&](const glm::vec3& background) { return scene.draw(plan, background, &work); });
   context.note(fmt::format("{} pixels sampled with {} samples, {} averaged by area, {} plain", work.sampled,
                            work.samples, work.exact, work.plain));
   return image;
@@ -65,13 +97,16 @@ Image<glm::vec3> castMultiperspective(const AntialiasedRender& render, const Sam
   const MultiperspectiveCamera camera = constructCamera(render.camera, scene, render.reference);
   noteBlackScene(context, scene.mesh);
   const RayScene rays(scene.mesh);
-  return std::visit(
-      [&](const auto& each) {
-        return raySampledImage(
-            each.width(), each.height(), [&](const glm::vec2& pixel) { return each.rayPath(pixel); }, rays, pattern,
-            skyColor());
-      },
-      camera);
+  return drawnOn(skyColor(), render.reference, scene.mesh, "--camera " + render.camera,
+                 [&](const glm::vec3& background) {
+                   return std::visit(
+                       [&](const auto& each) {
+                         return raySampledImage(
+                             each.width(), each.height(), [&](const glm::vec2& pixel) { return each.rayPath(pixel); },
+                             rays, pattern, background);
+                       },
+                       camera);
+                 });
 }
 
 Image<glm::vec3> castReferenceImage(const AntialiasedRender& render, const CameraChoice& camera, const Mesh& mesh,
@@ -83,8 +118,10 @@ Image<glm::vec3> castReferenceImage(const AntialiasedRender& render, const Camer
                          " images, which one PNG does not hold",
                      "--camera", "choose a camera of one image");
   }
-  return raySampledImage(images.front().width(), images.front().height(), rays.front(), RayScene(mesh), pattern,
-                         kBlack);
+  const RayScene scene(mesh);
+  return drawnOn(kBlack, render.reference, mesh, "view", [&](const glm::vec3& background) {
+    return raySampledImage(images.front().width(), images.front().height(), rays.front(), scene, pattern, background);
+  });
 }
 
 }  // namespace
