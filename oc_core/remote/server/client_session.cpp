@@ -64,8 +64,10 @@ ClientSession::Received ClientSession::receive(std::string_view part, bool isBin
 }
 
 ClientSession::Received ClientSession::readMessage(int64_t now) {
+  std::optional<uint32_t> sequence;
   try {
     RemoteRequest look = remoteRequestFromJson(message_);
+    sequence = look.sequence;
     if (std::max(look.screen.x, look.screen.y) > limits_.screenPixels) {
       throw InputError(fmt::format("this server draws for screens of at most {} pixels a side", limits_.screenPixels),
                        "message \"look\", \"screen\"", "make the window smaller");
@@ -76,7 +78,8 @@ ClientSession::Received ClientSession::readMessage(int64_t now) {
     if (++badMessages_ >= kMaxBadMessages) {
       return {.close = CloseReason{kPolicyViolation, "too many messages that cannot be read"}};
     }
-    outbox_.addText(ClientOutbox::Kind::kError, jsonText(RemoteFailure{.message = error.what()}), now);
+    outbox_.addText(ClientOutbox::Kind::kError, jsonText(RemoteFailure{.message = error.what(), .sequence = sequence}),
+                    now);
     return {};
   }
 }
