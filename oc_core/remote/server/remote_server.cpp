@@ -22,6 +22,9 @@ namespace {
 constexpr int kHttpOk = 200;
 constexpr int kSwitchingProtocols = 101;
 
+/// What this program has open besides: files, and sockets that are refused.
+constexpr size_t kOtherDescriptors = 64;
+
 void requireToken(const RemoteServerSetup& setup) {
   if (!isLoopbackAddress(setup.address) && setup.access.token.empty()) {
     throw InputError("other computers reach this address, and there is no token", setup.address,
@@ -90,21 +93,22 @@ class RemoteServer::State : public LoopEvents {
   }
 
   void closed(uint64_t connection) override {
-    const auto found = connections_.find(connection);
-    if (found == connections_.end()) {
+    // It is not among them any more, whatever happens below.
+    const auto left = connections_.extract(connection);
+    if (left.empty()) {
       return;
     }
-    if (const auto& session = found->second.session) {
+    const ServedConnection& served = left.mapped();
+    if (const auto& session = served.session) {
       if (draws_) {
         draws_->leave(connection);
       }
       counts_.looks += session->looks();
       counts_.images += session->outbox().imagesSent();
       counts_.bytesSent += session->bytesSent();
-      note(fmt::format("client {} left: {} looks, {} images, {:.1f} MB", found->second.client, session->looks(),
+      note(fmt::format("client {} left: {} looks, {} images, {:.1f} MB", served.client, session->looks(),
                        session->outbox().imagesSent(), static_cast<double>(session->bytesSent()) * 1e-6));
     }
-    connections_.erase(found);
   }
 
   HttpAnswer answer(uint64_t /*connection*/, const HttpRequest& request) override {
@@ -185,7 +189,7 @@ class RemoteServer::State : public LoopEvents {
             .drawn =
                 [this](uint64_t client, RemoteImage image, double seconds) {
                   const auto shared = std::make_shared<RemoteImage>(std::move(image));
-                  loop_->post([this, client, shared, seconds] { addImage(client, std::move(*shared), seconds); });
+                  postFor(client, [this, client, shared, seconds] { addImage(client, std::move(*shared), seconds); });
                 },
             .failed =
                 [this](uint64_t client, uint32_t sequence, const std::string& problem) {
@@ -194,8 +198,19 @@ class RemoteServer::State : public LoopEvents {
                 }};
   }
 
+  /// What fails ends this connection: its client would wait for ever for what it was to hear.
+  void postFor(uint64_t connection, std::function<void()> work) {
+    loop_->post([this, connection, work = std::move(work)] {
+      try {
+        work();
+      } catch (...) {
+        loop_->closeNow(connection);
+      }
+    });
+  }
+
   void tell(uint64_t connection, ClientOutbox::Kind kind, const std::string& text) {
-    loop_->post([this, connection, kind, text] {
+    postFor(connection, [this, connection, kind, text] {
       if (const auto found = connections_.find(connection); found != connections_.end()) {
         found->second.session->outbox().addText(kind, text, steadyNanoseconds());
         loop_->wantToSend(connection);
@@ -208,10 +223,12 @@ class RemoteServer::State : public LoopEvents {
     if (found == connections_.end()) {
       return;
     }
-    note(fmt::format("client {}: image {} for look {}: {:.2f} s, {:.0f} KB", found->second.client, image.id,
-                     image.sequence, seconds, static_cast<double>(image.color.size() + image.depth.size()) * 1e-3));
+    const std::string line =
+        fmt::format("client {}: image {} for look {}: {:.2f} s, {:.0f} KB", found->second.client, image.id,
+                    image.sequence, seconds, static_cast<double>(image.color.size() + image.depth.size()) * 1e-3);
     found->second.session->outbox().addImage(std::move(image), steadyNanoseconds());
     loop_->wantToSend(connection);
+    note(line);
   }
 
   size_t clientsNow() const {
@@ -236,7 +253,10 @@ class RemoteServer::State : public LoopEvents {
 
   void note(const std::string& line) const {
     if (setup_.note) {
-      setup_.note(line);
+      try {
+        setup_.note(line);
+      } catch (...) {  // what cannot be written must not end what is served
+      }
     }
   }
 
@@ -250,6 +270,7 @@ class RemoteServer::State : public LoopEvents {
 
 RemoteServer::RemoteServer(RemoteServerSetup setup) {
   requireToken(setup);
+  allowDescriptors(static_cast<size_t>(maxConnections(setup.limits)) + kOtherDescriptors);
   state_ = std::make_unique<State>(std::move(setup));
 }
 
