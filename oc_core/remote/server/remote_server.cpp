@@ -14,6 +14,7 @@
 #include "oc_core/remote/server/client_session.h"
 #include "oc_core/remote/server/http_answer.h"
 #include "oc_core/remote/server/listening_socket.h"
+#include "oc_core/remote/server/note_queue.h"
 #include "oc_core/remote/server/socket_loop.h"
 
 namespace ocelli {
@@ -48,6 +49,7 @@ class RemoteServer::State : public LoopEvents {
   explicit State(RemoteServerSetup setup)
       : setup_(std::move(setup)),
         listener_(setup_.address, setup_.port),
+        notes_(setup_.note),
         loop_(std::make_unique<SocketLoop>(LoopSetup{.maxConnections = maxConnections(setup_.limits),
                                                      .handshakeSeconds = setup_.limits.handshakeSeconds,
                                                      .pingSeconds = setup_.limits.pingSeconds},
@@ -223,12 +225,12 @@ class RemoteServer::State : public LoopEvents {
     if (found == connections_.end()) {
       return;
     }
-    const std::string line =
+    std::string line =
         fmt::format("client {}: image {} for look {}: {:.2f} s, {:.0f} KB", found->second.client, image.id,
                     image.sequence, seconds, static_cast<double>(image.color.size() + image.depth.size()) * 1e-3);
     found->second.session->outbox().addImage(std::move(image), steadyNanoseconds());
     loop_->wantToSend(connection);
-    note(line);
+    note(std::move(line));
   }
 
   size_t clientsNow() const {
@@ -245,23 +247,21 @@ class RemoteServer::State : public LoopEvents {
         counts.looks += served.session->looks();
         counts.images += served.session->outbox().imagesSent();
         counts.bytesSent += served.session->bytesSent();
-        counts.imageBytesNow += served.session->outbox().heldBytes();
+        counts.imageBytesNow += served.session->outbox().heldBytes() + served.session->heldBytes();
       }
     }
     return counts;
   }
 
-  void note(const std::string& line) const {
+  void note(std::string line) {
     if (setup_.note) {
-      try {
-        setup_.note(line);
-      } catch (...) {  // what cannot be written must not end what is served
-      }
+      notes_.add(std::move(line));
     }
   }
 
   const RemoteServerSetup setup_;
   ListeningSocket listener_;
+  NoteQueue notes_;
   RemoteServerCounts counts_;
   std::map<uint64_t, ServedConnection> connections_;
   std::unique_ptr<SocketLoop> loop_;
