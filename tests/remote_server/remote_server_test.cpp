@@ -178,7 +178,8 @@ TEST(RemoteServer, ClosesAClientThatSaysTooMuch) {
   setup.limits.looksPerSecond = 5;
   const RemoteServer server(std::move(setup));
   TestWebSocket client(server.port());
-  for (uint32_t i = 0; i < 50; ++i) {
+  // Not on and on: what a server leaves unread makes its kernel drop what it said.
+  for (uint32_t i = 0; i < 50 && server.counts().refused == 0; ++i) {
     client.sendText(lookText(i));
   }
   EXPECT_EQ(client.awaitClose(), 1008);
