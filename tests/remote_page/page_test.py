@@ -446,6 +446,30 @@ class PageTest(unittest.TestCase):
         time.sleep(1.5)
         self.assertEqual(self.value("ocelliRemote.planner.sequence"), asked)
 
+    def test_a_worker_that_ends_leaves_nothing_behind(self):
+        left = self.value("""(({receiver}) => {
+            receiver.worker.dispatchEvent(new ErrorEvent('error', {message: 'worker gone'}));
+            const image = {id: 99, sequence: 99, isGivenUp: false, width: 64, height: 36, view: ocelliRemote.view, header: {depth: {}},
+                depth: {codec: 'deflate'}};
+            receiver.underWay.set(image.id, image);
+            receiver.decodeDepth(image);
+            return [receiver.inDecoding.size, receiver.underWay.size, image.isGivenUp, ocelliRemote.isAsking];
+        })(ocelliRemote)""")
+        self.assertEqual(left, [0, 0, True, False])
+        self.assertIn("worker gone", self.value("document.getElementById('state').textContent"))
+
+    def test_images_are_no_larger_than_textures(self):
+        self.value("[ocelliRemote.picture.maxSide = 400, ocelliRemote.connection.socket.close()]")
+        self.browser.wait("ocelliRemote.canvas.width === 304", 30)  # 0.95 * 400 / 1.25
+        self.browser.wait("ocelliRemote.held.some((image) => image.screen[0] === 304 && image.width <= 400)", 60)
+        self.assertTrue(self.value("document.getElementById('state').hidden"))
+        # One that is too large all the same is refused, and those of other views are asked for.
+        held = self.value("""(({planner, held}) => [ocelliRemote.beginImage({size: [401, 300], sequence: planner.sequence}), held.length])(
+            ocelliRemote)""")[1]
+        self.assertIn("at most 400 pixels", self.value("document.getElementById('state').textContent"))
+        self.browser.drag((320, 180), (340, 190), "right")
+        self.browser.wait(f"ocelliRemote.held.length > {held} && document.getElementById('state').hidden", 60)
+
     def test_failures_make_pauses_that_grow(self):
         times = self.value("""import('/look_planner.js').then(({LookPlanner}) => {
             const planner = new LookPlanner();

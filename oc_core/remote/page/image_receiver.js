@@ -67,9 +67,10 @@ export class ImageReceiver {
     this.underWay = new Map();  // by their ids, which a server gives out from 1 for each connection
     this.inDecoding = new Map();  // by numbers of their own
     this.decodings = 0;
+    this.workerProblem = '';
     this.worker = new Worker(new URL('./depth_worker.js', import.meta.url), {type: 'module'});
     this.worker.addEventListener('message', ({data}) => this.takeDepth(data));
-    this.worker.addEventListener('error', (event) => this.failWorker(event.message ?? 'the worker does not run'));
+    this.worker.addEventListener('error', (event) => this.failWorker(event.message || 'its worker does not run'));
   }
 
   /// `mesh` says how its depths are to be joined: {isBent, least} of depthMesh().
@@ -165,6 +166,10 @@ export class ImageReceiver {
     const {inverse_near: inverseNear, inverse_far: inverseFar, levels, codec} = image.header.depth;
     const {focal} = new Pinhole(image.view, width, height);
     this.inDecoding.set(++this.decodings, image);
+    if (this.workerProblem !== '') {
+      this.failWorker(this.workerProblem);
+      return;
+    }
     this.worker.postMessage({id: this.decodings, codec, bytes: image.depth.bytes, width, height, layout: image.layout,
       focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, ...image.meshOptions});
   }
@@ -185,8 +190,9 @@ export class ImageReceiver {
     this.endWhereWhole(image);
   }
 
-  /// What it was to decode will not come.
+  /// What it was to decode will not come, nor what it is given from now on.
   failWorker(problem) {
+    this.workerProblem = problem;
     const images = [...this.inDecoding.values()].filter((image) => !image.isGivenUp);
     this.inDecoding.clear();
     images.forEach((image) => this.giveUp(image));

@@ -23,6 +23,8 @@ const kTick = 50;  // milliseconds between looks at what there is to ask
 const kFigureTick = 250;
 const kFineAfter = 150;  // milliseconds without a change, where pictures in motion are quick ones
 const kScreenLimits = [16, 4096];
+/// Images of wide views are larger than those of narrow ones: so much of a texture is for the latter.
+const kTextureShare = 0.95;
 const kMaxScreenPixels = 2.5e6;  // of dense screens fewer, as an image has more than twice as many
 const kVersion = 1;
 
@@ -261,8 +263,9 @@ class RemotePage {
     }
     this.settings = settings;
     this.lensMap = null;
-    // No larger than what the server draws for and the graphics processor takes.
-    this.maxScreen = Math.min(maxScreen ?? kScreenLimits[1], Math.floor((this.picture.maxSide - 1) / (settings.size ?? 1)));
+    // No larger than what the server draws for, and, but for images of wide views, than what the graphics processor takes.
+    this.maxScreen = Math.min(maxScreen ?? kScreenLimits[1],
+      Math.floor(kTextureShare * this.picture.maxSide / (settings.size ?? 1)));
     this.fitScreen();
     this.pivot = times(add(box[0], box[1]), 0.5);
     this.speed = length(subtract(box[1], box[0])) || 1;
@@ -288,8 +291,9 @@ class RemotePage {
   beginImage(header) {
     const {maxSide} = this.picture;
     if (Math.max(...header.size ?? []) > maxSide) {
-      this.stopAsking(`This computer draws images of at most ${maxSide} pixels a side, and the server sends ` +
-        `${header.size.join(' \u00d7 ')}. Start the server with a smaller "--screen".`, header.sequence);
+      this.planner.failed(header.sequence, seconds());
+      this.fail(`This computer draws images of at most ${maxSide} pixels a side, and that of this view has ` +
+        `${header.size.join(' \u00d7 ')}. Zoom in, or make the window smaller.`);
       return;
     }
     const screen = this.planner.asked.find(({look}) => look.sequence === header.sequence)?.look.screen ?? this.screen;
