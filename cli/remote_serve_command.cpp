@@ -130,7 +130,7 @@ void serve(const CommandContext& context, ServeChoice& choice) {
   const RemoteScene scene(loadScene(choice.scene.source, choice.scene.options, context.progress()), choice.scene.source,
                           view);
   RemoteServerSetup setup = choice.setup;
-  setup.hello = helloText(scene, choice.settings);
+  setup.hello = helloText(scene, choice.settings, setup.limits);
   setup.draw = sceneDraw(scene, choice.settings);
   for (const RemotePageFile& file : remotePageFiles()) {
     setup.assets.push_back({file.path, file.mediaType, file.bytes});

@@ -44,6 +44,8 @@ RemoteServerMessage readHello(JsonFields& fields) {
   hello.view = viewFromJsonText(fields.value("view").dump(), "message \"hello\", \"view\"");
   hello.box = readBox(fields);
   hello.settings = remoteSettingsFromJson(fields.value("settings").dump(), "message \"hello\", \"settings\"");
+  hello.maxScreen =
+      fields.integer("max_screen", RemoteRequest::kMinScreen, RemoteRequest::kMaxScreen, RemoteRequest::kMaxScreen);
   return hello;
 }
 
@@ -96,7 +98,8 @@ std::string jsonText(const RemoteHello& hello) {
                      {"scene", hello.scene},
                      {"view", nlohmann::ordered_json::parse(jsonText(hello.view))},
                      {"box", {asNumbers(hello.box.lower), asNumbers(hello.box.upper)}},
-                     {"settings", nlohmann::ordered_json::parse(jsonText(hello.settings))}});
+                     {"settings", nlohmann::ordered_json::parse(jsonText(hello.settings))},
+                     {"max_screen", hello.maxScreen}});
 }
 
 std::string jsonText(const RemoteQueued& queued) {

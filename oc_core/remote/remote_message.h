@@ -12,6 +12,7 @@
 
 #include "oc_core/camera/view.h"
 #include "oc_core/remote/remote_image.h"
+#include "oc_core/remote/remote_request.h"
 #include "oc_core/remote/remote_settings.h"
 #include "oc_core/scene/box.h"
 
@@ -26,6 +27,7 @@ struct RemoteHello {
   View view;                            ///< to begin with
   Box box{glm::vec3(0), glm::vec3(0)};  ///< around the scene
   RemoteSettings settings;
+  int maxScreen = RemoteRequest::kMaxScreen;  ///< pixels a side of the screens that it draws for
 };
 
 /// A request waits.

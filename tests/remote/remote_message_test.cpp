@@ -21,6 +21,7 @@ TEST(RemoteMessage, WhatAServerSaysIsReadBack) {
   RemoteHello hello{
       .scene = "builtin:statues", .view = {}, .box = {glm::vec3(-1, -2, -3), glm::vec3(1, 2, 3)}, .settings = {}};
   hello.settings.reach = 2;
+  hello.maxScreen = 1000;
   hello.view.fovVerticalDegrees = 30;
   const RemoteServerMessage read = remoteServerMessageFromJson(jsonText(hello));
   const auto& again = std::get<RemoteHello>(read);
@@ -29,6 +30,7 @@ TEST(RemoteMessage, WhatAServerSaysIsReadBack) {
   EXPECT_EQ(again.box.lower, hello.box.lower);
   EXPECT_EQ(again.box.upper, hello.box.upper);
   EXPECT_EQ(again.settings, hello.settings);
+  EXPECT_EQ(again.maxScreen, 1000);
 
   const auto queued = std::get<RemoteQueued>(remoteServerMessageFromJson(jsonText(RemoteQueued{7, 2})));
   EXPECT_EQ(queued.sequence, 7u);

@@ -36,23 +36,29 @@ class Server:
     """`ocelli remote serve`, where it may, at a port of its own."""
 
     def __init__(self, *options, port=0, samples=1):
+        # A file takes all that it says; a pipe that nobody reads would not.
+        self.said = tempfile.NamedTemporaryFile()
         self.process = subprocess.Popen(
             [OCELLI, "remote", "serve", SCENE, "--port", str(port), "--samples", str(samples), *options],
-            stdout=subprocess.PIPE, stderr=subprocess.STDOUT, text=True)
-        said = ""
-        for line in self.process.stdout:
-            said += line
-            found = re.search(r"http://\S+", line)
+            stdout=self.said, stderr=subprocess.STDOUT)
+        end = time.monotonic() + 60
+        while True:
+            has_ended = self.process.poll() is not None
+            said = pathlib.Path(self.said.name).read_text(encoding="utf-8")
+            found = re.search(r"(http://\S+:(\d+)/\S*)\s", said)
             if found:
-                self.address = found.group(0)
-                self.port = int(re.search(r":(\d+)/", self.address).group(1))
+                self.address = found.group(1)
+                self.port = int(found.group(2))
                 return
-        raise AssertionError(f"the server ended and said: {said}")
+            if has_ended or time.monotonic() > end:
+                self.stop()
+                raise AssertionError(f"the server does not answer, and said: {said}")
+            time.sleep(0.02)
 
     def stop(self):
         self.process.kill()
         self.process.wait()
-        self.process.stdout.close()
+        self.said.close()
 
 
 class PageTest(unittest.TestCase):
@@ -427,6 +433,79 @@ class PageTest(unittest.TestCase):
         try:
             self.open(server, settle=False)
             self.browser.wait("document.getElementById('state').textContent.includes('cannot decode the colours in zstd')")
+            time.sleep(1)
+            self.assertEqual(self.value("ocelliRemote.planner.sequence"), 0, "nothing is asked for that cannot be shown")
+        finally:
+            server.stop()
+
+    def test_images_that_cannot_be_decoded_are_not_asked_for_again(self):
+        self.value("""[ocelliRemote.connection.socket.close(), window.createImageBitmap = () => Promise.reject(new Error('broken')),
+            [...ocelliRemote.held].forEach((image) => ocelliRemote.drop(image))]""")
+        self.browser.wait("document.getElementById('state').textContent.includes('broken')", 60)
+        asked = self.value("ocelliRemote.planner.sequence")
+        time.sleep(1.5)
+        self.assertEqual(self.value("ocelliRemote.planner.sequence"), asked)
+
+    def test_a_worker_that_ends_leaves_nothing_behind(self):
+        left = self.value("""(({receiver}) => {
+            receiver.worker.dispatchEvent(new ErrorEvent('error', {message: 'worker gone'}));
+            const image = {id: 99, sequence: 99, isGivenUp: false, width: 64, height: 36, view: ocelliRemote.view, header: {depth: {}},
+                depth: {codec: 'deflate'}};
+            receiver.underWay.set(image.id, image);
+            receiver.decodeDepth(image);
+            return [receiver.inDecoding.size, receiver.underWay.size, image.isGivenUp, ocelliRemote.isAsking];
+        })(ocelliRemote)""")
+        self.assertEqual(left, [0, 0, True, False])
+        self.assertIn("worker gone", self.value("document.getElementById('state').textContent"))
+
+    def test_images_are_no_larger_than_textures(self):
+        self.value("[ocelliRemote.picture.maxSide = 400, ocelliRemote.connection.socket.close()]")
+        self.browser.wait("ocelliRemote.canvas.width === 304", 30)  # 0.95 * 400 / 1.25
+        self.browser.wait("ocelliRemote.held.some((image) => image.screen[0] === 304 && image.width <= 400)", 60)
+        self.assertTrue(self.value("document.getElementById('state').hidden"))
+        # One that is too large all the same is refused, and those of other views are asked for.
+        held = self.value("""(({planner, held}) => [ocelliRemote.beginImage({size: [401, 300], sequence: planner.sequence}), held.length])(
+            ocelliRemote)""")[1]
+        self.assertIn("at most 400 pixels", self.value("document.getElementById('state').textContent"))
+        self.browser.drag((320, 180), (340, 190), "right")
+        self.browser.wait(f"ocelliRemote.held.length > {held} && document.getElementById('state').hidden", 60)
+
+    def test_failures_make_pauses_that_grow(self):
+        times = self.value("""import('/look_planner.js').then(({LookPlanner}) => {
+            const planner = new LookPlanner();
+            const times = [];
+            const wish = {view: ocelliRemote.view, screen: [640, 360], lenses: [], images: [], settings: ocelliRemote.settings};
+            for (let seconds = 0; seconds < 20; seconds += 0.125) {
+                const look = planner.look({...wish, seconds});
+                if (look !== null) {
+                    times.push(seconds);
+                    planner.failed(times.length % 2 === 0 ? look.sequence : undefined, seconds);
+                }
+            }
+            return times;
+        })""")
+        self.assertEqual(times, [0, 0.5, 1.5, 3.5, 7.5, 15.5])
+
+    def test_a_screen_is_no_larger_than_the_server_draws_for(self):
+        self.stops_server = True
+        server = Server("--screen", "320")
+        try:
+            self.open(server)
+            self.assertEqual(self.value("ocelliRemote.screen"), [320, 180])
+            self.assertTrue(self.value("document.getElementById('state').hidden"))
+        finally:
+            server.stop()
+
+    def test_an_idle_page_leaves_the_server_until_its_user_comes_back(self):
+        self.stops_server = True
+        server = Server("--idle-seconds", "2")
+        try:
+            self.open(server)
+            self.browser.wait("document.getElementById('state').textContent.includes('nothing came for 2 seconds')", 30)
+            time.sleep(1.5)
+            self.assertFalse(self.value("ocelliRemote.isConnected"))
+            self.browser.key("ArrowRight")
+            self.browser.wait("ocelliRemote.isConnected && document.getElementById('state').hidden", 30)
         finally:
             server.stop()
 

@@ -147,5 +147,43 @@ TEST(ClientSession, holdsMessagesForItsLink) {
   EXPECT_EQ(session.bytesSent(), bytes);
 }
 
+/// A delay makes images come later, not fewer of them: the next one may be drawn when the last byte of this one has
+/// begun its way.
+TEST(ClientSession, ADelayCostsNoThroughput) {
+  constexpr size_t kBytes = 100'000;  // a tenth of a second each
+  ClientSession session(RemoteLimits{}, {.bytesPerSecond = 1'000'000, .delayMilliseconds = 1000}, 0);
+  int64_t now = 0;
+  size_t most = 0;
+  uint32_t images = 0;
+  while (session.outbox().imagesSent() < 20) {
+    const bool isSent = session.nextDue(now).has_value();
+    if (!session.outbox().hasImage()) {
+      session.outbox().addImage(fakeImage({}, ++images, kBytes, 0), now);  // drawn in no time
+    } else if (!isSent) {
+      ASSERT_TRUE(session.leavesAt());
+      ASSERT_GT(*session.leavesAt(), now);
+      now = *session.leavesAt();
+    }
+    most = std::max(most, session.heldBytes());
+  }
+  EXPECT_LT(now, 3 * kSecond) << "20 images took 2 s at their rate, and with the delay of each 22";
+  EXPECT_LE(most, 1'000'000 + 2 * RemotePiece::kMaxMessageBytes) << "what is on its way in a second, and one piece";
+}
+
+/// Where nothing but the delay holds them, not all that there is goes into memory.
+TEST(ClientSession, HoldsSoMuchAndNoMore) {
+  ClientSession session(RemoteLimits{}, {.delayMilliseconds = 60'000}, 0);
+  for (uint32_t id = 1; id <= 40; ++id) {
+    if (!session.outbox().hasImage()) {
+      session.outbox().addImage(fakeImage({}, id, 1'000'000, 0), 0);
+    }
+    EXPECT_FALSE(session.nextDue(0));
+  }
+  EXPECT_TRUE(session.outbox().hasImage());
+  EXPECT_LE(session.heldBytes(), (size_t{16} << 20) + RemotePiece::kMaxMessageBytes);
+  ASSERT_EQ(session.leavesAt(), 60 * kSecond);
+  EXPECT_TRUE(session.nextDue(60 * kSecond));
+}
+
 }  // namespace
 }  // namespace ocelli::test

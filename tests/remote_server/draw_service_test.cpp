@@ -149,6 +149,44 @@ TEST(DrawService, tellsWhatFailsAndGoesOn) {
   ASSERT_TRUE(eventually([&] { return log.size() == 1; }));
 }
 
+/// Whoever hears of a drawing may fail, too, and by what is no std::exception: that client's next turn comes all the
+/// same.
+TEST(DrawService, goesOnWhereThoseFailWhoHearOfIt) {
+  DrawLog log;
+  DrawEvents events = log.events();
+  events.drawing = [](uint64_t, uint32_t sequence) {
+    if (sequence == 1) {
+      throw 1;
+    }
+  };
+  events.drawn = [drawn = events.drawn](uint64_t client, const RemoteImage& image, double seconds) {
+    if (image.sequence == 2) {
+      throw WorkError("no memory", "here", "wait");
+    }
+    drawn(client, image, seconds);
+  };
+  events.failed = [failed = events.failed](uint64_t client, uint32_t sequence, const std::string& problem) {
+    failed(client, sequence, problem);
+    throw WorkError("no memory for this either", "here", "wait");
+  };
+  DrawService service(
+      1,
+      [&](const RemoteRequest& request, uint32_t id, const std::function<bool()>&) {
+        return fakeImage(request, id, 1, 1);
+      },
+      std::move(events));
+  for (uint32_t sequence = 1; sequence <= 2; ++sequence) {
+    service.ask(1, lookOf(sequence));
+    ASSERT_TRUE(eventually([&] {
+      const std::lock_guard lock(log.mutex);
+      return log.problems.size() == sequence;
+    }));
+  }
+  service.ask(1, lookOf(3));
+  ASSERT_TRUE(eventually([&] { return log.size() == 1; }));
+  EXPECT_EQ(log.drawn[0].second, 3u);
+}
+
 TEST(DrawService, endsWhileItDraws) {
   Gate gate;
   DrawLog log;

@@ -1,12 +1,14 @@
 // The connection to the server: it is taken up again when it breaks, after pauses that grow. `events` is told
 //   message(object)  a text of the server (docs/remote_protocol.md)
 //   piece(buffer)    bytes of an image
-//   state(name, seconds)  'connecting', 'open', or 'closed' and in how many seconds it tries again
+//   state(name, seconds, reason)  'connecting', 'open', 'closed' and in how many seconds it tries again, or 'refused': it
+//                    waits for wake(), as a server that has closed an idle page has not asked for the same again
 //   failed(text)     what came is no message
 
 const kFirstPause = 0.5;  // seconds
 const kLongestPause = 15;
 const kNormalClosure = 1000;
+const kPolicyViolation = 1008;
 
 /// Of the page, with the token of the page's own address.
 export function socketAddress(page) {
@@ -26,10 +28,12 @@ export class Connection {
     this.address = address;
     this.events = events;
     this.pause = kFirstPause;
+    this.isRefused = false;
     this.open();
   }
 
   open() {
+    this.isRefused = false;
     this.events.state('connecting', 0);
     const socket = new WebSocket(this.address);
     socket.binaryType = 'arraybuffer';
@@ -40,6 +44,11 @@ export class Connection {
     socket.addEventListener('message', ({data}) => this.take(data));
     socket.addEventListener('close', ({code, reason}) => {
       if (this.socket !== socket) {
+        return;
+      }
+      this.isRefused = code === kPolicyViolation;
+      if (this.isRefused) {
+        this.events.state('refused', 0, reason);
         return;
       }
       const seconds = this.pause * (0.75 + 0.5 * Math.random());
@@ -72,6 +81,13 @@ export class Connection {
   send(message) {
     if (this.isOpen) {
       this.socket.send(JSON.stringify(message));
+    }
+  }
+
+  /// The user is there.
+  wake() {
+    if (this.isRefused) {
+      this.tryNow();
     }
   }
 

@@ -2,7 +2,8 @@
 // decoding of both. `events` is told
 //   colored(image)   its colours are there: `image.bitmap`; the page can turn and zoom in it
 //   deepened(image)  its depth is there: `image.mesh`, `image.depths`; the eye can move
-//   failed(text, sequence)  something is wrong with it, and it will not come
+//   failed(text, sequence)  something is wrong with it, and it will not come; nor will others in its format
+import {depthCodecNames} from './depth_codec.js';
 import {Pinhole} from './view_math.js';
 
 const kHeaderBytes = 12;
@@ -11,9 +12,27 @@ const kMaxPlaneBytes = 1 << 28;
 /// Images that may be under way or in decoding at once; older ones are given up.
 const kMaxUnderWay = 4;
 
+/// Of the formats of colours that browsers may have: each decides by itself whether it has `jxl`.
 const kMediaTypes = {
   png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', webp_lossless: 'image/webp', jxl: 'image/jxl',
 };
+
+/// Why images with these settings of a server cannot be shown in any browser; nothing where some can.
+export function unreadableReason({color, depth}) {
+  if (color !== undefined && kMediaTypes[color] === undefined) {
+    return colorReason(color, 'no browser has it');
+  }
+  return depth === undefined || depthCodecNames.includes(depth) ? '' : depthReason(depth, 'browsers have no decoder for it');
+}
+
+function colorReason(codec, why) {
+  return `This browser cannot decode the colours in ${codec} (${why}). ` +
+    'Start the server with another "--color", such as webp or png.';
+}
+
+function depthReason(codec, why) {
+  return `The depth in ${codec} cannot be decoded: ${why}. Start the server with "--depth deflate".`;
+}
 
 class Plane {
   constructor({codec, bytes}) {
@@ -48,9 +67,10 @@ export class ImageReceiver {
     this.underWay = new Map();  // by their ids, which a server gives out from 1 for each connection
     this.inDecoding = new Map();  // by numbers of their own
     this.decodings = 0;
+    this.workerProblem = '';
     this.worker = new Worker(new URL('./depth_worker.js', import.meta.url), {type: 'module'});
     this.worker.addEventListener('message', ({data}) => this.takeDepth(data));
-    this.worker.addEventListener('error', (event) => events.failed(`depths cannot be decoded: ${event.message ?? ''}`));
+    this.worker.addEventListener('error', (event) => this.failWorker(event.message || 'its worker does not run'));
   }
 
   /// `mesh` says how its depths are to be joined: {isBent, least} of depthMesh().
@@ -117,12 +137,15 @@ export class ImageReceiver {
       if (bitmap.width !== image.width || bitmap.height !== image.height) {
         throw new RangeError(`it is ${bitmap.width}x${bitmap.height}, not ${image.width}x${image.height}`);
       }
+      if (image.isGivenUp) {
+        bitmap.close();
+        return;
+      }
       image.bitmap = bitmap;
     } catch (error) {
       if (!image.isGivenUp) {
         this.giveUp(image);
-        this.events.failed(`This browser cannot decode the colours in ${codec} (${error.message}). ` +
-          'Start the server with another "--color", such as webp or png.', image.sequence);
+        this.events.failed(colorReason(codec, error.message), image.sequence);
       }
       return;
     }
@@ -143,6 +166,10 @@ export class ImageReceiver {
     const {inverse_near: inverseNear, inverse_far: inverseFar, levels, codec} = image.header.depth;
     const {focal} = new Pinhole(image.view, width, height);
     this.inDecoding.set(++this.decodings, image);
+    if (this.workerProblem !== '') {
+      this.failWorker(this.workerProblem);
+      return;
+    }
     this.worker.postMessage({id: this.decodings, codec, bytes: image.depth.bytes, width, height, layout: image.layout,
       focal, inverseNear, inverseFar, levels, maxTriangles: this.maxTriangles, ...image.meshOptions});
   }
@@ -150,18 +177,26 @@ export class ImageReceiver {
   takeDepth({id, problem, depths, mesh, seconds}) {
     const image = this.inDecoding.get(id);
     this.inDecoding.delete(id);
-    if (image.isGivenUp) {
+    if (image === undefined || image.isGivenUp) {
       return;
     }
     if (problem !== undefined) {
       this.giveUp(image);
-      this.events.failed(`The depth in ${image.depth.codec} cannot be decoded: ${problem}. ` +
-        'Start the server with "--depth deflate".', image.sequence);
+      this.events.failed(depthReason(image.depth.codec, problem), image.sequence);
       return;
     }
     Object.assign(image, {depths, nearZ: depths.nearZ, mesh, decodeSeconds: seconds});
     this.events.deepened(image);
     this.endWhereWhole(image);
+  }
+
+  /// What it was to decode will not come, nor what it is given from now on.
+  failWorker(problem) {
+    this.workerProblem = problem;
+    const images = [...this.inDecoding.values()].filter((image) => !image.isGivenUp);
+    this.inDecoding.clear();
+    images.forEach((image) => this.giveUp(image));
+    images.forEach((image) => this.events.failed(depthReason(image.depth.codec, problem), image.sequence));
   }
 
   /// Bytes of the images that are on their way: {received, size}.

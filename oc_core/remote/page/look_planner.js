@@ -12,6 +12,7 @@ export const lookRule = {
   motionSeconds: 0.1,
   pauseSeconds: 0.25,
   maxAsked: 8,  // requests that are remembered while they wait for an answer
+  maxPauseSeconds: 30,  // after requests that failed: twice as long after each
 };
 
 const sameText = (a, b) => JSON.stringify(a) === JSON.stringify(b);
@@ -44,6 +45,8 @@ export class LookPlanner {
     this.lastWish = null;
     this.lastAsked = -Infinity;
     this.restingSince = -Infinity;
+    this.failures = 0;  // one after the other
+    this.pausedUntil = -Infinity;
   }
 
   /// The look to send now, {sequence, view, screen, lenses}, or null. `settings` are those of the server.
@@ -58,7 +61,7 @@ export class LookPlanner {
     }
     const wish = this.wish(state, images, settings, seconds);
     past.push({seconds, state});
-    if (wish === null || seconds - this.lastAsked < lookRule.pauseSeconds) {
+    if (wish === null || seconds < this.pausedUntil || seconds - this.lastAsked < lookRule.pauseSeconds) {
       return null;
     }
     this.lastAsked = seconds;
@@ -97,13 +100,24 @@ export class LookPlanner {
     return this.asked.some(({cover}) => coverLoad(cover.withDepths(depths), view, screen).whole <= 1);
   }
 
-  /// The answer to a request is here: as a whole, or (`isWhole` false) refused.
-  answered(sequence, seconds, isWhole = true) {
+  /// The whole answer to a request is here.
+  answered(sequence, seconds) {
     const own = this.asked.find(({look}) => look.sequence === sequence);
-    if (own && isWhole) {
+    if (own) {
       this.trip = seconds - own.seconds;
     }
+    this.failures = 0;
+    this.pausedUntil = -Infinity;
     this.asked = this.asked.filter(({look}) => look.sequence > sequence);
+  }
+
+  /// A request failed, or, without `sequence`, one that is not known: none is awaited then. It may be made again, after a
+  /// pause that grows.
+  failed(sequence, seconds) {
+    const pause = Math.min(lookRule.pauseSeconds * 2 ** ++this.failures, lookRule.maxPauseSeconds);
+    this.pausedUntil = seconds + pause;
+    this.lastWish = null;
+    this.asked = this.asked.filter(({look}) => look.sequence > (sequence ?? Infinity));
   }
 
   /// Whether an answer is awaited.

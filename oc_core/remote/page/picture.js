@@ -32,6 +32,7 @@ export class Picture {
   /// After the context was lost, too; images must be added again.
   restore() {
     const {gl} = this;
+    this.maxSide = gl.getParameter(gl.MAX_TEXTURE_SIZE);  // of images, pixels
     this.programs = Object.fromEntries(Object.entries(pictureShaders).map(
       ([name, [vertex, fragment]]) => [name, new GlProgram(gl, vertex, fragment)]));
     this.empty = gl.createVertexArray();

@@ -5,7 +5,7 @@ import {Connection, socketAddress} from './connection.js';
 import {FrameClock} from './frame_clock.js';
 import {GpcMap} from './gpc_map.js';
 import {ImageCover} from './image_cover.js';
-import {ImageReceiver} from './image_receiver.js';
+import {ImageReceiver, unreadableReason} from './image_receiver.js';
 import {LensElements} from './lens_elements.js';
 import {LensSet} from './lens_set.js';
 import {LookPlanner, chosenImage} from './look_planner.js';
@@ -23,6 +23,8 @@ const kTick = 50;  // milliseconds between looks at what there is to ask
 const kFigureTick = 250;
 const kFineAfter = 150;  // milliseconds without a change, where pictures in motion are quick ones
 const kScreenLimits = [16, 4096];
+/// Images of wide views are larger than those of narrow ones: so much of a texture is for the latter.
+const kTextureShare = 0.95;
 const kMaxScreenPixels = 2.5e6;  // of dense screens fewer, as an image has more than twice as many
 const kVersion = 1;
 
@@ -47,11 +49,13 @@ class RemotePage {
     this.bytes = 0;
     this.problem = '';
     this.connectionText = '';
+    this.isAsking = false;
+    this.maxScreen = kScreenLimits[1];
     this.picture = new Picture(this.canvas);
     this.receiver = new ImageReceiver({
       colored: (image) => this.takeColors(image),
       deepened: (image) => this.takeDepths(image),
-      failed: (text, sequence) => this.fail(text, sequence),
+      failed: (text, sequence) => this.stopAsking(text, sequence),
     }, kMaxTriangles);
     this.lensElements = new LensElements(byId('lenses'), this.lenses, {
       changed: () => this.lensesChanged(),
@@ -63,7 +67,7 @@ class RemotePage {
       message: (message) => this.takeMessage(message),
       piece: (buffer) => this.takePiece(buffer),
       state: (name, pause, reason) => this.takeState(name, pause, reason),
-      failed: (text) => this.fail(text),
+      failed: (text) => this.failMessage(text),
     });
     setInterval(() => this.ask(), kTick);
     setInterval(() => this.showFigures(), kFigureTick);
@@ -110,6 +114,14 @@ class RemotePage {
       ['see figures, this help', 'the buttons', 'F, H'],
     ]);
     document.addEventListener('keydown', (event) => this.takeKey(event));
+    for (const name of ['pointerdown', 'keydown', 'wheel']) {
+      document.addEventListener(name, () => this.connection.wake(), {capture: true, passive: true});
+    }
+    document.addEventListener('visibilitychange', () => {
+      if (!document.hidden) {
+        this.connection.tryNow();
+      }
+    });
     this.canvas.focus({focusVisible: false});
   }
 
@@ -155,10 +167,10 @@ class RemotePage {
   }
 
   fitScreen() {
-    const [least, most] = kScreenLimits;
     const {clientWidth, clientHeight} = this.canvas;
-    const density = Math.min(devicePixelRatio, Math.sqrt(kMaxScreenPixels / Math.max(1, clientWidth * clientHeight)));
-    const pixels = (size) => Math.min(most, Math.max(least, Math.round(size * density)));
+    const density = Math.min(devicePixelRatio, Math.sqrt(kMaxScreenPixels / Math.max(1, clientWidth * clientHeight)),
+      this.maxScreen / Math.max(1, clientWidth, clientHeight));
+    const pixels = (size) => Math.min(this.maxScreen, Math.max(kScreenLimits[0], Math.round(size * density)));
     const [width, height] = [pixels(clientWidth), pixels(clientHeight)];
     if (width !== this.canvas.width || height !== this.canvas.height) {
       this.canvas.width = width;
@@ -211,6 +223,7 @@ class RemotePage {
       open: '',
       closed: `The connection to the server is lost${reason ? ` (${reason})` : ''}. ` +
         `Trying again in ${Math.max(1, Math.round(pause))} s.`,
+      refused: `The server has closed the connection (${reason}). Click, or press a key, to connect again.`,
     }[name];
     this.isConnected = name === 'open';
     if (name !== 'open') {
@@ -234,34 +247,55 @@ class RemotePage {
       queued: () => this.setStage(message.before > 0 ? `Waiting for ${message.before} others` : 'Waiting'),
       drawing: () => this.setStage('Drawing'),
       image: () => this.beginImage(message),
-      error: () => this.fail(`The server says: ${message.message}`, message.sequence),
+      error: () => {
+        this.planner.failed(message.sequence, seconds());
+        this.fail(`The server says: ${message.message}`);
+      },
     };
     takers[message.type]?.();
   }
 
-  begin({version, scene, view, box, settings}) {
+  begin({version, scene, view, box, settings, max_screen: maxScreen}) {
+    this.isAsking = false;
     if (version !== kVersion) {
       this.fail(`The server speaks version ${version} of the protocol, and this page version ${kVersion}: load it again.`);
       return;
     }
     this.settings = settings;
+    this.lensMap = null;
+    // No larger than what the server draws for, and, but for images of wide views, than what the graphics processor takes.
+    this.maxScreen = Math.min(maxScreen ?? kScreenLimits[1],
+      Math.floor(kTextureShare * this.picture.maxSide / (settings.size ?? 1)));
+    this.fitScreen();
     this.pivot = times(add(box[0], box[1]), 0.5);
     this.speed = length(subtract(box[1], box[0])) || 1;
     this.home = completeView(view);
     // A view that the user has already chosen stays, where the scene is the same.
     if (this.view === null || scene !== this.scene) {
-      this.held.forEach((image) => this.picture.remove(image));
-      this.held = [];
+      [...this.held].forEach((image) => this.drop(image));
       this.view = this.home;
     }
     this.scene = scene;
     document.title = `${scene} - Ocelli`;
     byId('scene-name').textContent = scene;
-    this.ask();
+    const unreadable = unreadableReason(settings);
+    if (unreadable !== '') {
+      this.stopAsking(unreadable);
+    } else {
+      this.isAsking = true;
+      this.ask();
+    }
     this.redraw();
   }
 
   beginImage(header) {
+    const {maxSide} = this.picture;
+    if (Math.max(...header.size ?? []) > maxSide) {
+      this.planner.failed(header.sequence, seconds());
+      this.fail(`This computer draws images of at most ${maxSide} pixels a side, and that of this view has ` +
+        `${header.size.join(' \u00d7 ')}. Zoom in, or make the window smaller.`);
+      return;
+    }
     const screen = this.planner.asked.find(({look}) => look.sequence === header.sequence)?.look.screen ?? this.screen;
     const image = this.receiver.begin(header, seconds(), {
       isBent: this.lenses.lenses.length > 0,
@@ -283,10 +317,7 @@ class RemotePage {
     image.drawnAt = seconds();
     image.arrived = seconds();
     if (this.held.length >= kMaxHeld) {
-      const oldest = this.held.reduce((a, b) => (b.drawnAt < a.drawnAt ? b : a));
-      this.held.splice(this.held.indexOf(oldest), 1);
-      this.picture.remove(oldest);
-      oldest.bitmap.close();
+      this.drop(this.held.reduce((a, b) => (b.drawnAt < a.drawnAt ? b : a)));
     }
     this.held.push(image);
     if (image.mesh !== null) {
@@ -297,6 +328,12 @@ class RemotePage {
     this.problem = '';
     this.showState();
     this.redraw();
+  }
+
+  drop(image) {
+    this.held.splice(this.held.indexOf(image), 1);
+    this.picture.remove(image);
+    image.bitmap.close();
   }
 
   takeDepths(image) {
@@ -314,19 +351,30 @@ class RemotePage {
     this.setStage(this.planner.isWaiting ? 'Waiting' : '');
   }
 
-  fail(text, sequence) {
+  fail(text) {
     this.problem = text;
-    if (sequence !== undefined) {
-      this.planner.answered(sequence, seconds(), false);
-      this.setStage('');
-    }
+    this.setStage('');
     this.showState();
+  }
+
+  /// Images that this page cannot show would come again and again: none is asked for until the next hello.
+  stopAsking(text, sequence) {
+    this.isAsking = false;
+    this.planner.failed(sequence, seconds());
+    this.fail(text);
+  }
+
+  /// What the server sent was no message, so that what was under way may lack a part of it.
+  failMessage(text) {
+    this.receiver.forget();
+    this.planner.failed(undefined, seconds());
+    this.fail(text);
   }
 
   // What goes to the server, and onto the screen.
 
   ask() {
-    if (!this.isConnected || this.home === null || document.hidden) {
+    if (!this.isConnected || !this.isAsking || this.home === null || document.hidden) {
       return;
     }
     const look = this.planner.look({view: this.view, screen: this.screen, lenses: structuredClone(this.lenses.lenses),

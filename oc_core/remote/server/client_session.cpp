@@ -15,6 +15,8 @@ constexpr int kUnacceptable = 1003;
 constexpr int kPolicyViolation = 1008;
 constexpr int kTooLarge = 1009;
 constexpr int kMaxBadMessages = 16;
+/// Of messages on a slow link whose rate has no bound, or whose delay is long.
+constexpr size_t kMaxHeldBytes = size_t{16} << 20;
 
 int64_t nanosecondsOf(int seconds) {
   return int64_t{seconds} * 1'000'000'000;
@@ -64,8 +66,10 @@ ClientSession::Received ClientSession::receive(std::string_view part, bool isBin
 }
 
 ClientSession::Received ClientSession::readMessage(int64_t now) {
+  std::optional<uint32_t> sequence;
   try {
     RemoteRequest look = remoteRequestFromJson(message_);
+    sequence = look.sequence;
     if (std::max(look.screen.x, look.screen.y) > limits_.screenPixels) {
       throw InputError(fmt::format("this server draws for screens of at most {} pixels a side", limits_.screenPixels),
                        "message \"look\", \"screen\"", "make the window smaller");
@@ -76,7 +80,8 @@ ClientSession::Received ClientSession::readMessage(int64_t now) {
     if (++badMessages_ >= kMaxBadMessages) {
       return {.close = CloseReason{kPolicyViolation, "too many messages that cannot be read"}};
     }
-    outbox_.addText(ClientOutbox::Kind::kError, jsonText(RemoteFailure{.message = error.what()}), now);
+    outbox_.addText(ClientOutbox::Kind::kError, jsonText(RemoteFailure{.message = error.what(), .sequence = sequence}),
+                    now);
     return {};
   }
 }
@@ -91,23 +96,41 @@ std::optional<CloseReason> ClientSession::outOfTime(int64_t now) const {
   return std::nullopt;
 }
 
+bool ClientSession::isFree(int64_t now) const {
+  return link_.freeAt() <= now && heldBytes_ < kMaxHeldBytes;
+}
+
 std::optional<OutgoingMessage> ClientSession::nextDue(int64_t now) {
-  if (!held_) {
-    held_ = outbox_.next();
-    if (!held_) {
-      return std::nullopt;
-    }
-    heldUntil_ = link_.isSlow() ? link_.leavesAt(held_->bytes.size(), held_->readyAt) : now;
+  if (!link_.isSlow()) {
+    std::optional<OutgoingMessage> message = outbox_.next();
+    bytesSent_ += message ? message->bytes.size() : 0;
+    return message;
   }
-  if (heldUntil_ > now) {
+  while (!outbox_.isEmpty() && isFree(now)) {
+    OutgoingMessage message = *outbox_.next();
+    heldBytes_ += message.bytes.size();
+    const int64_t until = link_.leavesAt(message.bytes.size(), message.readyAt);
+    held_.push_back({std::move(message), until});
+  }
+  if (held_.empty() || held_.front().until > now) {
     return std::nullopt;
   }
-  bytesSent_ += held_->bytes.size();
-  return std::exchange(held_, std::nullopt);
+  OutgoingMessage message = std::move(held_.front().message);
+  held_.pop_front();
+  heldBytes_ -= message.bytes.size();
+  bytesSent_ += message.bytes.size();
+  return message;
 }
 
 std::optional<int64_t> ClientSession::leavesAt() const {
-  return held_ ? std::optional(heldUntil_) : std::nullopt;
+  std::optional<int64_t> next;
+  if (!held_.empty()) {
+    next = held_.front().until;
+  }
+  if (!outbox_.isEmpty() && heldBytes_ < kMaxHeldBytes) {
+    next = std::min(next.value_or(link_.freeAt()), link_.freeAt());
+  }
+  return next;
 }
 
 }  // namespace ocelli

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,21 +42,30 @@ class ClientSession {
   const ClientOutbox& outbox() const { return outbox_; }
   /// The next message that may leave now. Nothing where none waits, or the one that waits leaves later: leavesAt().
   std::optional<OutgoingMessage> nextDue(int64_t now);
-  /// Nothing where nextDue() found nothing that waits.
+  /// When to ask nextDue() again. Nothing where it found nothing that waits.
   std::optional<int64_t> leavesAt() const;
+  /// Taken from the outbox, and on their way on a slow link.
+  size_t heldBytes() const { return heldBytes_; }
 
   size_t looks() const { return looks_; }
   size_t bytesSent() const { return bytesSent_; }
 
  private:
+  struct Held {
+    OutgoingMessage message;
+    int64_t until = 0;
+  };
+  /// Whether the next message of the outbox may begin its way.
+  bool isFree(int64_t now) const;
   Received readMessage(int64_t now);
   bool takeToken(int64_t now);
 
   RemoteLimits limits_;
   SlowLink link_;
   ClientOutbox outbox_;
-  std::optional<OutgoingMessage> held_;  ///< taken from the outbox, not yet due
-  int64_t heldUntil_ = 0;
+  /// On a slow link: no more than it holds at its rate over its delay, and one, as the next is taken when it is free.
+  std::deque<Held> held_;
+  size_t heldBytes_ = 0;
   std::string message_;  ///< as far as it has come
   bool isInMessage_ = false;
   int64_t messageBegan_ = 0;

@@ -1,20 +1,34 @@
 #include "oc_core/remote/server/draw_service.h"
 
+#include <fmt/format.h>
+
 #include <exception>
+#include <system_error>
 #include <utility>
 
+#include "oc_core/base/error.h"
 #include "oc_core/base/steady_time.h"
 
 namespace ocelli {
 
 DrawService::DrawService(int threads, RemoteDraw draw, DrawEvents events)
     : draw_(std::move(draw)), events_(std::move(events)) {
-  for (int i = 0; i < threads; ++i) {
-    threads_.emplace_back([this] { work(); });
+  try {
+    for (int i = 0; i < threads; ++i) {
+      threads_.emplace_back([this] { work(); });
+    }
+  } catch (const std::system_error& error) {
+    end();
+    throw WorkError(fmt::format("no more than {} threads begin ({})", threads_.size(), error.what()),
+                    "the server of remote visualisation", "draw fewer images at the same time");
   }
 }
 
 DrawService::~DrawService() {
+  end();
+}
+
+void DrawService::end() {
   {
     const std::lock_guard lock(mutex_);
     isEnding_ = true;
@@ -70,32 +84,44 @@ void DrawService::work() {
       }
       id = ++lastId_;
     }
-    const uint64_t client = turn->client;
-    const uint32_t sequence = turn->request.sequence;
-    events_.drawing(client, sequence);
     const int64_t begin = steadyNanoseconds();
-    std::optional<RemoteImage> image;
-    std::string problem;
     try {
-      image = draw_(turn->request, id, [this, client] { return isWanted(client); });
-    } catch (const std::exception& error) {
-      problem = error.what();
-    }
-    const double seconds = static_cast<double>(steadyNanoseconds() - begin) * 1e-9;
-    if (isWanted(client)) {
-      // Before the client's next turn may begin: what it hears of both stays in order.
-      if (image) {
-        setReady(client, false);
-        events_.drawn(client, std::move(*image), seconds);
-      } else if (!problem.empty()) {
-        events_.failed(client, sequence, problem);
-      }
+      serve(*turn, id);
+    } catch (...) {  // not even what went wrong can be told: the next turn may fare better
     }
     {
       const std::lock_guard lock(mutex_);
-      queue_.finish(client, seconds);
+      queue_.finish(turn->client, static_cast<double>(steadyNanoseconds() - begin) * 1e-9);
     }
     changed_.notify_one();
+  }
+}
+
+void DrawService::serve(const Turn& turn, uint32_t id) {
+  const std::string problem = problemOf(turn, id);
+  if (!problem.empty() && isWanted(turn.client)) {
+    setReady(turn.client, true);
+    events_.failed(turn.client, turn.request.sequence, problem);
+  }
+}
+
+std::string DrawService::problemOf(const Turn& turn, uint32_t id) {
+  const uint64_t client = turn.client;
+  try {
+    events_.drawing(client, turn.request.sequence);
+    const int64_t begin = steadyNanoseconds();
+    std::optional<RemoteImage> image = draw_(turn.request, id, [this, client] { return isWanted(client); });
+    const double seconds = static_cast<double>(steadyNanoseconds() - begin) * 1e-9;
+    if (image && isWanted(client)) {
+      // Before the client's next turn may begin: what it hears of both stays in order.
+      setReady(client, false);
+      events_.drawn(client, std::move(*image), seconds);
+    }
+    return "";
+  } catch (const std::exception& error) {
+    return error.what();
+  } catch (...) {
+    return "it cannot be drawn";
   }
 }
 

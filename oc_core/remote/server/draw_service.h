@@ -23,7 +23,8 @@ using RemoteDraw = std::function<std::optional<RemoteImage>(const RemoteRequest&
                                                             const std::function<bool()>& isWanted)>;
 
 /// What happens to a client's request; called on the threads of the service, without a lock. None of a client that has
-/// left, but for one that leaves meanwhile.
+/// left, but for one that leaves meanwhile. What `drawing` and `drawn` throw is told to the client as what drawing
+/// throws.
 struct DrawEvents {
   std::function<void(uint64_t client, uint32_t sequence)> drawing;
   std::function<void(uint64_t client, RemoteImage image, double seconds)> drawn;
@@ -32,6 +33,7 @@ struct DrawEvents {
 
 class DrawService {
  public:
+  /// Throws WorkError where the computer has no more threads.
   DrawService(int threads, RemoteDraw draw, DrawEvents events);
   /// Waits for what is being drawn, and drops it.
   ~DrawService();
@@ -45,7 +47,11 @@ class DrawService {
   void leave(uint64_t client);
 
  private:
+  void end();
   void work();
+  void serve(const Turn& turn, uint32_t id);
+  /// Nothing where all went well, else what went wrong.
+  std::string problemOf(const Turn& turn, uint32_t id);
   bool isWanted(uint64_t client) const;
 
   const RemoteDraw draw_;

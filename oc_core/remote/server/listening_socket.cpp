@@ -5,9 +5,11 @@
 #include <fmt/format.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
+#include <sys/resource.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
@@ -118,6 +120,11 @@ std::optional<AcceptedSocket> ListeningSocket::accept() const {
   const int descriptor =
       accept4(descriptor_, reinterpret_cast<sockaddr*>(&peer.storage), &peer.size, SOCK_CLOEXEC | SOCK_NONBLOCK);
   if (descriptor < 0) {
+    const int problem = errno;
+    if (problem == EMFILE || problem == ENFILE || problem == ENOBUFS || problem == ENOMEM) {
+      throw WorkError(fmt::format("no other connection can be taken ({})", std::strerror(problem)), hostAndPort(),
+                      "let this program open more files (ulimit -n)");
+    }
     return std::nullopt;
   }
   const int yes = 1;
@@ -138,6 +145,18 @@ std::optional<AcceptedSocket> ListeningSocket::accept() const {
     accepted.network = textOfAddress(AF_INET6, &network);
   }
   return accepted;
+}
+
+void allowDescriptors(size_t count) {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0 || limit.rlim_cur >= count) {
+    return;
+  }
+  limit.rlim_cur = std::min<rlim_t>(count, limit.rlim_max);
+  if (limit.rlim_cur < count || setrlimit(RLIMIT_NOFILE, &limit) != 0) {
+    throw WorkError(fmt::format("it may open {} files and sockets, and needs {}", limit.rlim_max, count),
+                    "the server of remote visualisation", "serve fewer clients, or raise the limit (ulimit -n)");
+  }
 }
 
 bool isLoopbackAddress(const std::string& address) {

@@ -1,6 +1,7 @@
 // The socket on which the server of remote visualisation listens, and the connections that come in.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 
@@ -21,7 +22,8 @@ class ListeningSocket {
   ListeningSocket(const ListeningSocket&) = delete;
   ListeningSocket& operator=(const ListeningSocket&) = delete;
 
-  /// Nothing where nobody waits. Does not block.
+  /// Nothing where nobody waits. Does not block. Throws WorkError where somebody waits and this program or the computer
+  /// has no descriptor or memory left for it.
   std::optional<AcceptedSocket> accept() const;
   /// The descriptor belongs to someone else from now on, who closes it. accept() goes on as before.
   int release();
@@ -36,6 +38,10 @@ class ListeningSocket {
   int port_ = 0;
   std::string shown_;
 };
+
+/// Lets this program open so many files and sockets at a time, where it may not yet. Throws WorkError where the
+/// computer does not allow that.
+void allowDescriptors(size_t count);
 
 /// Whether only programs of this computer reach it: 127.0.0.0/8 or ::1. False for what is no address.
 bool isLoopbackAddress(const std::string& address);

@@ -14,6 +14,7 @@
 #include "oc_core/remote/server/client_session.h"
 #include "oc_core/remote/server/http_answer.h"
 #include "oc_core/remote/server/listening_socket.h"
+#include "oc_core/remote/server/note_queue.h"
 #include "oc_core/remote/server/socket_loop.h"
 
 namespace ocelli {
@@ -21,6 +22,9 @@ namespace {
 
 constexpr int kHttpOk = 200;
 constexpr int kSwitchingProtocols = 101;
+
+/// What this program has open besides: files, and sockets that are refused.
+constexpr size_t kOtherDescriptors = 64;
 
 void requireToken(const RemoteServerSetup& setup) {
   if (!isLoopbackAddress(setup.address) && setup.access.token.empty()) {
@@ -45,6 +49,7 @@ class RemoteServer::State : public LoopEvents {
   explicit State(RemoteServerSetup setup)
       : setup_(std::move(setup)),
         listener_(setup_.address, setup_.port),
+        notes_(setup_.note),
         loop_(std::make_unique<SocketLoop>(LoopSetup{.maxConnections = maxConnections(setup_.limits),
                                                      .handshakeSeconds = setup_.limits.handshakeSeconds,
                                                      .pingSeconds = setup_.limits.pingSeconds},
@@ -90,21 +95,22 @@ class RemoteServer::State : public LoopEvents {
   }
 
   void closed(uint64_t connection) override {
-    const auto found = connections_.find(connection);
-    if (found == connections_.end()) {
+    // It is not among them any more, whatever happens below.
+    const auto left = connections_.extract(connection);
+    if (left.empty()) {
       return;
     }
-    if (const auto& session = found->second.session) {
+    const ServedConnection& served = left.mapped();
+    if (const auto& session = served.session) {
       if (draws_) {
         draws_->leave(connection);
       }
       counts_.looks += session->looks();
       counts_.images += session->outbox().imagesSent();
       counts_.bytesSent += session->bytesSent();
-      note(fmt::format("client {} left: {} looks, {} images, {:.1f} MB", found->second.client, session->looks(),
+      note(fmt::format("client {} left: {} looks, {} images, {:.1f} MB", served.client, session->looks(),
                        session->outbox().imagesSent(), static_cast<double>(session->bytesSent()) * 1e-6));
     }
-    connections_.erase(found);
   }
 
   HttpAnswer answer(uint64_t /*connection*/, const HttpRequest& request) override {
@@ -185,7 +191,7 @@ class RemoteServer::State : public LoopEvents {
             .drawn =
                 [this](uint64_t client, RemoteImage image, double seconds) {
                   const auto shared = std::make_shared<RemoteImage>(std::move(image));
-                  loop_->post([this, client, shared, seconds] { addImage(client, std::move(*shared), seconds); });
+                  postFor(client, [this, client, shared, seconds] { addImage(client, std::move(*shared), seconds); });
                 },
             .failed =
                 [this](uint64_t client, uint32_t sequence, const std::string& problem) {
@@ -194,8 +200,19 @@ class RemoteServer::State : public LoopEvents {
                 }};
   }
 
+  /// What fails ends this connection: its client would wait for ever for what it was to hear.
+  void postFor(uint64_t connection, std::function<void()> work) {
+    loop_->post([this, connection, work = std::move(work)] {
+      try {
+        work();
+      } catch (...) {
+        loop_->closeNow(connection);
+      }
+    });
+  }
+
   void tell(uint64_t connection, ClientOutbox::Kind kind, const std::string& text) {
-    loop_->post([this, connection, kind, text] {
+    postFor(connection, [this, connection, kind, text] {
       if (const auto found = connections_.find(connection); found != connections_.end()) {
         found->second.session->outbox().addText(kind, text, steadyNanoseconds());
         loop_->wantToSend(connection);
@@ -208,10 +225,12 @@ class RemoteServer::State : public LoopEvents {
     if (found == connections_.end()) {
       return;
     }
-    note(fmt::format("client {}: image {} for look {}: {:.2f} s, {:.0f} KB", found->second.client, image.id,
-                     image.sequence, seconds, static_cast<double>(image.color.size() + image.depth.size()) * 1e-3));
+    std::string line =
+        fmt::format("client {}: image {} for look {}: {:.2f} s, {:.0f} KB", found->second.client, image.id,
+                    image.sequence, seconds, static_cast<double>(image.color.size() + image.depth.size()) * 1e-3);
     found->second.session->outbox().addImage(std::move(image), steadyNanoseconds());
     loop_->wantToSend(connection);
+    note(std::move(line));
   }
 
   size_t clientsNow() const {
@@ -228,20 +247,21 @@ class RemoteServer::State : public LoopEvents {
         counts.looks += served.session->looks();
         counts.images += served.session->outbox().imagesSent();
         counts.bytesSent += served.session->bytesSent();
-        counts.imageBytesNow += served.session->outbox().heldBytes();
+        counts.imageBytesNow += served.session->outbox().heldBytes() + served.session->heldBytes();
       }
     }
     return counts;
   }
 
-  void note(const std::string& line) const {
+  void note(std::string line) {
     if (setup_.note) {
-      setup_.note(line);
+      notes_.add(std::move(line));
     }
   }
 
   const RemoteServerSetup setup_;
   ListeningSocket listener_;
+  NoteQueue notes_;
   RemoteServerCounts counts_;
   std::map<uint64_t, ServedConnection> connections_;
   std::unique_ptr<SocketLoop> loop_;
@@ -250,6 +270,7 @@ class RemoteServer::State : public LoopEvents {
 
 RemoteServer::RemoteServer(RemoteServerSetup setup) {
   requireToken(setup);
+  allowDescriptors(static_cast<size_t>(maxConnections(setup.limits)) + kOtherDescriptors);
   state_ = std::make_unique<State>(std::move(setup));
 }
 

@@ -29,7 +29,8 @@ struct RemoteServerSetup {
   std::string hello;    ///< the first message to each client
   std::vector<PageAsset> assets{};
   RemoteDraw draw;
-  /// A line on what happens, for people; called on threads of the server. May be empty.
+  /// A line on what happens, for people; called on a thread of its own. It may take its time, as clients do not wait
+  /// for it; of very many lines some are left out then (note_queue.h). May be empty.
   std::function<void(const std::string& line)> note{};
 };
 

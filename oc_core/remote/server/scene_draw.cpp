@@ -19,12 +19,13 @@ RemoteDraw sceneDraw(const RemoteScene& scene, const RemoteSettings& settings) {
   };
 }
 
-std::string helloText(const RemoteScene& scene, const RemoteSettings& settings) {
+std::string helloText(const RemoteScene& scene, const RemoteSettings& settings, const RemoteLimits& limits) {
   RemoteHello hello;
   hello.scene = scene.name();
   hello.view = scene.defaultView();
   hello.box = scene.bounds();
   hello.settings = settings;
+  hello.maxScreen = limits.screenPixels;
   return jsonText(hello);
 }
 

@@ -6,6 +6,7 @@
 #include "oc_core/remote/remote_scene.h"
 #include "oc_core/remote/remote_settings.h"
 #include "oc_core/remote/server/draw_service.h"
+#include "oc_core/remote/server/remote_limits.h"
 
 namespace ocelli {
 
@@ -14,6 +15,6 @@ namespace ocelli {
 RemoteDraw sceneDraw(const RemoteScene& scene, const RemoteSettings& settings);
 
 /// The first message to each client.
-std::string helloText(const RemoteScene& scene, const RemoteSettings& settings);
+std::string helloText(const RemoteScene& scene, const RemoteSettings& settings, const RemoteLimits& limits);
 
 }  // namespace ocelli

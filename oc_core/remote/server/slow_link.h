@@ -20,6 +20,8 @@ class SlowLink {
   /// When a message of this size, which was ready to be sent at `readyAt`, is to be handed to the real link, in
   /// nanoseconds of the same clock. Call it once a message, in their order.
   int64_t leavesAt(size_t bytes, int64_t readyAt);
+  /// When its last message has left the near end: all of them arrive later by the delay. The next one may begin then.
+  int64_t freeAt() const { return freeAt_; }
 
  private:
   SlowLinkSettings settings_;

@@ -90,6 +90,23 @@ void setCloseReason(lws* wsi, const CloseReason& reason) {
 
 void logNothing(int /*level*/, const char* /*line*/) {}
 
+/// Closes it where nobody has taken it over.
+class OwnedDescriptor {
+ public:
+  explicit OwnedDescriptor(int descriptor) : descriptor_(descriptor) {}
+  ~OwnedDescriptor() {
+    if (descriptor_ >= 0) {
+      close(descriptor_);
+    }
+  }
+  OwnedDescriptor(const OwnedDescriptor&) = delete;
+  OwnedDescriptor& operator=(const OwnedDescriptor&) = delete;
+  int release() { return std::exchange(descriptor_, -1); }
+
+ private:
+  int descriptor_;
+};
+
 struct LoopConnection {
   uint64_t number = 0;
   lws* wsi = nullptr;
@@ -129,8 +146,10 @@ class SocketLoop::Lws {
     vhost_ = context_ != nullptr ? lws_get_vhost_by_name(context_, kProtocolName) : nullptr;
     lws_sock_file_fd_type descriptor{};
     descriptor.filefd = listener.release();
-    if (vhost_ == nullptr ||
-        lws_adopt_descriptor_vhost(vhost_, LWS_ADOPT_RAW_FILE_DESC, descriptor, kProtocolName, nullptr) == nullptr) {
+    if (vhost_ != nullptr) {
+      listenerWsi_ = lws_adopt_descriptor_vhost(vhost_, LWS_ADOPT_RAW_FILE_DESC, descriptor, kProtocolName, nullptr);
+    }
+    if (listenerWsi_ == nullptr) {
       destroy();
       throw WorkError("libwebsockets does not start", "the server of remote visualisation",
                       "see whether this program may open more files (ulimit -n)");
@@ -203,11 +222,21 @@ class SocketLoop::Lws {
 
   void scheduleTick() {
     lws_sul_schedule(
-        context_, 0, &tick_.list, [](lws_sorted_usec_list_t* list) { reinterpret_cast<Tick*>(list)->loop->tick(); },
-        kTickMicroseconds);
+        context_, 0, &tick_.list,
+        [](lws_sorted_usec_list_t* list) { reinterpret_cast<Tick*>(list)->loop->tickAgain(); }, kTickMicroseconds);
+  }
+
+  /// Called through libwebsockets: nothing is thrown, and there is a next time whatever happens.
+  void tickAgain() noexcept {
+    scheduleTick();
+    try {
+      tick();
+    } catch (...) {  // of memory that ran out, for example: what was left out is done the next time
+    }
   }
 
   void tick() {
+    takeConnections(true);
     const int64_t now = steadyNanoseconds();
     for (const auto& [number, connection] : connections_) {
       if (connection->closing && now > connection->closeBy) {
@@ -215,7 +244,17 @@ class SocketLoop::Lws {
       }
     }
     events_.tick();
-    scheduleTick();
+  }
+
+  /// Not where there is no descriptor for the next one: its socket would be ready for ever, and this thread never rest.
+  void takeConnections(bool isToTake) {
+    if (takesConnections_ != isToTake) {
+      takesConnections_ = isToTake;
+      lws_rx_flow_control(listenerWsi_,
+                          LWS_RXFLOW_REASON_FLAG_PROCESS_NOW |
+                              (isToTake ? LWS_RXFLOW_REASON_APPLIES_ENABLE : LWS_RXFLOW_REASON_APPLIES_DISABLE) |
+                              LWS_RXFLOW_REASON_USER_BOOL);
+    }
   }
 
   LoopConnection* find(uint64_t connection) {
@@ -228,13 +267,18 @@ class SocketLoop::Lws {
       auto* const loop = static_cast<Lws*>(lws_context_user(lws_get_context(wsi)));
       return loop->handle(wsi, reason, static_cast<const char*>(in), length);
     } catch (...) {
-      return kCloseConnection;  // of memory that ran out, for example: of this connection alone
+      // Of memory that ran out, for example: of this connection alone, and never the socket that listens.
+      return reason == LWS_CALLBACK_RAW_RX_FILE || reason == LWS_CALLBACK_EVENT_WAIT_CANCELLED ? 0 : kCloseConnection;
     }
   }
 
   int handle(lws* wsi, lws_callback_reasons reason, const char* in, size_t length) {
     if (reason == LWS_CALLBACK_RAW_RX_FILE) {
-      acceptAll();
+      try {
+        acceptAll();
+      } catch (...) {
+        takeConnections(false);  // until the next tick
+      }
       return 0;
     }
     if (reason == LWS_CALLBACK_EVENT_WAIT_CANCELLED) {
@@ -282,8 +326,8 @@ class SocketLoop::Lws {
 
   void acceptAll() {
     while (const std::optional<AcceptedSocket> accepted = listener_.accept()) {
+      OwnedDescriptor descriptor(accepted->descriptor);
       if (!events_.accepts(*accepted)) {
-        close(accepted->descriptor);
         continue;
       }
       const uint64_t number = ++lastNumber_;
@@ -292,11 +336,16 @@ class SocketLoop::Lws {
       lws_adopt_desc_t adopted{};
       adopted.vh = vhost_;
       adopted.type = static_cast<lws_adoption_type>(LWS_ADOPT_HTTP | LWS_ADOPT_SOCKET);
-      adopted.fd.sockfd = accepted->descriptor;
       adopted.opaque = connection.get();
       connections_[number] = std::move(connection);
-      events_.connected(number, *accepted);
+      try {
+        events_.connected(number, *accepted);
+      } catch (...) {
+        connections_.erase(number);
+        throw;
+      }
       // It closes the socket where it fails.
+      adopted.fd.sockfd = descriptor.release();
       lws* const wsi = lws_adopt_descriptor_vhost_via_info(&adopted);
       if (LoopConnection* const known = find(number)) {
         if (wsi != nullptr) {
@@ -316,7 +365,10 @@ class SocketLoop::Lws {
       works.swap(posted_);
     }
     for (const auto& work : works) {
-      work();
+      try {
+        work();
+      } catch (...) {  // must not keep the others from what is theirs
+      }
     }
   }
 
@@ -391,6 +443,8 @@ class SocketLoop::Lws {
   std::array<lws_protocols, 2> protocols_{};  // the last one is empty
   lws_context* context_ = nullptr;
   lws_vhost* vhost_ = nullptr;
+  lws* listenerWsi_ = nullptr;
+  bool takesConnections_ = true;
   Tick tick_;
   std::map<uint64_t, std::unique_ptr<LoopConnection>> connections_;
   uint64_t lastNumber_ = 0;
