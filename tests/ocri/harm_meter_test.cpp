@@ -16,8 +16,8 @@ using test::smallCamera;
 
 /// The box's right side, at column 55, as a column of splats with these bands. Where it is `pushed`, four rows of the
 /// map push the wall by ten pixels, behind the box.
-struct Scene {
-  explicit Scene(float hidden, float room, bool pushed = false) {
+struct SeenScene {
+  explicit SeenScene(float hidden, float room, bool pushed = false) {
     for (int y = 22; y < 38; ++y) {
       splats.push_back({{{55, static_cast<float>(y) + 0.5f}, {1, 0}, 1 / 9.3f, 1 / 10.9f}, hidden, room});
     }
@@ -45,7 +45,7 @@ struct Scene {
 };
 
 /// The slow reference: all of the image against all of the view.
-size_t missingAtReference(const Scene& scene) {
+size_t missingAtReference(const SeenScene& scene) {
   const ReferenceImage image = referenceImage(rasterize(*scene.camera, scene.mesh), scene.mesh, scene.pinhole, "ddoc");
   return countMissing(compareFrames(scene.pinhole, positionImage(scene.pinhole, scene.mesh),
                                     positionImage(scene.pinhole, imageMesh(image))))
@@ -53,7 +53,7 @@ size_t missingAtReference(const Scene& scene) {
 }
 
 TEST(HarmMeter, nothingIsLostWhereNothingMoves) {
-  const Scene scene(0, 0);
+  const SeenScene scene(0, 0);
   const Harm harm = scene.meter().measure(*scene.camera, scene.splats, scene.owners);
   EXPECT_EQ(harm.missing, 0u);
   EXPECT_EQ(harm.ofSplats, std::vector<int>(scene.splats.size(), 0));
@@ -61,7 +61,7 @@ TEST(HarmMeter, nothingIsLostWhereNothingMoves) {
 
 TEST(HarmMeter, countsWhatTheReferenceViewLacks) {
   for (const bool pushed : {false, true}) {
-    const Scene scene(10, 10, pushed);
+    const SeenScene scene(10, 10, pushed);
     const size_t expected = missingAtReference(scene);
     // Ten columns of the two middle rows, less the rims; others have neighbours a pixel away.
     EXPECT_EQ(expected >= 14, pushed);
@@ -77,7 +77,7 @@ TEST(HarmMeter, countsWhatTheReferenceViewLacks) {
 }
 
 TEST(HarmMeter, blamesTheSplatsThatBury) {
-  const Scene scene(10, 10, true);
+  const SeenScene scene(10, 10, true);
   const Harm harm = scene.meter().measure(*scene.camera, scene.splats, scene.owners);
   for (size_t i = 0; i < scene.splats.size(); ++i) {
     const float y = scene.splats[i].edge.position.y;
