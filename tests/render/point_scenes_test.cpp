@@ -84,9 +84,9 @@ void expectAlmostClosed(const Likeness& likeness, const std::string& name) {
   EXPECT_LT(likeness.shade, 0.15);
 }
 
-class Scan : public testing::TestWithParam<std::string> {};
+class Scans : public testing::TestWithParam<std::string> {};
 
-TEST_P(Scan, LooksClosedAsPointsAlone) {
+TEST_P(Scans, LooksClosedAsPointsAlone) {
   const char* folder = std::getenv("OCELLI_DATA_DIR");
   if (folder == nullptr) {
     GTEST_SKIP() << "OCELLI_DATA_DIR is not set";
@@ -95,7 +95,7 @@ TEST_P(Scan, LooksClosedAsPointsAlone) {
   expectAlmostClosed(likenessOfVertices(loadScene(path, {.fit = false, .shading = Shading::kNone})), path);
 }
 
-INSTANTIATE_TEST_SUITE_P(Meshes, Scan,
+INSTANTIATE_TEST_SUITE_P(Meshes, Scans,
                          testing::Values("bunny.obj", "dragon.obj", "buddha.obj", "horse.obj", "armadillo.ply"),
                          [](const auto& test) { return test.param.substr(0, test.param.find('.')); });
 

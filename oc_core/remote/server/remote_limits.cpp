@@ -10,7 +10,7 @@ constexpr std::array<RemoteLimitRow, 8> kLimitRows{{
     {"connections", "N", &RemoteLimits::connectionsPerAddress, 1, 10000,
      "Take so many connections at a time from one address"},
     {"looks", "N", &RemoteLimits::looksPerSecond, 1, 1000, "Take so many messages a second from a client"},
-    {"message-bytes", "BYTES", &RemoteLimits::messageBytes, 256, 16384, "Take messages of so many bytes"},
+    {"message-bytes", "BYTES", &RemoteLimits::messageBytes, 256, 16384, "The size of the largest message to take"},
     {"screen", "PIXELS", &RemoteLimits::screenPixels, 16, 4096, "Draw for screens of so many pixels a side"},
     {"handshake-seconds", "S", &RemoteLimits::handshakeSeconds, 1, 600,
      "Give a connection so long to become a client or to fetch a file, and a message to be complete"},
