@@ -8,12 +8,12 @@
 #include "oc_core/base/steady_time.h"
 #include "oc_core/image_codecs/image_codec.h"
 #include "oc_core/remote/remote_image.h"
+#include "oc_core/remote/remote_message.h"
 
 namespace ocelli {
 namespace {
 
-constexpr size_t kPieceBytes = size_t{32} << 10;
-constexpr size_t kPieceHeader = 12 + 4;  ///< of the message, and of WebSocket's frame
+constexpr size_t kPieceHeader = RemotePiece::kHeaderBytes + 4;  ///< of the message, and of WebSocket's frame
 constexpr int kSizeSteps = 4;
 
 constexpr std::array<ImageMode, 5> kModes{{
@@ -246,7 +246,7 @@ const ImageMode* findImageMode(std::string_view name) {
 }
 
 size_t bytesOnTheWire(size_t imageBytes) {
-  return imageBytes + (imageBytes + kPieceBytes - 1) / kPieceBytes * kPieceHeader;
+  return imageBytes + (imageBytes + RemotePiece::kMaxBytes - 1) / RemotePiece::kMaxBytes * kPieceHeader;
 }
 
 double equalBytesSize(const RemoteScene& scene, const View& view, const glm::ivec2& screen,

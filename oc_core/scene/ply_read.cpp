@@ -376,51 +376,39 @@ class PlyReader {
   uint64_t triangles_ = 0;
 };
 
-/// Of a mesh in memory.
-class MeshVisitor final : public PlyVisitor {
+/// Of a shape in memory, which has positions and colors.
+template <typename Shape>
+class ShapeVisitor : public PlyVisitor {
  public:
   void beginVertices(uint64_t count, bool colored) override {
-    mesh.positions.reserve(count);
-    mesh.colors.reserve(colored ? count : 0);
+    shape.positions.reserve(count);
+    shape.colors.reserve(colored ? count : 0);
     colored_ = colored;
   }
   void addVertex(const glm::vec3& position, const glm::vec3& color) override {
-    mesh.positions.push_back(position);
+    shape.positions.push_back(position);
     if (colored_) {
-      mesh.colors.push_back(color);
+      shape.colors.push_back(color);
     }
   }
-  void beginFaces(uint64_t count) override { mesh.triangles.reserve(count); }
-  void addTriangle(const glm::uvec3& corners) override { mesh.triangles.push_back(corners); }
 
-  Mesh mesh;
+  Shape shape;
 
  private:
   bool colored_ = false;
 };
 
-/// Of points in memory.
-class PointVisitor final : public PlyVisitor {
+class MeshVisitor final : public ShapeVisitor<Mesh> {
  public:
-  void beginVertices(uint64_t count, bool colored) override {
-    cloud.positions.reserve(count);
-    cloud.colors.reserve(colored ? count : 0);
-    colored_ = colored;
-  }
-  void addVertex(const glm::vec3& position, const glm::vec3& color) override {
-    cloud.positions.push_back(position);
-    if (colored_) {
-      cloud.colors.push_back(color);
-    }
-  }
-  void addNormal(const glm::vec3& normal) override { cloud.normals.push_back(normal); }
+  void beginFaces(uint64_t count) override { shape.triangles.reserve(count); }
+  void addTriangle(const glm::uvec3& corners) override { shape.triangles.push_back(corners); }
+};
+
+class PointVisitor final : public ShapeVisitor<PointCloud> {
+ public:
+  void addNormal(const glm::vec3& normal) override { shape.normals.push_back(normal); }
   void beginFaces(uint64_t /*count*/) override {}
   void addTriangle(const glm::uvec3& /*corners*/) override {}
-
-  PointCloud cloud;
-
- private:
-  bool colored_ = false;
 };
 
 /// A stream of a file, and how many bytes it has.
@@ -444,7 +432,7 @@ Mesh readPly(const fs::path& path) {
 Mesh readPly(std::istream& stream, uint64_t size, const std::string& where) {
   MeshVisitor visitor;
   PlyReader(stream, size, where, visitor, {kMaxSceneTriangles, 3 * kMaxSceneTriangles}).read();
-  return std::move(visitor.mesh);
+  return std::move(visitor.shape);
 }
 
 bool plyHoldsPoints(const fs::path& path) {
@@ -467,7 +455,7 @@ PointCloud readPlyPoints(const fs::path& path) {
 PointCloud readPlyPoints(std::istream& stream, uint64_t size, const std::string& where) {
   PointVisitor visitor;
   PlyReader(stream, size, where, visitor, {0, kMaxScenePoints, false}).read();
-  return std::move(visitor.cloud);
+  return std::move(visitor.shape);
 }
 
 uint64_t plyFaceCount(const fs::path& path) {

@@ -52,8 +52,9 @@ TEST(StreamPlay, waitsForLargeFrames) {
 TEST(WireBytes, haveAHeaderAPiece) {
   EXPECT_EQ(bytesOnTheWire(0), 0u);
   EXPECT_EQ(bytesOnTheWire(1), 1 + kHeader);
-  EXPECT_EQ(bytesOnTheWire(32768), 32768 + kHeader);
-  EXPECT_EQ(bytesOnTheWire(32769), 32769 + 2 * kHeader);
+  // A message of 32 KiB has 12 bytes of its own (docs/remote_protocol.md).
+  EXPECT_EQ(bytesOnTheWire(32756), 32756 + kHeader);
+  EXPECT_EQ(bytesOnTheWire(32757), 32757 + 2 * kHeader);
 }
 
 }  // namespace
