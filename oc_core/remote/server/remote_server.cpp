@@ -90,6 +90,8 @@ class RemoteServer::State : public LoopEvents {
     return isRoom;
   }
 
+  void couldNotAccept() override { ++counts_.rests; }
+
   void connected(uint64_t connection, const AcceptedSocket& accepted) override {
     connections_[connection] = {accepted.address, accepted.network, steadyNanoseconds()};
   }

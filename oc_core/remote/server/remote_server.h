@@ -40,6 +40,7 @@ struct RemoteServerCounts {
   size_t clientsNow = 0;
   size_t connectionsNow = 0;
   size_t refused = 0;  ///< requests, messages and connections
+  size_t rests = 0;    ///< after a connection that could not be taken, for want of a descriptor or of memory
   size_t looks = 0;
   size_t images = 0;         ///< sent to their last byte
   size_t imageBytesNow = 0;  ///< in memory, to be sent

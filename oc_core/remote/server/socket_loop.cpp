@@ -278,6 +278,7 @@ class SocketLoop::Lws {
         acceptAll();
       } catch (...) {
         takeConnections(false);  // until the next tick
+        events_.couldNotAccept();
       }
       return 0;
     }

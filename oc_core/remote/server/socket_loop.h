@@ -28,6 +28,8 @@ class LoopEvents {
   virtual ~LoopEvents() = default;
   /// Whether a connection from there is taken.
   virtual bool accepts(const AcceptedSocket& accepted) = 0;
+  /// One waits that cannot be taken, for want of a descriptor or of memory; it is tried again after a rest.
+  virtual void couldNotAccept() = 0;
   virtual void connected(uint64_t connection, const AcceptedSocket& accepted) = 0;
   /// It is not there any more.
   virtual void closed(uint64_t connection) = 0;
