@@ -1,0 +1,69 @@
+// A volume as a scene: where it stands, what its values look like, and how it is lit.
+#pragma once
+
+#include <functional>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "oc_core/base/progress.h"
+#include "oc_core/scene/mesh.h"
+#include "oc_core/volume/scalar_volume.h"
+#include "oc_core/volume/transfer_function.h"
+
+namespace ocelli {
+
+/// How places of a volume are lit: a fixed light from where the fixed light of meshes is (scene/shading.h), by the
+/// gradient of the field. The colour of a place is multiplied by what comes of it.
+struct VolumeShading {
+  bool isOn = false;  ///< off: colours as the transfer function has them
+  double ambient = 0.3;
+  double diffuse = 0.7;
+  double specular = 0.2;  ///< added, in white
+  double shininess = 20;
+};
+
+/// What a volume looks like.
+struct VolumeAppearance {
+  TransferFunction transfer;
+  VolumeShading shading{};
+};
+
+/// A half space of the world that is shown: where dot(normal, p) >= distance.
+struct ClipPlane {
+  glm::dvec3 normal{1, 0, 0};  ///< of length 1
+  double distance = 0;
+};
+
+struct VolumeScene {
+  std::shared_ptr<const ScalarVolume> volume;
+  glm::dmat4 worldFromIndex{1};  ///< affine: where the volume stands in the scene, from index coordinates
+  VolumeAppearance appearance;
+  std::vector<ClipPlane> clips{};  ///< of the volume alone
+  Mesh surfaces{};                 ///< opaque, in the scene's world; or none
+
+  /// How much of the scene's lengths the unit of the grid's world is: extinctions by the scene's lengths are those of
+  /// the transfer function divided by this.
+  double sceneLengthOfUnit() const;
+  Box bounds() const { return boundsOf(volume->grid(), worldFromIndex); }
+};
+
+struct VolumeSceneOptions {
+  bool fit = true;         ///< its box into the unit sphere, as meshes
+  std::string transfer{};  ///< a preset's name or a file's; empty: what fits the volume
+  std::vector<ClipPlane> clips{};
+  /// Is told what the user should know of the volume, a sentence each.
+  std::function<void(const std::string&)> warn{};
+};
+
+/// Whether a SCENE is a volume, by its name: `builtin:volume,...`, the endings of files of volumes, or a folder with
+/// DICOM files.
+bool isVolumeSource(const std::string& source);
+
+/// Throws InputError for what is wrong with the source, the transfer function or a file.
+VolumeScene loadVolumeScene(const std::string& source, const VolumeSceneOptions& options = {},
+                            const Progress& progress = {});
+
+}  // namespace ocelli
