@@ -49,10 +49,17 @@ class RecordWriter {
 };
 
 /// The error whose text, as Error::what() gives it, another process sent.
-inline InputError errorAsItWas(const std::string& message) {
+template <class ErrorType = InputError>
+ErrorType errorAsItWas(const std::string& message) {
   constexpr std::string_view kNext = "\n  try: ";
+  constexpr std::string_view kDetail = "\n    ";
   const size_t next = std::min(message.find(kNext), message.size());
-  return {message.substr(0, next), "", message.substr(std::min(next + kNext.size(), message.size()))};
+  const size_t detail = std::min(message.find(kDetail), next);
+  std::string details = message.substr(detail, next - detail);
+  for (size_t at = 0; (at = details.find(kDetail, at)) != std::string::npos; ++at) {
+    details.replace(at, kDetail.size(), at == 0 ? "" : "\n");
+  }
+  return {message.substr(0, detail), "", message.substr(std::min(next + kNext.size(), message.size())), details};
 }
 
 /// What a record is about, for the error message where it is none.
