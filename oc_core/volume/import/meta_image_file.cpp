@@ -105,7 +105,9 @@ class MetaImageFields {
     fail("there is no ElementDataFile, which ends the header", kExportAgain);
   }
 
-  [[noreturn]] void fail(const std::string& what, const std::string& next) const { throw InputError(what, where_, next); }
+  [[noreturn]] void fail(const std::string& what, const std::string& next) const {
+    throw InputError(what, where_, next);
+  }
 
   uint64_t end() const { return end_; }
   const std::string& rest() const { return rest_; }
@@ -258,15 +260,17 @@ void setGeometry(const MetaImageFields& fields, size_t dimensions, MetaImageHead
   }
   world[3] = glm::dvec4(origin[0], origin[1], origin[2], 1);
   if (!center.empty() && std::any_of(center.begin(), center.end(), [](double x) { return x != 0; })) {
-    record.warnings.emplace_back("the file names a centre of rotation, which is not kept: Offset says where voxel 0 is");
+    record.warnings.emplace_back(
+        "the file names a centre of rotation, which is not kept: Offset says where voxel 0 is");
   }
   const std::string letters = fields.text("AnatomicalOrientation", "???");
   record.grid.isAnatomical = letters != "???" && letters != "UNKNOWN";
   record.grid.unit = fields.text("DistanceUnits", record.grid.isAnatomical ? "mm" : "");
   if (record.grid.isAnatomical && letters != anatomicalLetters(world)) {
-    record.warnings.push_back(fmt::format("the file says AnatomicalOrientation = {}, but its TransformMatrix is {}: the "
-                                          "matrix is taken, as ITK does",
-                                          letters, anatomicalLetters(world)));
+    record.warnings.push_back(
+        fmt::format("the file says AnatomicalOrientation = {}, but its TransformMatrix is {}: the "
+                    "matrix is taken, as ITK does",
+                    letters, anatomicalLetters(world)));
   }
   if (dimensions == 4 && header.volumes > 1) {
     for (uint64_t at = 0; at < header.volumes; ++at) {
@@ -387,10 +391,16 @@ MetaImageHeader parseMetaImage(const ByteSource& source) {
   } else if (header.voxels.isDeflated) {
     fields.fail("HeaderSize = -1 says that the voxels are the last bytes, which compressed ones cannot", kExportAgain);
   }
+  std::string unknown;
   for (const auto& [name, value] : fields.all()) {
     if (std::find(kKnownFields.begin(), kKnownFields.end(), name) == kKnownFields.end()) {
-      record.warnings.push_back(fmt::format("the file says {} = {}, which is not kept", name, value.substr(0, 60)));
+      unknown += (unknown.empty() ? "" : ", ") + name;
     }
+  }
+  constexpr size_t kMaxShown = 200;
+  if (!unknown.empty()) {
+    record.warnings.push_back("what the file says of these is not kept: " + unknown.substr(0, kMaxShown) +
+                              (unknown.size() > kMaxShown ? "..." : ""));
   }
   return header;
 }

@@ -154,8 +154,8 @@ class VtiParser {
     }
     const pugi::xml_node chosen = active ? active : scalars.front();
     if (scalars.size() + vectors > 1) {
-      header_.record.warnings.push_back(fmt::format("of {} arrays, \"{}\" is taken", scalars.size() + vectors,
-                                                    chosen.attribute("Name").value()));
+      header_.record.warnings.push_back(
+          fmt::format("of {} arrays, \"{}\" is taken", scalars.size() + vectors, chosen.attribute("Name").value()));
     }
     return chosen;
   }
@@ -263,7 +263,8 @@ void appendNumber(std::string_view token, VoxelWriter& writer, const std::string
   Number number{};
   const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), number);
   if (error != std::errc() || stop != token.data() + token.size()) {
-    throw InputError(fmt::format("\"{}\" is no number of the array's type", token.substr(0, 40)), where, kVtiExportAgain);
+    throw InputError(fmt::format("\"{}\" is no number of the array's type", token.substr(0, 40)), where,
+                     kVtiExportAgain);
   }
   writer.append(std::as_bytes(std::span(&number, 1)), where);
 }
@@ -325,8 +326,8 @@ void placeVtiVoxels(VtiHeader& header, const ByteSource& source, const std::stri
     }
     std::memcpy(&seen, word.data(), size.wordBytes);
     if (seen != bytes) {
-      throw InputError(fmt::format("the array has {} bytes, and its extent and type need {}", seen, bytes), source.name(),
-                       "copy or export the file again");
+      throw InputError(fmt::format("the array has {} bytes, and its extent and type need {}", seen, bytes),
+                       source.name(), "copy or export the file again");
     }
     placeVoxels(record, 1, {header.type, size.isSwapped, header.offset + size.wordBytes}, source, path, scratch);
     return;
