@@ -5,7 +5,6 @@
 #include <unistd.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
@@ -17,6 +16,7 @@
 #include "oc_core/base/child_process.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -35,10 +35,8 @@ std::optional<double> positiveVariable(const char* name) {
   if (text == nullptr || *text == '\0') {
     return std::nullopt;
   }
-  double value = 0;
-  const char* end = text + std::strlen(text);
-  const auto [stop, error] = std::from_chars(text, end, value);
-  if (error != std::errc() || stop != end || !(value > 0 && value <= 1e9)) {
+  const std::optional<double> value = numberFromText<double>(text);
+  if (!value || *value <= 0 || *value > 1e9) {
     throw InputError(fmt::format("\"{}\" is not a number above 0, and at most 1e9", text), name,
                      fmt::format("{}=16", name));
   }
