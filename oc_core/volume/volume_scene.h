@@ -54,12 +54,13 @@ struct VolumeSceneOptions {
   bool fit = true;         ///< its box into the unit sphere, as meshes
   std::string transfer{};  ///< a preset's name or a file's; empty: what fits the volume
   std::vector<ClipPlane> clips{};
+  std::string series{};  ///< of a folder of DICOM slices with several: VolumeFileOptions (volume_reader.h)
   /// Is told what the user should know of the volume, a sentence each.
   std::function<void(const std::string&)> warn{};
 };
 
-/// Whether a SCENE is a volume, by its name: `builtin:volume,...`, the endings of files of volumes, or a folder with
-/// DICOM files.
+/// Whether a SCENE is a volume: `builtin:volume,...`, or a file or a folder that isVolumeFile() knows
+/// (volume_reader.h).
 bool isVolumeSource(const std::string& source);
 
 /// Throws InputError for what is wrong with the source, the transfer function or a file.

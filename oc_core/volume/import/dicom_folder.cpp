@@ -7,7 +7,6 @@
 #include <gdcmSequenceOfItems.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -16,6 +15,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/dicom_slices.h"
+#include "oc_core/volume/import/number_list.h"
 #include "oc_core/volume/volume_formats.h"
 
 namespace ocelli {
@@ -64,26 +64,7 @@ std::string textOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
 
 /// Decimal strings, "0.5\\0.5": empty where there is none, or one is no number.
 std::vector<double> numbersOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  const std::string text = textOf(data, tag);
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* end = at + text.size();
-  while (at != end) {
-    while (at != end && (*at == ' ' || *at == '+' || *at == '\\')) {
-      ++at;
-    }
-    double number = 0;
-    const auto [stop, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || !std::isfinite(number)) {
-      return {};
-    }
-    numbers.push_back(number);
-    at = stop;
-    while (at != end && *at == ' ') {
-      ++at;
-    }
-  }
-  return numbers;
+  return numbersFromText(textOf(data, tag), " \\").value_or(std::vector<double>());
 }
 
 /// The first item of a sequence; null where there is none.

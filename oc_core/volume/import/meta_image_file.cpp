@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -13,6 +12,7 @@
 #include <optional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/volume/import/number_list.h"
 
 namespace ocelli {
 namespace {
@@ -155,24 +155,11 @@ class MetaImageFields {
   }
 
   std::vector<double> numbersOf(const std::string& name) const {
-    std::vector<double> numbers;
-    const std::string text = this->text(name);
-    const char* at = text.data();
-    const char* end = at + text.size();
-    while (at != end) {
-      if (*at == ' ' || *at == '\t') {
-        ++at;
-        continue;
-      }
-      double number = 0;
-      const auto [stop, error] = std::from_chars(at, end, number);
-      if (error != std::errc() || !std::isfinite(number)) {
-        fail(fmt::format("{} = {}: these are no numbers", name, text), kExportAgain);
-      }
-      numbers.push_back(number);
-      at = stop;
+    const std::optional<std::vector<double>> numbers = numbersFromText(text(name), " \t");
+    if (!numbers) {
+      fail(fmt::format("{} = {}: these are no numbers", name, text(name)), kExportAgain);
     }
-    return numbers;
+    return *numbers;
   }
 
   std::string where_;
@@ -323,18 +310,13 @@ std::vector<std::string> dataFilesOf(const MetaImageFields& fields, double slice
     isSound = name[at] >= '0' && name[at] <= '9' && width < 10;
     width = 10 * width + (name[at] - '0');
   }
-  const std::string tail = space == std::string::npos ? "" : name.substr(space);
-  const char* at = tail.data();
-  for (size_t count = 0; isSound && count < numbers.size(); ++count) {
-    while (at != tail.data() + tail.size() && *at == ' ') {
-      ++at;
-    }
-    if (at == tail.data() + tail.size()) {
-      break;
-    }
-    const auto [stop, error] = std::from_chars(at, tail.data() + tail.size(), numbers[count]);
-    isSound = error == std::errc();
-    at = stop;
+  const std::optional<std::vector<double>> given =
+      numbersFromText(space == std::string::npos ? "" : name.substr(space), " ");
+  isSound = isSound && given && given->size() <= numbers.size();
+  for (size_t at = 0; isSound && at < given->size(); ++at) {
+    const double number = (*given)[at];
+    isSound = number == std::floor(number) && std::abs(number) < 1e9;
+    numbers[at] = isSound ? static_cast<int>(number) : 0;
   }
   constexpr int kMaxFiles = 1'000'000;
   isSound = isSound && numbers[2] >= 1 && numbers[0] >= 0 && numbers[1] >= numbers[0] &&
