@@ -68,8 +68,8 @@ struct VolumeSceneOptions {
   std::function<void(const std::string&)> warn{};
 };
 
-/// Whether a SCENE is a volume, by its name: `builtin:volume,...`, the endings of files of volumes, or a folder with
-/// DICOM files.
+/// Whether a SCENE is a volume: `builtin:volume,...`, or a file or a folder that isVolumeFile() knows
+/// (volume_reader.h).
 bool isVolumeSource(const std::string& source);
 
 /// Throws InputError for what is wrong with the source, the transfer function or a file, for voxels that are no

@@ -92,7 +92,7 @@ VolumeSeries loadVolumeSeries(const std::string& source, const std::string& seri
     throw InputError("only a folder of DICOM files has series", source, "leave the series out");
   }
   BuiltinVolume made = makeBuiltinVolume(source);
-  VolumeSeries one{.source = source, .volumes = {}, .appearance = std::move(made.appearance)};
+  VolumeSeries one{.source = source, .appearance = std::move(made.appearance)};
   one.volumes.push_back(std::make_shared<const ScalarVolume>(std::move(made.volume)));
   return one;
 }

@@ -12,8 +12,8 @@ namespace ocelli {
 
 struct VolumeSeries {
   std::string source;
-  std::vector<std::shared_ptr<const ScalarVolume>> volumes;  ///< at least 1; all of one grid and type
-  std::vector<double> times{};                               ///< s, rising, one a volume; empty where there is one
+  std::vector<std::shared_ptr<const ScalarVolume>> volumes{};  ///< at least 1; all of one grid and type
+  std::vector<double> times{};                                 ///< s, rising, one a volume; empty where there is one
   std::optional<VolumeAppearance> appearance{};  ///< of a made volume: what it looks like unless the user says another
   std::vector<std::string> warnings{};           ///< what the user should know of, a sentence each
 

@@ -149,10 +149,10 @@ void requireFinite(const VoxelSurvey& survey, const std::string& where, int fact
     return;
   }
   const glm::ivec3 at = survey.firstNotFinite * factor;
-  const std::string first = fmt::format(factor == 1 ? "at index ({}, {}, {})"
-                                                    : "among those from index ({}, {}, {}) up to {} further along each "
-                                                      "axis",
-                                        at.x, at.y, at.z, factor - 1);
+  const std::string first = factor == 1
+                                ? fmt::format("at index ({}, {}, {})", at.x, at.y, at.z)
+                                : fmt::format("among those from index ({}, {}, {}) up to {} further along each axis",
+                                              at.x, at.y, at.z, factor - 1);
   throw InputError(
       fmt::format("{}{} {} not a finite number (NaN or infinite), the first {}", factor == 1 ? "" : "at least ",
                   survey.notFinite, survey.notFinite == 1 ? "voxel is" : "voxels are", first),
