@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/isosurface/isosurface.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
+#include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
@@ -76,9 +78,41 @@ void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOpti
   }
 }
 
+void requireSurfaceOfVolume(const std::string& source, const SceneOptions& options) {
+  const bool isVolume = isVolumeSource(source);
+  if (isVolume && !options.surface.value) {
+    throw InputError("this is a volume, and surfaces are needed here", source,
+                     "give --iso VALUE: the surface where the volume has that value is the scene then");
+  }
+  if (!isVolume && (options.surface.value || !options.surface.transfer.empty())) {
+    throw InputError("this scene is no volume, and has no values to take a surface of", source,
+                     "leave out --iso and --transfer");
+  }
+}
+
+GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  requireSurfaceOfVolume(source, options);
+  refuseUnusedPoints({}, options);
+  const VolumeScene volume = loadVolumeScene(
+      source, {.fit = options.fit, .transfer = options.surface.transfer, .warn = options.warn}, progress);
+  GuidedScene loaded;
+  loaded.mesh = isosurface(
+      volume, {.value = *options.surface.value, .isShaded = options.shading == Shading::kLambert}, source, progress);
+  loaded.objectOfTriangle.assign(loaded.mesh.triangles.size(), 0);
+  const VolumeGrid& grid = volume.volume->grid();
+  const glm::dmat4 sceneFromIndex =
+      grid.isAnatomical ? sceneFromPatient() * grid.worldFromIndex : grid.worldFromIndex;
+  loaded.worldFromScene = glm::mat4(volume.worldFromIndex * glm::inverse(sceneFromIndex));
+  return loaded;
+}
+
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
+  requireSurfaceOfVolume(source, options);
   report(progress, "loading the scene", 0);
+  if (isVolumeSource(source) && !options.motion.seconds) {
+    return loadVolumeSurface(source, options, progress);
+  }
   if (options.motion.seconds) {
     return momentOf(source, options, progress);
   }
