@@ -80,28 +80,25 @@ void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOpti
 
 void requireSurfaceOfVolume(const std::string& source, const SceneOptions& options) {
   const bool isVolume = isVolumeSource(source);
-  if (isVolume && !options.surface.value) {
-    throw InputError("this is a volume, and surfaces are needed here", source,
-                     "give --iso VALUE: the surface where the volume has that value is the scene then");
+  if (!isVolume && options.iso) {
+    throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
   }
-  if (!isVolume && (options.surface.value || !options.surface.transfer.empty())) {
-    throw InputError("this scene is no volume, and has no values to take a surface of", source,
-                     "leave out --iso and --transfer");
+  if (isVolume && !options.iso) {
+    throw InputError("this is a volume, which has no triangles", source,
+                     "ocelli render draws it; for a mesh of a surface in it give --iso VALUE");
   }
 }
 
 GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
   requireSurfaceOfVolume(source, options);
   refuseUnusedPoints({}, options);
-  const VolumeScene volume = loadVolumeScene(
-      source, {.fit = options.fit, .transfer = options.surface.transfer, .warn = options.warn}, progress);
+  const VolumeScene volume = loadVolumeScene(source, {.fit = options.fit, .warn = options.warn}, progress);
+  const IsosurfaceOptions surface{.value = *options.iso, .isShaded = options.shading == Shading::kLambert};
   GuidedScene loaded;
-  loaded.mesh = isosurface(
-      volume, {.value = *options.surface.value, .isShaded = options.shading == Shading::kLambert}, source, progress);
+  loaded.mesh = isosurface(volume, surface, source, progress);
   loaded.objectOfTriangle.assign(loaded.mesh.triangles.size(), 0);
   const VolumeGrid& grid = volume.volume->grid();
-  const glm::dmat4 sceneFromIndex =
-      grid.isAnatomical ? sceneFromPatient() * grid.worldFromIndex : grid.worldFromIndex;
+  const glm::dmat4 sceneFromIndex = grid.isAnatomical ? sceneFromPatient() * grid.worldFromIndex : grid.worldFromIndex;
   loaded.worldFromScene = glm::mat4(volume.worldFromIndex * glm::inverse(sceneFromIndex));
   return loaded;
 }
@@ -110,7 +107,7 @@ GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& optio
   refuseOwnFile(source);
   requireSurfaceOfVolume(source, options);
   report(progress, "loading the scene", 0);
-  if (isVolumeSource(source) && !options.motion.seconds) {
+  if (options.iso && !options.motion.seconds) {
     return loadVolumeSurface(source, options, progress);
   }
   if (options.motion.seconds) {
