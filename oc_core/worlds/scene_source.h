@@ -1,7 +1,7 @@
 // From what a user writes (`SCENE` on the command line) to the mesh that everything downstream takes.
 //
-// SCENE is a file that Assimp reads, `builtin:NAME[,key=value...]` (see builtin_scenes.h), of a moving scene at a time, a
-// folder of numbered meshes, or a volume (oc_core/volume), of which a surface is taken.
+// SCENE is a file that Assimp reads, `builtin:NAME[,key=value...]` (see builtin_scenes.h), of a moving scene at a time,
+// a folder of numbered meshes, or a volume (oc_core/volume), of which a surface is taken.
 #pragma once
 
 #include <cstdint>
@@ -39,8 +39,8 @@ struct SceneOptions {
   bool textures = true;  ///< bake the textures of a file to vertex colours
   MotionOptions motion{};
   PointSceneOptions points{};  ///< of a scene of points
-  /// Of a volume (oc_core/volume): the scene is the surface at this value (oc_core/isosurface). Without it a volume is no
-  /// mesh.
+  /// Of a volume (oc_core/volume): the scene is the surface at this value (oc_core/isosurface). Without it a volume is
+  /// no mesh.
   std::optional<double> iso{};
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};

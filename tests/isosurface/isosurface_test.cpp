@@ -51,8 +51,8 @@ int eulerCharacteristic(const Mesh& mesh) {
 double areaOf(const Mesh& mesh) {
   double area = 0;
   for (const glm::uvec3& t : mesh.triangles) {
-    area += static_cast<double>(
-                glm::length(areaNormal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]))) / 2;
+    area +=
+        static_cast<double>(glm::length(areaNormal(mesh.positions[t.x], mesh.positions[t.y], mesh.positions[t.z]))) / 2;
   }
   return area;
 }
@@ -129,8 +129,8 @@ TEST(Isosurface, TheBoxOfTheVolumeClosesWhatReachesItsFaces) {
   EXPECT_TRUE(openEdges(mesh).empty());
   EXPECT_EQ(eulerCharacteristic(mesh), 2);
   const Box box = boundsOf(mesh);
-  for (const auto& [got, wanted] : {std::pair(box.lower, glm::vec3(3.25f, -0.5f, -0.5f)),
-                                    std::pair(box.upper, glm::vec3(8.5f, 6.5f, 4.5f))}) {
+  for (const auto& [got, wanted] :
+       {std::pair(box.lower, glm::vec3(3.25f, -0.5f, -0.5f)), std::pair(box.upper, glm::vec3(8.5f, 6.5f, 4.5f))}) {
     EXPECT_LT(glm::distance(got, wanted), 1e-4) << got.x << " " << got.y << " " << got.z;
   }
   // The edges of the block are bevelled by less than half a voxel.
@@ -139,8 +139,7 @@ TEST(Isosurface, TheBoxOfTheVolumeClosesWhatReachesItsFaces) {
 }
 
 TEST(Isosurface, OneVoxelIsASurface) {
-  const VolumeScene scene =
-      sceneOfField(glm::ivec3(3), [](const glm::dvec3& p) { return p == glm::dvec3(1) ? 1 : 0; });
+  const VolumeScene scene = sceneOfField(glm::ivec3(3), [](const glm::dvec3& p) { return p == glm::dvec3(1) ? 1 : 0; });
   const Mesh mesh = surfaceAt(scene, 0.5);
   EXPECT_TRUE(openEdges(mesh).empty());
   EXPECT_EQ(eulerCharacteristic(mesh), 2);
@@ -149,8 +148,7 @@ TEST(Isosurface, OneVoxelIsASurface) {
 
 TEST(Isosurface, AVolumeMayBeThin) {
   for (const glm::ivec3& size : {glm::ivec3(1, 9, 9), glm::ivec3(9, 1, 9), glm::ivec3(9, 9, 1)}) {
-    const VolumeScene scene =
-        sceneOfField(size, [](const glm::dvec3& p) { return p.x + p.y + p.z; });
+    const VolumeScene scene = sceneOfField(size, [](const glm::dvec3& p) { return p.x + p.y + p.z; });
     const Mesh mesh = surfaceAt(scene, 7.5);
     EXPECT_TRUE(openEdges(mesh).empty());
     EXPECT_GT(enclosedVolume(mesh), 0);

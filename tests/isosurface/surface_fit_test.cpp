@@ -17,7 +17,8 @@ TEST(SurfaceFit, PointsMoveToTheValueOfALinearField) {
   std::vector<glm::vec3> points{start};
   fitToField(points, *scene.volume, 0);
   // The nearest point of the plane, along its normal. Voxels are floats.
-  const glm::dvec3 wanted = glm::dvec3(start) - slope * (glm::dot(glm::dvec3(start) - 3.5, slope) / glm::dot(slope, slope));
+  const glm::dvec3 wanted =
+      glm::dvec3(start) - slope * (glm::dot(glm::dvec3(start) - 3.5, slope) / glm::dot(slope, slope));
   EXPECT_LT(glm::distance(glm::dvec3(points[0]), wanted), 1e-5);
 }
 
