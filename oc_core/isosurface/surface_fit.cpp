@@ -26,16 +26,42 @@ glm::dvec3 differences(const ScalarVolume& volume, const glm::dvec3& index, doub
   return gradient;
 }
 
-/// Newton's method along the gradient of the interpolated field. The field has kinks where cells meet, so a step may
-/// fail: the nearest of all that were tried counts.
+/// Whether the surface runs through the cell of voxel centres that a point lies in, or beside: not where the faces of
+/// the box alone close it.
+bool isOnSurface(const ScalarVolume& volume, const glm::dvec3& point, double value) {
+  const glm::ivec3 last = volume.grid().size - 1;
+  const glm::ivec3 cell(glm::floor(point));
+  bool isAnyAbove = false;
+  bool isAnyBelow = false;
+  for (int corner = 0; corner < 8; ++corner) {
+    const glm::ivec3 voxel = cell + glm::ivec3(corner & 1, corner >> 1 & 1, corner >> 2);
+    (volume.valueAt(glm::clamp(voxel, glm::ivec3(0), last)) > value ? isAnyAbove : isAnyBelow) = true;
+  }
+  return isAnyAbove && isAnyBelow;
+}
+
+/// Coordinates beyond the outermost centres go to the faces of the box: those are where the extractor has rounded the
+/// edges off that the faces make.
+glm::dvec3 onFaces(const VolumeGrid& grid, glm::dvec3 point) {
+  const glm::dvec3 last(grid.size - 1);
+  for (int axis = 0; axis < 3; ++axis) {
+    if (point[axis] < 0 || point[axis] > last[axis]) {
+      point[axis] = point[axis] < 0 ? -0.5 : last[axis] + 0.5;
+    }
+  }
+  return point;
+}
+
+/// Newton's method along the gradient of the interpolated field, which is zero across the faces of the box. The field
+/// has kinks where cells meet, so a step may fail: the nearest of all that were tried counts.
 glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double value) {
-  constexpr int kMaxSteps = 4;
+  constexpr int kMaxSteps = 8;
   constexpr double kReach = 1e-3;    // voxels: within one cell, nearly always
   constexpr double kFarthest = 0.5;  // voxels along an axis
   constexpr double kLongestStep = 0.25;
   const glm::dvec3 last(volume.grid().size - 1);
-  const glm::dvec3 lower = glm::max(start - kFarthest, glm::dvec3(0));
-  const glm::dvec3 upper = glm::min(start + kFarthest, last);
+  const glm::dvec3 lower = glm::min(glm::max(start - kFarthest, glm::dvec3(0)), start);
+  const glm::dvec3 upper = glm::max(glm::min(start + kFarthest, last), start);
   glm::dvec3 best = start;
   glm::dvec3 at = start;
   double miss = volume.fieldAt(at) - value;
@@ -72,9 +98,8 @@ bool isBetweenCenters(const VolumeGrid& grid, const glm::dvec3& index) {
 void fitToField(std::vector<glm::vec3>& points, const ScalarVolume& volume, double value) {
   parallelFor(points.size(), 1 << 10, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      if (isBetweenCenters(volume.grid(), points[i])) {
-        points[i] = glm::vec3(fitted(points[i], volume, value));
-      }
+      const glm::dvec3 start = onFaces(volume.grid(), points[i]);
+      points[i] = glm::vec3(isOnSurface(volume, points[i], value) ? fitted(start, volume, value) : start);
     }
   });
 }
