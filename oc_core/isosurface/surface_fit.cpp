@@ -11,15 +11,16 @@
 namespace ocelli {
 namespace {
 
-/// Differences over `reach` voxels each way.
-glm::dvec3 differences(const ScalarVolume& volume, const glm::dvec3& index, double reach) {
+/// The slope of the interpolated field, by index coordinates. Zero across the faces of the box.
+glm::dvec3 slopeAt(const ScalarVolume& volume, const glm::dvec3& index) {
+  constexpr double kReach = 1e-3;  // voxels: within one cell, nearly always
   const glm::dvec3 last(volume.grid().size - 1);
   glm::dvec3 gradient(0);
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 before = index;
     glm::dvec3 behind = index;
-    before[axis] = std::clamp(index[axis] - reach, 0.0, last[axis]);
-    behind[axis] = std::clamp(index[axis] + reach, 0.0, last[axis]);
+    before[axis] = std::clamp(index[axis] - kReach, 0.0, last[axis]);
+    behind[axis] = std::clamp(index[axis] + kReach, 0.0, last[axis]);
     const double length = behind[axis] - before[axis];
     gradient[axis] = length > 0 ? (volume.fieldAt(behind) - volume.fieldAt(before)) / length : 0;
   }
@@ -56,7 +57,6 @@ glm::dvec3 onFaces(const VolumeGrid& grid, glm::dvec3 point) {
 /// has kinks where cells meet, so a step may fail: the nearest of all that were tried counts.
 glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double value) {
   constexpr int kMaxSteps = 8;
-  constexpr double kReach = 1e-3;    // voxels: within one cell, nearly always
   constexpr double kFarthest = 0.5;  // voxels along an axis
   constexpr double kLongestStep = 0.25;
   const glm::dvec3 last(volume.grid().size - 1);
@@ -67,7 +67,7 @@ glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double va
   double miss = volume.fieldAt(at) - value;
   double leastMiss = std::abs(miss);
   for (int step = 0; step < kMaxSteps && leastMiss > 0; ++step) {
-    const glm::dvec3 gradient = differences(volume, at, kReach);
+    const glm::dvec3 gradient = slopeAt(volume, at);
     const double slope2 = glm::dot(gradient, gradient);
     if (!(slope2 > 0)) {
       break;
@@ -85,10 +85,6 @@ glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double va
 }
 
 }  // namespace
-
-glm::dvec3 indexGradient(const ScalarVolume& volume, const glm::dvec3& index) {
-  return differences(volume, index, 1);
-}
 
 bool isBetweenCenters(const VolumeGrid& grid, const glm::dvec3& index) {
   return glm::all(glm::greaterThanEqual(index, glm::dvec3(0))) &&

@@ -9,10 +9,6 @@
 
 namespace ocelli {
 
-/// The gradient of the field between voxel centres, by index coordinates: central differences over a voxel each way,
-/// shorter at the outermost centres. Zero along axes of one voxel.
-glm::dvec3 indexGradient(const ScalarVolume& volume, const glm::dvec3& index);
-
 /// Whether a point lies between the outermost voxel centres: the field does not change in the half voxel beyond them.
 bool isBetweenCenters(const VolumeGrid& grid, const glm::dvec3& index);
 

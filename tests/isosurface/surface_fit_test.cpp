@@ -46,15 +46,5 @@ TEST(SurfaceFit, WhereTheFieldIsFlatPointsStay) {
   EXPECT_EQ(points[0], glm::vec3(3.25f));
 }
 
-TEST(SurfaceFit, GradientsAreThoseOfALinearFieldAtTheBordersToo) {
-  const glm::dvec3 slope(1, -2, 0.5);
-  const VolumeScene scene = sceneOfField(glm::ivec3(8), [&](const glm::dvec3& p) { return glm::dot(p, slope); });
-  for (const glm::dvec3& p : {glm::dvec3(3.3, 4.1, 2.2), glm::dvec3(0, 7, 0.2)}) {
-    EXPECT_LT(glm::distance(indexGradient(*scene.volume, p), slope), 1e-5);
-  }
-  const VolumeScene flat = sceneOfField({8, 8, 1}, [&](const glm::dvec3& p) { return glm::dot(p, slope); });
-  EXPECT_EQ(indexGradient(*flat.volume, {3, 3, 0}).z, 0);
-}
-
 }  // namespace
 }  // namespace ocelli
