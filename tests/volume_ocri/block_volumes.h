@@ -16,8 +16,9 @@ struct Block {
 };
 
 inline constexpr int kBlocksEdge = 64;
+inline constexpr float kBlocksSpacing = 2.0f / kBlocksEdge;
 
-/// 64 voxels along each axis fill the cube from -1 to 1. The value 1 is red and 2 grey, both as good as opaque: nine
+/// 64 voxels along each axis fill the cube from -1 to 1. The value 1 is red and -1 grey, both as good as opaque: nine
 /// tenths of the light are lost in half a voxel. 0 is clear.
 inline VolumeScene sceneOfBlocks(const std::vector<Block>& blocks) {
   VolumeGrid grid;
@@ -36,11 +37,9 @@ inline VolumeScene sceneOfBlocks(const std::vector<Block>& blocks) {
       }
     }
   }
-  TransferFunction transfer({{0.45, {0.8, 0.1, 0.1}, 0},
-                             {0.55, {0.8, 0.1, 0.1}, 0.9},
-                             {1.4, {0.8, 0.1, 0.1}, 0.9},
-                             {1.6, {0.5, 0.5, 0.5}, 0.9}},
-                            spacing / 2);
+  const glm::dvec3 red(0.8, 0.1, 0.1);
+  const glm::dvec3 grey(0.5);
+  TransferFunction transfer({{-0.55, grey, 0.9}, {-0.45, grey, 0}, {0.45, red, 0}, {0.55, red, 0.9}}, spacing / 2);
   const glm::dmat4 worldFromIndex = grid.worldFromIndex;
   return {.volume = std::make_shared<ScalarVolume>(std::move(grid), std::move(values)),
           .worldFromIndex = worldFromIndex,
@@ -50,7 +49,7 @@ inline VolumeScene sceneOfBlocks(const std::vector<Block>& blocks) {
 /// A red block, z from 0.25 to 0.5, |x| and |y| below 0.25, before a grey wall, z from -0.75 to -0.5. The default eye
 /// looks from +z.
 inline VolumeScene blockBeforeWall() {
-  return sceneOfBlocks({{{24, 24, 40}, {40, 40, 48}, 1}, {{0, 0, 8}, {64, 64, 16}, 2}});
+  return sceneOfBlocks({{{24, 24, 40}, {40, 40, 48}, 1}, {{0, 0, 8}, {64, 64, 16}, -1}});
 }
 
 }  // namespace ocelli::test

@@ -7,8 +7,6 @@
 namespace ocelli {
 namespace {
 
-constexpr float kSpacing = 2.0f / test::kBlocksEdge;
-
 TEST(VolumeMatter, IsWhereARayThroughAllOfItWouldBeHit) {
   // One value, whose extinction over the diagonal of the cube, 2 sqrt(3), leaves half of the light but for the factor.
   const double diagonal = 2 * std::sqrt(3.0);
@@ -37,7 +35,7 @@ TEST(VolumeMatter, BehindAHitARayBeginsInTheClear) {
   ASSERT_EQ(rest.size(), 2u);
   // The block ends at z = 0.25; places are half a voxel apart, and the field falls within a voxel.
   EXPECT_LE(rest.front().z, 0.25f);
-  EXPECT_GE(rest.front().z, 0.25f - 1.5f * kSpacing);
+  EXPECT_GE(rest.front().z, 0.25f - 1.5f * test::kBlocksSpacing);
   EXPECT_NEAR(rest.tMin(), 3 - rest.front().z, 1e-5f);
   EXPECT_EQ(rest.back(), ray.back());
   EXPECT_EQ(rest.tMax(), ray.tMax());
@@ -56,8 +54,8 @@ TEST(VolumeMatter, IsNearWithinTheReach) {
   const VolumeMatter matter(scene, 0.5);
   // The front of the block is at z = 0.5, the outermost centres of its voxels half a voxel behind it.
   EXPECT_TRUE(matter.isNear({0, 0, 0.4f}, 1e-3f));
-  EXPECT_TRUE(matter.isNear({0, 0, 0.6f}, 0.1f + kSpacing));
-  EXPECT_FALSE(matter.isNear({0, 0, 0.6f}, 0.1f - kSpacing));
+  EXPECT_TRUE(matter.isNear({0, 0, 0.6f}, 0.1f + test::kBlocksSpacing));
+  EXPECT_FALSE(matter.isNear({0, 0, 0.6f}, 0.1f - test::kBlocksSpacing));
   EXPECT_FALSE(matter.isNear({0, 0, 5}, 1));
 }
 
