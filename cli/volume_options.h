@@ -24,11 +24,10 @@ class App;
 namespace ocelli {
 
 struct VolumeChoice {
-  std::string transfer;
   std::vector<std::string> clips;
 };
 
-/// Adds --transfer and --clip. `choice` must outlive the parsing.
+/// Adds --clip. `choice` must outlive the parsing.
 void addVolumeOptions(CLI::App& command, VolumeChoice& choice);
 
 /// Whether SCENE is a volume, and taken as one: not as an isosurface.

@@ -33,14 +33,20 @@ struct MotionOptions {
   BetweenMeshes between = BetweenMeshes::kHold;
 };
 
+/// Of a SCENE that is a volume.
+struct SurfaceOptions {
+  /// The value whose surface is the scene (isosurface.h). A volume needs it, and nothing else may have it.
+  std::optional<double> value{};
+  std::string transfer{};  ///< whose colour it has, as VolumeSceneOptions::transfer
+};
+
 struct SceneOptions {
   bool fit = true;  ///< into the unit sphere
   Shading shading = Shading::kLambert;
   bool textures = true;  ///< bake the textures of a file to vertex colours
   MotionOptions motion{};
   PointSceneOptions points{};  ///< of a scene of points
-  /// Of a volume (oc_core/volume): the scene is the surface at this value. Without it a volume is no mesh.
-  std::optional<double> iso{};
+  SurfaceOptions surface{};
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };
