@@ -59,12 +59,12 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
       ->default_str("auto")
       ->type_name("WIDTH|auto");
   command
-      .add_option("--iso", choice.options.surface.value,
+      .add_option("--iso", choice.options.iso,
                   "Of a volume: take the surface where it has this value, a mesh, in place of the volume")
       ->check(numberCheck(-1e30, 1e30))
       ->type_name("VALUE");
   command
-      .add_option("--transfer", choice.options.surface.transfer,
+      .add_option("--transfer", choice.options.transfer,
                   "Of a volume: the transfer function, which says what its values look like: a preset or a file; by "
                   "default one that fits the volume")
       ->type_name("NAME|FILE.json");

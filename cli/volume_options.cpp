@@ -37,7 +37,7 @@ void addVolumeOptions(CLI::App& command, VolumeChoice& choice) {
 }
 
 bool takesVolume(const SceneChoice& scene) {
-  return !scene.options.surface.value && isVolumeSource(scene.source);
+  return !scene.options.iso && isVolumeSource(scene.source);
 }
 
 void refuseVolumeOption(bool isGiven, const std::string& option) {
@@ -56,8 +56,7 @@ VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeCh
   if (scene.options.motion.seconds) {
     throw InputError("this volume does not move", "--time", "leave it out");
   }
-  VolumeSceneOptions options{
-      .fit = scene.options.fit, .transfer = scene.options.surface.transfer, .warn = scene.options.warn};
+  VolumeSceneOptions options{.fit = scene.options.fit, .transfer = scene.options.transfer, .warn = scene.options.warn};
   for (const std::string& text : choice.clips) {
     const glm::dvec4 halfSpace = halfSpaceFromText(text, kClipOption);
     options.clips.push_back({glm::dvec3(halfSpace), halfSpace.w});
