@@ -54,8 +54,11 @@ VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& re
   }
   const Mesh mesh = seenBy(choice, reference, firstHits, progress);
   std::vector<CameraMap> maps = cameraMaps(choice, reference, mesh, {}, progress);
+  if (maps.empty()) {  // of pinholes that the images name
+    maps = cameraMaps(choice, reference, mesh, buildReferenceImages(choice, reference, mesh, progress), progress);
+  }
   if (maps.size() != 1) {
-    throw InputError("\"" + choice.name + "\" is a union of several images", "--camera",
+    throw InputError("\"" + choice.name + "\" is a union of " + std::to_string(maps.size()) + " images", "--camera",
                      "choose a camera of one image, such as ddoc or eoc-h");
   }
   CameraMap& map = maps.front();
