@@ -38,7 +38,7 @@ TEST(GuidedVolume, SurfacesAreAnObjectToLookAround) {
   append(scene.surfaces, makeBox(glm::vec3(0.2f)));
   const GuidedScene guided = guidedVolume(scene);
   EXPECT_EQ(std::count(guided.objectOfTriangle.begin(), guided.objectOfTriangle.end(), kSurfacesObject), 12);
-  const PinholeCamera reference(View{}, 64, 48);
+  const PinholeCamera reference(View{.fovVerticalDegrees = 60}, 64, 48);
   const MultiperspectiveCamera target = constructCamera(
       "target",
       [&] {
