@@ -68,7 +68,8 @@ class VolumeRecordReader : public RecordParser {
       glm::value_ptr(grid.worldFromIndex)[at] = finite();
     }
     const double volume = std::abs(glm::determinant(glm::dmat3(grid.worldFromIndex)));
-    const glm::dvec4 last = glm::row(grid.worldFromIndex, 3);
+    const glm::dmat4& m = grid.worldFromIndex;
+    const glm::dvec4 last(m[0].w, m[1].w, m[2].w, m[3].w);
     if (!(volume > 0) || !std::isfinite(volume) || last != glm::dvec4(0, 0, 0, 1)) {
       fail("voxels without volume");
     }
