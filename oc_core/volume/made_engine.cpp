@@ -34,9 +34,9 @@ float castingDistance(const glm::vec3& p) {
   const glm::vec3 fromCylinder(half.x - kCylinderX, p.y, p.z);
   const float fromAxis = glm::length(glm::vec2(fromCylinder.x, fromCylinder.z));
 
-  float casting = box(half, {0, -0.1f, 0}, {0.8f, 0.52f, 0.34f}, 0.06f);
-  casting = std::min(casting, box(half, {0, -0.72f, 0}, {0.92f, 0.08f, 0.39f}, 0.03f));
-  casting = std::min(casting, box(half, {0, 0.58f, 0}, {0.8f, 0.15f, 0.33f}, 0.04f));
+  float casting = box(half, {0, -0.1f, 0}, {0.8f, 0.52f, 0.38f}, 0.06f);
+  casting = std::min(casting, box(half, {0, -0.72f, 0}, {0.92f, 0.08f, 0.41f}, 0.03f));
+  casting = std::min(casting, box(half, {0, 0.58f, 0}, {0.8f, 0.15f, 0.36f}, 0.04f));
   // Ports to both sides, the intake above the exhaust, and the pump at one end.
   const float fromIntake = glm::length(glm::vec2(fromCylinder.x, p.y - 0.6f));
   const float fromExhaust = glm::length(glm::vec2(fromCylinder.x, p.y - 0.52f));
@@ -45,7 +45,7 @@ float castingDistance(const glm::vec3& p) {
   const float fromPump = glm::length(glm::vec2(p.y - 0.05f, p.z));
   casting = std::min(casting, cylinder(fromPump, p.x - 0.85f, 0.15f, 0.1f));
   // Ribs along the flanks.
-  casting = std::min(casting, box({half.x, p.y, std::abs(p.z)}, {0, -0.3f, 0.36f}, {0.7f, 0.025f, 0.03f}, 0.01f));
+  casting = std::min(casting, box({half.x, p.y, std::abs(p.z)}, {0, -0.3f, 0.39f}, {0.7f, 0.025f, 0.025f}, 0.01f));
 
   // What is hollow: bores, the crankcase, water around the bores, ports, bolts.
   casting = without(casting, cylinder(fromAxis, p.y + 0.15f, kBore, 0.55f));
