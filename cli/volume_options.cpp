@@ -9,7 +9,6 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kTransferOption = "--transfer";
 constexpr const char* kClipOption = "--clip";
 
 /// What is said of meshes, and has no meaning for a volume.
@@ -29,11 +28,6 @@ void refuseMeshOptions(const SceneChoice& scene) {
 }  // namespace
 
 void addVolumeOptions(CLI::App& command, VolumeChoice& choice) {
-  command
-      .add_option(
-          kTransferOption, choice.transfer,
-          "Of a volume: the transfer function, which says what its values look like; by default one that fits it")
-      ->type_name("NAME|FILE.json");
   command
       .add_option(kClipOption, choice.clips,
                   "Of a volume: show the half space alone where, say, 'x>0.2' or 'z<0', or of a normal and a distance, "
@@ -64,7 +58,6 @@ void refuseVolumeOption(bool isGiven, const std::string& option) {
 }
 
 void refuseVolumeOptions(const VolumeChoice& choice) {
-  refuseVolumeOption(!choice.transfer.empty(), kTransferOption);
   refuseVolumeOption(!choice.clips.empty(), kClipOption);
 }
 
@@ -73,7 +66,7 @@ VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeCh
   if (scene.options.motion.seconds) {
     throw InputError("this volume does not move", "--time", "leave it out");
   }
-  VolumeSceneOptions options{.fit = scene.options.fit, .transfer = choice.transfer, .warn = scene.options.warn};
+  VolumeSceneOptions options{.fit = scene.options.fit, .transfer = scene.options.transfer, .warn = scene.options.warn};
   for (const std::string& text : choice.clips) {
     const glm::dvec4 halfSpace = halfSpaceFromText(text, kClipOption);
     options.clips.push_back({glm::dvec3(halfSpace), halfSpace.w});

@@ -25,11 +25,10 @@ class App;
 namespace ocelli {
 
 struct VolumeChoice {
-  std::string transfer;
   std::vector<std::string> clips;
 };
 
-/// Adds --transfer and --clip. `choice` must outlive the parsing.
+/// Adds --clip. `choice` must outlive the parsing.
 void addVolumeOptions(CLI::App& command, VolumeChoice& choice);
 
 /// Adds --opacity, of commands that take the first hits of a volume for its surface (oc_core/volume_ocri).
