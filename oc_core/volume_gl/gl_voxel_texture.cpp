@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <string>
 #include <type_traits>
 #include <vector>
 
 #include "oc_core/base/parallel.h"
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/volume/volume_scan.h"
 
 namespace ocelli {
 namespace {
@@ -82,15 +84,17 @@ void requireRoom(const GlContext& context, const glm::ivec3& size, const TexelRo
 constexpr size_t kBytesAtOnce = size_t{32} << 20;
 
 template <class Voxel>
-void uploadSlices(const GladGLContext& gl, const GlObject& texture, const glm::ivec3& size, const TexelRow& texel,
+void uploadSlices(const GladGLContext& gl, const GlObject& texture, const ScalarVolume& volume, const TexelRow& texel,
                   const Voxel* first, const Progress& progress) {
   using Texel = decltype(texelFrom(Voxel{}));
+  const glm::ivec3& size = volume.grid().size;
   const size_t sliceVoxels = size_t(size.x) * size_t(size.y);
   const int slices = static_cast<int>(std::clamp<size_t>(kBytesAtOnce / (sliceVoxels * sizeof(Texel)), 1, size.z));
   std::vector<Texel> converted;
   for (int k = 0; k < size.z; k += slices) {
     report(progress, "uploading the volume", static_cast<double>(k) / size.z);
     const int count = std::min(slices, size.z - k);
+    const SlicesInMemory inMemory(volume, static_cast<size_t>(k), static_cast<size_t>(k + count));
     const Voxel* from = first + size_t(k) * sliceVoxels;
     const void* data = from;
     if constexpr (!std::is_same_v<Voxel, Texel>) {
@@ -125,10 +129,10 @@ GlVoxelTexture::GlVoxelTexture(GlContext& context, const ScalarVolume& volume, c
   gl.TextureStorage3D(id, 1, texel.format, size_.x, size_.y, size_.z);
   context.check("making room for a volume of " + sizeText(size_));
   gl.PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  visitVoxels(volume, [&](const auto* first) { uploadSlices(gl, texture_, size_, texel, first, progress); });
+  visitVoxels(volume, [&](const auto* first) { uploadSlices(gl, texture_, volume, texel, first, progress); });
   context.check("uploading a volume of " + sizeText(size_));
-  scale_ = static_cast<float>(volume.scale() * texel.scale);
-  offset_ = static_cast<float>(volume.scale() * texel.offset + volume.offset());
+  scale_ = volume.scale() * texel.scale;
+  offset_ = volume.scale() * texel.offset + volume.offset();
   bytes_ = texel.bytes * volume.grid().voxelCount();
 }
 

@@ -1,5 +1,5 @@
 // The voxels of a volume as a 3-D texture: of one or two bytes where the volume's voxels have as many, of single
-// precision else. Shaders read them by shaders/voxel_texture.glsl, and interpolate as ScalarVolume::fieldAt() does.
+// precision else. Shaders read them by shaders/voxel_field.glsl, and interpolate as ScalarVolume::fieldAt() does.
 #pragma once
 
 #include <glm/vec3.hpp>
@@ -20,16 +20,16 @@ class GlVoxelTexture {
   const GlObject& texture() const { return texture_; }
   const glm::ivec3& size() const { return size_; }
   /// What a voxel means is `scale()` times its texel plus `offset()`.
-  float scale() const { return scale_; }
-  float offset() const { return offset_; }
+  double scale() const { return scale_; }
+  double offset() const { return offset_; }
   /// Of the texture.
   size_t bytes() const { return bytes_; }
 
  private:
   GlObject texture_;
   glm::ivec3 size_;
-  float scale_ = 1;
-  float offset_ = 0;
+  double scale_ = 1;
+  double offset_ = 0;
   size_t bytes_ = 0;
 };
 

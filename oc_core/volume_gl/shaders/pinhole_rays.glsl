@@ -1,29 +1,27 @@
 // Rays of a planar pinhole, cut here: each is one piece at the most.
-layout(std140, binding = 3) uniform VolumeExtent {
+layout(std140, binding = 1) uniform VolumeExtent {
   mat4 indexFromWorld;
-  vec4 eyeIndex;  // and the unit of extinctions by the scene's lengths
-  vec4 clips[MAX_CLIPS];  // normal, and how far within the half space the eye is
-  uint clipCount;
+  vec3 eyeIndex;
+  float unitsByWorldLength;
+  vec4 clips[MAX_CLIPS];  // the normal, and how far within the half space the eye is
+  int clipCount;
 };
 
 RayPiece pinholePiece;
 
-// A half space cuts what lies between two depths: `height` is how far within it the eye is, `slope` what a unit of
-// depth adds.
+// A half space cuts what lies between two depths: `height` is how far within it the eye is, and grows by `slope` with
+// depth. False where nothing is left.
 bool narrow(float height, float slope, inout float first, inout float last) {
   if (slope == 0.0) {
     return height >= 0.0;
   }
   float z = -height / slope;
-  if (slope > 0.0) {
-    first = max(first, z);
-  } else {
-    last = min(last, z);
-  }
+  first = slope > 0.0 ? max(first, z) : first;
+  last = slope < 0.0 ? min(last, z) : last;
   return first < last;
 }
 
-uint pieceCount(ivec2 pixel) {
+uint pieceCount(ivec2 pixel, uint inRows) {
   vec2 across = (vec2(pixel) + 0.5 - center) / focal;
   vec3 way = forward + across.x * right + across.y * down;
   vec3 wayIndex = mat3(indexFromWorld) * way;
@@ -36,14 +34,14 @@ uint pieceCount(ivec2 pixel) {
       return 0u;
     }
   }
-  for (uint i = 0u; i < clipCount; ++i) {
+  for (int i = 0; i < clipCount; ++i) {
     if (!narrow(clips[i].w, dot(clips[i].xyz, way), first, last)) {
       return 0u;
     }
   }
   float worldLength = length(way);
-  float unitLength = worldLength * eyeIndex.w;
-  pinholePiece = RayPiece(eyeIndex.xyz + wayIndex * first, unitLength * (last - first), wayIndex / unitLength, first,
+  float unitLength = worldLength * unitsByWorldLength;
+  pinholePiece = RayPiece(eyeIndex + wayIndex * first, unitLength * (last - first), wayIndex / unitLength, first,
                           way / worldLength, 1.0 / unitLength, false);
   return 1u;
 }
@@ -52,6 +50,6 @@ RayPiece pieceAt(uint i) {
   return pinholePiece;
 }
 
-vec4 surfaceOf() {
-  return vec4(0, 0, 0, kNoSurface);
+vec4 surfaceOf(uint inRows) {
+  return vec4(0, 0, 0, kNowhere);
 }

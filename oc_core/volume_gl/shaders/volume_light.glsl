@@ -2,7 +2,7 @@
 layout(std140, binding = 2) uniform VolumeLight {
   mat4 sceneFromIndexGradient;  // of texels
   vec3 toLight;
-  float flatBelow;              // of texels
+  float litByGradient;          // 1 / the length from which on a gradient has a direction
   float ambient;
   float diffuse;
   float specular;
@@ -26,7 +26,7 @@ vec2 lightAt(vec3 index, vec3 direction) {
   if (!(size > 0.0)) {
     return vec2(1, 0);
   }
-  float lit = min(size / flatBelow, 1.0);
+  float lit = min(size * litByGradient, 1.0);
   vec3 normal = gradient / size;
   vec3 between = toLight - direction;
   float betweenSize = length(between);
