@@ -41,10 +41,10 @@ const GlObject& GlVolumeMarch::programOf(const VolumeMarchKind& kind) {
     pieces.push_back(shaders::kListedRays);
   }
   pieces.push_back(shaders::kVolumeMarchComp);
-  const std::string defines =
-      defineOf("BRICK_EDGE", VolumeBricks::kEdge) + defineOf("SHADING", kind.isShaded ? 1 : 0) +
-      defineOf("SURFACES", kind.hasSurfaces ? 1 : 0) + defineOf("HARDWARE_FILTER", kind.isFilteredByHardware ? 1 : 0) +
-      defineOf("MAX_CLIPS", kMaxShaderClips);
+  const std::string defines = defineOf("BRICK_EDGE", VolumeBricks::kEdge) + defineOf("SHADING", kind.isShaded ? 1 : 0) +
+                              defineOf("SURFACES", kind.hasSurfaces ? 1 : 0) +
+                              defineOf("HARDWARE_FILTER", kind.isFilteredByHardware ? 1 : 0) +
+                              defineOf("MAX_CLIPS", kMaxShaderClips);
   return programs_.emplace(kind, makeProgram(*context_, "volume_march", {{GL_COMPUTE_SHADER, pieces}}, defines))
       .first->second;
 }

@@ -55,7 +55,7 @@ class GlVolumeRenderer {
   /// The same, left on the GPU. Hold a GlScope, here and below.
   struct Picture {
     GlObject colors;  ///< GL_RGBA32F, row 0 at the top: linear RGB, premultiplied, and the opacity
-    /// GL_RGBA32F: t and surfaceT of VolumePixel, 3e38 for nowhere; samples; what passes of the light behind, before a
+    /// GL_RGBA32F: t and surfaceT of VolumePixel, 3e38 for nowhere; samples; the optical depth of what lies before a
     /// surface.
     GlObject depths;
   };

@@ -19,10 +19,10 @@ namespace {
 /// at the least number differs between versions of OpenGL.
 struct TexelRow {
   VoxelType type;
-  GLenum format;   ///< of the texture
-  GLenum upload;   ///< the type of what is uploaded
-  size_t bytes;    ///< of a texel
-  double scale;    ///< what a voxel holds is `scale` times its texel plus `offset`
+  GLenum format;  ///< of the texture
+  GLenum upload;  ///< the type of what is uploaded
+  size_t bytes;   ///< of a texel
+  double scale;   ///< what a voxel holds is `scale` times its texel plus `offset`
   double offset;
 };
 

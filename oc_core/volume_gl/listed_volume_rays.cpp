@@ -46,8 +46,7 @@ std::vector<ListedRow> VolumeRayLister::rows(int width, int first, int end, cons
         row.counts.push_back(static_cast<uint32_t>(count));
         row.longest = std::max(row.longest, length);
         if (surfaces_) {
-          row.surfaces.push_back(surface ? glm::vec4(surface->color, surface->t)
-                                         : glm::vec4(0, 0, 0, kListedNowhere));
+          row.surfaces.push_back(surface ? glm::vec4(surface->color, surface->t) : glm::vec4(0, 0, 0, kListedNowhere));
         }
       }
     }

@@ -39,14 +39,13 @@ TEST_P(GlVolumeFailureTest, aVolumeLongerThanTexturesIsRefused) {
     const GlScope scope(*context_);
     context_->gl().GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
   }
-  const VolumeScene scene = test::volumeOf<uint8_t>({2, most + 1, 2}, 0.01, VoxelType::kUint8,
-                                                    [](const glm::dvec3&) { return 1; }, test::everywhere(0.5, 1));
+  const VolumeScene scene = test::volumeOf<uint8_t>(
+      {2, most + 1, 2}, 0.01, VoxelType::kUint8, [](const glm::dvec3&) { return 1; }, test::everywhere(0.5, 1));
   const std::string size = "2x" + std::to_string(most + 1) + "x2 voxels";
   EXPECT_THAT(messageOf([&] { GlVolumeRenderer(*context_, scene); }),
               AllOf(HasSubstr(size), HasSubstr(std::to_string(most) + "x"), HasSubstr(nameOf(GetParam())),
                     HasSubstr("\n  try: draw it without --method gl")));
 }
-
 
 void GLAD_API_PTR noLevel(GLenum /*target*/, GLint /*level*/, GLenum /*name*/, GLint* value) {
   *value = 0;
@@ -79,8 +78,8 @@ TEST_P(GlVolumeFailureTest, aFullGpuIsReportedWhereverItFails) {
       renderer.render(camera);
       break;
     } catch (const GlError& error) {
-      EXPECT_THAT(error.what(), HasSubstr("not enough memory"));
-      EXPECT_EQ(context_->liveObjects(), 0);
+      ASSERT_THAT(error.what(), HasSubstr("not enough memory"));
+      ASSERT_EQ(context_->liveObjects(), 0);
       ++failing;
     }
   }

@@ -11,15 +11,15 @@
 
 namespace ocelli::test {
 
-/// What cameras have with OpenGL is 1/255; this is an eighth of it. What rays lose in single precision, and CPUs and
-/// GPUs round differently, is far below; most of it is where the CPU ends rays: a group of samples later than OpenGL,
-/// when no more than 1/1024 of the light passes.
+/// What cameras have with OpenGL is 1/255. Here it is less than a third of that: the CPU ends rays behind the group of
+/// samples in which 1/1024 of the light is left, and OpenGL behind the sample.
 inline constexpr double kColorTolerance = 1.0 / 1024 + 2e-4;
-/// Without that end.
+/// Where rays do not end early: what single precision loses is below 5e-5; the CPU does not light steps that add less
+/// than 1e-5 of their colour.
 inline constexpr double kRoundingTolerance = 3e-4;
 
 struct VolumeAgreement {
-  double color = 0;       ///< the greatest difference of a channel or of the opacity
+  double color = 0;  ///< the greatest difference of a channel or of the opacity
   double meanOpacity = 0;
   size_t otherDepths = 0;  ///< pixels whose t is another, by more than a hundredth of a voxel's share of the scene
   size_t depths = 0;       ///< pixels with a t
@@ -55,7 +55,7 @@ inline void expectAgreement(const VolumeImage& expected, const VolumeImage& got,
   const VolumeAgreement agreement = agreementOf(expected, got);
   EXPECT_LE(agreement.color, tolerance) << name;
   EXPECT_LE(agreement.otherDepths, agreement.depths / 200) << name;
-  EXPECT_GT(agreement.meanOpacity, 0.02) << name << ": something is seen";
+  EXPECT_GT(agreement.meanOpacity, 0.01) << name << ": something is seen";
   testing::Test::RecordProperty(name, std::to_string(agreement.color));
 }
 

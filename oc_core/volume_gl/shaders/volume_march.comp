@@ -15,7 +15,7 @@ struct Stop {
 layout(std430, binding = 0) buffer Stops { Stop stops[]; };
 layout(std430, binding = 1) buffer Unfinished { uint unfinished; };
 layout(binding = 0, rgba32f) uniform image2D colors;  // premultiplied
-layout(binding = 1, rgba32f) uniform image2D depths;  // t, t of the surface, samples, and what passes before a surface
+layout(binding = 1, rgba32f) uniform image2D depths;  // t, t of the surface, samples, optical depth before a surface
 
 layout(location = 2) uniform float stepLength;
 layout(location = 3) uniform float endTransmittance;
@@ -45,6 +45,9 @@ void main() {
   uint stopIndex = uint((pixel.y - firstRow) * imageSize(colors).x + pixel.x);
   Place place = Place(0u, 0u, 0.0);
   vec3 light = vec3(0);
+  // Of all slabs so far. What passes is computed from this sum: a product of many factors would gather the error that
+  // OpenGL allows exp().
+  float opticalDepth = 0.0;
   float transmittance = 1.0;
   float depthT = kNowhere;
   float samples = 0.0;
@@ -60,7 +63,8 @@ void main() {
     isKnown = true;
     vec4 depth = imageLoad(depths, pixel);
     light = imageLoad(colors, pixel).rgb;
-    transmittance = depth.w;
+    opticalDepth = depth.w;
+    transmittance = exp(-opticalDepth);
     depthT = depth.x;
     samples = depth.z;
   }
@@ -121,9 +125,9 @@ void main() {
         isFound = mean.x * slabLength > 0.0;
         slabT = piece.t + piece.tByLength * along;
         slabEndT = next.t + next.tByLength * (end - nextBegin);
-        float half = 0.5 * (begin + end);
-        bool isInNext = half >= nextBegin;
-        middle = isInNext ? next.from + next.way * (half - nextBegin) : piece.from + piece.way * (half - place.chainBegin);
+        float halfway = 0.5 * (begin + end);
+        bool isInNext = halfway >= nextBegin;
+        middle = isInNext ? next.from + next.way * (halfway - nextBegin) : piece.from + piece.way * (halfway - place.chainBegin);
         direction = isInNext ? next.direction : piece.direction;
         known = behind;
       }
@@ -139,17 +143,18 @@ void main() {
       }
     }
     if (isFound) {
-      float opticalDepth = mean.x * slabLength;
+      float slabDepth = mean.x * slabLength;
       vec3 color = mean.yzw / mean.x;
 #if SHADING
       vec2 lit = lightAt(middle, direction);
       color = color * lit.x + lit.y;
 #endif
       float before = transmittance;
-      transmittance *= exp(-opticalDepth);
-      light += (before - transmittance) * color;
+      opticalDepth += slabDepth;
+      transmittance = exp(-opticalDepth);
+      light += max(before - transmittance, 0.0) * color;
       if (depthT == kNowhere && transmittance <= depthTransmittance) {
-        float share = clamp(log(before / depthTransmittance) / opticalDepth, 0.0, 1.0);
+        float share = clamp(log(before / depthTransmittance) / slabDepth, 0.0, 1.0);
         depthT = slabT + (slabEndT - slabT) * share;
       }
       isDone = isDone || transmittance <= endTransmittance;
@@ -167,5 +172,5 @@ void main() {
   bool endsAtSurface = surface.w < kNowhere;
   light += endsAtSurface ? transmittance * surface.rgb : vec3(0);
   imageStore(colors, pixel, vec4(light, endsAtSurface ? 1.0 : 1.0 - transmittance));
-  imageStore(depths, pixel, vec4(depthT, surface.w, samples, transmittance));
+  imageStore(depths, pixel, vec4(depthT, surface.w, samples, opticalDepth));
 }
