@@ -1,0 +1,56 @@
+#include "display_sim/volume_slicing/coarser_volume.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <utility>
+#include <vector>
+
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+
+glm::dmat4 fineFromCoarserIndex(int factor) {
+  // Coarse voxel i covers the fine ones from factor i to factor (i + 1) - 1.
+  const double middle = (factor - 1) / 2.0;
+  glm::dmat4 matrix(factor);
+  matrix[3] = glm::dvec4(middle, middle, middle, 1);
+  return matrix;
+}
+
+ScalarVolume coarserVolume(const ScalarVolume& volume, int factor) {
+  const VolumeGrid& fine = volume.grid();
+  VolumeGrid grid = fine;
+  grid.size = (fine.size + factor - 1) / factor;
+  grid.worldFromIndex = fine.worldFromIndex * fineFromCoarserIndex(factor);
+  const auto width = static_cast<size_t>(grid.size.x);
+  const size_t layer = width * static_cast<size_t>(grid.size.y);
+  std::vector<float> values(grid.voxelCount());
+  visitVoxels(volume, [&](const auto* first) {
+    parallelFor(static_cast<size_t>(grid.size.z), 1, [&](size_t begin, size_t end) {
+      std::vector<double> sums(layer);
+      std::vector<int> counts(layer);
+      for (size_t coarse = begin; coarse < end; ++coarse) {
+        std::ranges::fill(sums, 0.0);
+        std::ranges::fill(counts, 0);
+        const int firstLayer = static_cast<int>(coarse) * factor;
+        for (int k = firstLayer; k < std::min(firstLayer + factor, fine.size.z); ++k) {
+          for (int j = 0; j < fine.size.y; ++j) {
+            const auto* row = first + (static_cast<size_t>(k) * static_cast<size_t>(fine.size.y) + static_cast<size_t>(j)) *
+                                          static_cast<size_t>(fine.size.x);
+            const size_t out = static_cast<size_t>(j / factor) * width;
+            for (int i = 0; i < fine.size.x; ++i) {
+              sums[out + static_cast<size_t>(i / factor)] += static_cast<double>(row[i]);
+              ++counts[out + static_cast<size_t>(i / factor)];
+            }
+          }
+        }
+        for (size_t i = 0; i < layer; ++i) {
+          values[coarse * layer + i] = static_cast<float>(volume.scale() * (sums[i] / counts[i]) + volume.offset());
+        }
+      }
+    });
+  });
+  return {std::move(grid), std::move(values)};
+}
+
+}  // namespace ocelli
