@@ -20,7 +20,8 @@ template <Camera C>
 CameraMap mapOf(C camera) {
   const auto shared = std::make_shared<const C>(std::move(camera));
   return {[shared](const glm::vec2& pixel) { return shared->rayPath(pixel); },
-          [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); }};
+          [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); },
+          {shared->width(), shared->height()}};
 }
 
 /// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.

@@ -46,6 +46,7 @@ struct ViewedPart {
 struct CameraMap {
   RayFunction ray;
   Projection project;
+  glm::ivec2 size{0};  ///< of its image; 0 where a row from outside does not tell it
 };
 
 /// One map for each of the images that buildReferenceImages() makes of this choice: as cameraRays(), which are their
@@ -101,6 +102,8 @@ struct RepresentationKind {
   std::function<GpcLayout(const CameraChoice&)> layout = {};
   /// Whether no renderer draws it but along its rays: `auto` then makes the acceleration structure too.
   bool castsRays = false;
+  /// Whether its camera is made from the reference view and the options alone, whatever the scene.
+  bool ofViewAlone = false;
   /// Why OpenGL cannot draw it; empty where it can.
   const char* needsCpu = "";
 };

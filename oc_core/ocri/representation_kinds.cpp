@@ -306,8 +306,10 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
 /// A camera that displaces no pinhole's image, made of the reference alone.
 template <class C>
 RepresentationKind castRow(const char* name, const char* description) {
-  return castRepresentation(
+  RepresentationKind row = castRepresentation(
       name, description, [](const Inputs& in) { return C(in.reference); }, C::kWrapsAround);
+  row.ofViewAlone = true;
+  return row;
 }
 
 RepresentationKind meshRow(const char* name, const char* description,
@@ -319,17 +321,19 @@ RepresentationKind meshRow(const char* name, const char* description,
 
 std::vector<RepresentationKind> builtinRepresentations() {
   std::vector<RepresentationKind> rows;
-  rows.push_back({.name = "di",
-                  .description = "depth image of the planar pinhole camera (ppc is the same)",
-                  .otherName = "ppc",
-                  .images = [](const Inputs& in) -> ReferenceImages {
-                    return {buildDepthImage(in.reference, in.mesh, in.renderer)};
-                  },
-                  .rayCrossover = RayCrossover::kDepthImage,
-                  .refitShare = RefitShare::kDepthImage,
-                  .viewed = viewedFromEye,
-                  .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
-                  .maps = pinholeMaps});
+  rows.push_back(
+      {.name = "di",
+       .description = "depth image of the planar pinhole camera (ppc is the same)",
+       .otherName = "ppc",
+       .images = [](const Inputs& in) -> ReferenceImages {
+         return {buildDepthImage(in.reference, in.mesh, in.renderer)};
+       },
+       .rayCrossover = RayCrossover::kDepthImage,
+       .refitShare = RefitShare::kDepthImage,
+       .viewed = viewedFromEye,
+       .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
+       .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> { return {mapOf(in.reference)}; },
+       .ofViewAlone = true});
   rows.push_back({.name = "di-wide",
                   .description = "depth image as wide as what the view cell sees beside the reference frustum",
                   .options = {&kCellSide},
@@ -380,7 +384,8 @@ std::vector<RepresentationKind> builtinRepresentations() {
        .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
          return {mapOf(gpcCamera(in))};
        },
-       .layout = [](const CameraChoice& choice) { return choice.gpc; }});
+       .layout = [](const CameraChoice& choice) { return choice.gpc; },
+       .ofViewAlone = true});
   rows.push_back({.name = "spoc",
                   .description = "single pole occlusion camera around the foreground",
                   .options = spocOptions(),
