@@ -9,15 +9,17 @@
 
 namespace ocelli {
 
-glm::dmat4 fineFromCoarserIndex(int factor) {
+glm::dmat4 fineFromCoarserIndex(const glm::ivec3& factor) {
   // Coarse voxel i covers the fine ones from factor i to factor (i + 1) - 1.
-  const double middle = (factor - 1) / 2.0;
-  glm::dmat4 matrix(factor);
-  matrix[3] = glm::dvec4(middle, middle, middle, 1);
+  glm::dmat4 matrix(1);
+  for (int axis = 0; axis < 3; ++axis) {
+    matrix[axis][axis] = factor[axis];
+    matrix[3][axis] = (factor[axis] - 1) / 2.0;
+  }
   return matrix;
 }
 
-ScalarVolume coarserVolume(const ScalarVolume& volume, int factor) {
+ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor) {
   const VolumeGrid& fine = volume.grid();
   VolumeGrid grid = fine;
   grid.size = (fine.size + factor - 1) / factor;
@@ -32,15 +34,16 @@ ScalarVolume coarserVolume(const ScalarVolume& volume, int factor) {
       for (size_t coarse = begin; coarse < end; ++coarse) {
         std::ranges::fill(sums, 0.0);
         std::ranges::fill(counts, 0);
-        const int firstLayer = static_cast<int>(coarse) * factor;
-        for (int k = firstLayer; k < std::min(firstLayer + factor, fine.size.z); ++k) {
+        const int firstLayer = static_cast<int>(coarse) * factor.z;
+        for (int k = firstLayer; k < std::min(firstLayer + factor.z, fine.size.z); ++k) {
           for (int j = 0; j < fine.size.y; ++j) {
-            const auto* row = first + (static_cast<size_t>(k) * static_cast<size_t>(fine.size.y) + static_cast<size_t>(j)) *
-                                          static_cast<size_t>(fine.size.x);
-            const size_t out = static_cast<size_t>(j / factor) * width;
+            const auto* row =
+                first + (static_cast<size_t>(k) * static_cast<size_t>(fine.size.y) + static_cast<size_t>(j)) *
+                            static_cast<size_t>(fine.size.x);
+            const size_t out = static_cast<size_t>(j / factor.y) * width;
             for (int i = 0; i < fine.size.x; ++i) {
-              sums[out + static_cast<size_t>(i / factor)] += static_cast<double>(row[i]);
-              ++counts[out + static_cast<size_t>(i / factor)];
+              sums[out + static_cast<size_t>(i / factor.x)] += static_cast<double>(row[i]);
+              ++counts[out + static_cast<size_t>(i / factor.x)];
             }
           }
         }

@@ -7,11 +7,11 @@
 
 namespace ocelli {
 
-/// Each voxel is the mean of the `factor` x `factor` x `factor` that it covers, fewer at an end that does not divide.
-/// In single precision, on all threads. Its world is that of `volume`; `factor` is at least 1.
-ScalarVolume coarserVolume(const ScalarVolume& volume, int factor);
+/// Each voxel is the mean of those that it covers, `factor` along each axis and fewer at an end that does not divide.
+/// In single precision, on all threads. Its world is that of `volume`; factors are at least 1.
+ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor);
 
 /// From the index coordinates of a coarser volume to those of the volume it was made of.
-glm::dmat4 fineFromCoarserIndex(int factor);
+glm::dmat4 fineFromCoarserIndex(const glm::ivec3& factor);
 
 }  // namespace ocelli

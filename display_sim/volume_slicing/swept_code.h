@@ -34,9 +34,9 @@ inline constexpr float sweptMeanOf(uint16_t code) {
 /// Of the range; 0 for the spread that is too small to be kept.
 inline float sweptHalfSpreadOf(uint16_t code) {
   const int step = code & (kSweptSpreads - 1);
-  return step == 0 ? 0
-                   : kLeastSweptSpread * std::exp2(static_cast<float>(step - 1) / kSweptSpreadsAnOctave) /
-                         (kSweptMeans - 1);
+  return step == 0
+             ? 0
+             : kLeastSweptSpread * std::exp2(static_cast<float>(step - 1) / kSweptSpreadsAnOctave) / (kSweptMeans - 1);
 }
 
 /// The logarithm to base 2 to within 0.01, of a positive, normal number.
@@ -55,7 +55,8 @@ inline uint16_t sweptCode(float mean, float halfSpread) {
   const float spread = halfSpread * kSteps / kLeastSweptSpread;
   int spreadStep = 0;
   if (spread > 0.87f) {  // 2^(-1/5): nearer to the first step than to none
-    spreadStep = std::clamp(1 + static_cast<int>(kSweptSpreadsAnOctave * roughLog2(spread) + 0.5f), 1, kSweptSpreads - 2);
+    spreadStep =
+        std::clamp(1 + static_cast<int>(kSweptSpreadsAnOctave * roughLog2(spread) + 0.5f), 1, kSweptSpreads - 2);
   }
   return static_cast<uint16_t>((step << kSweptSpreadBits) | spreadStep);
 }

@@ -57,8 +57,8 @@ class SweptField {
     }
     const Voxel* at = first_ + low[0] + low[1] + low[2];
     for (size_t corner = 0; corner < 8; ++corner) {
-      c.v[corner] = static_cast<float>(
-          at[(corner & 1) * step[0] + (corner >> 1 & 1) * step[1] + (corner >> 2) * step[2]]);
+      c.v[corner] =
+          static_cast<float>(at[(corner & 1) * step[0] + (corner >> 1 & 1) * step[1] + (corner >> 2) * step[2]]);
     }
     return c;
   }

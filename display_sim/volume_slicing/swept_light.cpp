@@ -56,6 +56,11 @@ SweptEntry entryOf(const glm::dvec3& color, double extinction) {
          static_cast<SweptEntry>(std::min(log, double{kSweptLogMask})) << kSweptLogShift;
 }
 
+/// Slicers take eight columns at once.
+size_t paddedColumns(const SweepGeometry& sweep) {
+  return (static_cast<size_t>(sweep.width()) + 7) / 8 * 8;
+}
+
 /// Integrals over the values of the range, from its least one, at equal steps.
 class EmissionSums {
  public:
@@ -165,9 +170,9 @@ SweptLight::SweptLight(const TransferFunction& transfer, const ValueRange& range
   const double gain = options.gain / sceneLengthOfUnit;
   const double width = range.greatest - range.least;
   fillEntries(entries_, [&](double mean, double halfSpread) {
-    const OpticalSample sample =
-        halfSpread > 0 ? sums.meanOf(std::max(mean - halfSpread, 0.0), std::min(mean + halfSpread, 1.0))
-                       : EmissionSums::sampleAt(transfer, range.least + mean * width, options);
+    const OpticalSample sample = halfSpread > 0
+                                     ? sums.meanOf(std::max(mean - halfSpread, 0.0), std::min(mean + halfSpread, 1.0))
+                                     : EmissionSums::sampleAt(transfer, range.least + mean * width, options);
     return entryOf(sample.color, sample.extinction * gain);
   });
   countBefore(litSegments(transfer, range, options), litSteps_);
@@ -175,8 +180,8 @@ SweptLight::SweptLight(const TransferFunction& transfer, const ValueRange& range
   for (const TransferPoint& point : transfer.points()) {
     maxExtinction = std::max(maxExtinction, transfer.at(point.value).extinction);
   }
-  for (int column = 0; column < sweep.width(); ++column) {
-    columns_.push_back(columnOf(sweptThickness(sweep, column), maxExtinction * gain));
+  for (size_t column = 0; column < paddedColumns(sweep); ++column) {
+    columns_.push_back(columnOf(sweptThickness(sweep, static_cast<int>(column)), maxExtinction * gain));
   }
 }
 
@@ -202,7 +207,7 @@ SweptLight SweptLight::ofSurface(double value, const glm::dvec3& color, const Va
     lit[static_cast<size_t>(std::max(std::ceil(step) - 1, 0.0))] = 1;
   }
   countBefore(lit, light.litSteps_);
-  light.columns_.assign(static_cast<size_t>(sweep.width()), columnOf(1, kOpaque));
+  light.columns_.assign(paddedColumns(sweep), columnOf(1, kOpaque));
   return light;
 }
 

@@ -41,8 +41,7 @@ namespace ocelli {
 /// extinction: kSweptLogSteps to the octave, counted from 2^-kSweptLogOctaves; 0 where there is no light.
 using SweptEntry = uint64_t;
 inline constexpr int kSweptFieldBits = 21;
-inline constexpr uint64_t kSweptOneEach =
-    1 | uint64_t{1} << kSweptFieldBits | uint64_t{1} << (2 * kSweptFieldBits);
+inline constexpr uint64_t kSweptOneEach = 1 | uint64_t{1} << kSweptFieldBits | uint64_t{1} << (2 * kSweptFieldBits);
 inline constexpr int kSweptColorBits = 8;  ///< the ninth is that of full light
 inline constexpr uint64_t kSweptColorMask = kSweptOneEach * 0x1ff;
 inline constexpr int kSweptLogShift = kSweptColorBits + 1;
@@ -79,7 +78,8 @@ class SweptLight {
   const SweptEntry* entries() const { return entries_.data(); }
   const SweptColumn& column(int column) const { return columns_[static_cast<size_t>(column)]; }
 
-  /// Whether codes whose reach (sweptReach()) lies in [first, last], in steps of the mean, first < last, may give light.
+  /// Whether codes whose reach (sweptReach()) lies in [first, last], in steps of the mean, first < last, may give
+  /// light.
   bool mayBeLit(int first, int last) const {
     return litSteps_[static_cast<size_t>(last)] > litSteps_[static_cast<size_t>(first)];
   }

@@ -3,17 +3,17 @@
 // Each cell of the sweep (display_sim/frames/sweep_geometry.h) whose centre lies in the volume keeps the mean and the
 // spread of the field in it (swept_code.h). A cell is a thin wedge: columns and rows are as wide everywhere, and the
 // thickness grows from 0 at the axis. So it is sampled by points spread evenly over it, as many in each direction as
-// the volume has voxels there, and two at least across it where it is thicker than wide; a volume that is finer than 1.5
-// voxels a column is made coarser first, by averages (coarser_volume.h). What the points miss of the
-// spread follows from the differences to the neighbours in the slice. The spread within what was averaged is lost: such a
+// the volume has voxels there, and two at least across it where it is thicker than wide; a volume that is finer
+// than 1.5 voxels a column is made coarser first, by averages (coarser_volume.h). What the points miss of the spread
+// follows from the differences to the neighbours in the slice. The spread within what was averaged is lost: such a
 // volume is classified as a coarser scan would be.
 //
 // Slices of one half turn stand for all: those of a second half turn are the same, seen from behind. So a volume turns
 // with the screen by whole steps of the sweep, without being sampled anew (VolumeSlicer).
 //
 // In memory: for each slice, the bricks of 8 rows and 8 columns that hold some of the volume, rows of bricks from the
-// top, each from left to right; the 64 codes of a brick row by row. Two bytes for each voxel of the display, and one for
-// its weight where there are weights, however large the volume is.
+// top, each from left to right; the 64 codes of a brick row by row. Two bytes for each voxel of the display, and one
+// for its weight where there are weights, however large the volume is.
 #pragma once
 
 #include <cstddef>
@@ -92,9 +92,6 @@ class SweptSamples {
   void setPart(const Part& part, const Progress& progress = {});
 
  private:
-  template <class Field>
-  void sampleSlice(size_t slice, const Field& field, const ScalarVolume& volume, const VolumeScene& scene,
-                   const glm::dmat4& indexFromScene, const SweptSampling& sampling);
   std::optional<size_t> placeOf(int slice, int column, int row) const;
 
   DisplayProfile profile_;
