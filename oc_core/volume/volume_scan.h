@@ -1,0 +1,60 @@
+// Reading all voxels of a volume once, on all threads, also where they do not fit into memory.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <functional>
+
+#include "oc_core/volume/scalar_volume.h"
+
+namespace ocelli {
+
+/// Calls `body(begin, end)` on all threads, for slices (indices along k) that together are those of [first, last). Of a
+/// volume that comes from a store (voxel_store.h), parts are read ahead and given back when they are done, so that no
+/// more than some 256 MiB of it are in memory for this.
+void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
+                const std::function<void(size_t begin, size_t end)>& body);
+
+/// While it lives, slices [first, last) may be read; those that there are, at the most. Of a volume from a store they
+/// are read ahead, and given back at the end. Of any other this does nothing.
+class SlicesInMemory {
+ public:
+  SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last);
+  ~SlicesInMemory();
+  SlicesInMemory(const SlicesInMemory&) = delete;
+  SlicesInMemory& operator=(const SlicesInMemory&) = delete;
+
+ private:
+  const VoxelStore* store_;
+  size_t begin_ = 0;  ///< bytes of the voxels
+  size_t end_ = 0;
+};
+
+/// Whether the rows [firstRow, lastRow) of slice k, in the store of the volume, are known to be zero without being
+/// read.
+bool areRowsKnownZero(const ScalarVolume& volume, size_t slice, size_t firstRow, size_t lastRow);
+
+/// Calls `onRow(j, row)` with a pointer to the first voxel of each row of a slice, in order, and `onZeros(rows)` for
+/// rows that are known to be zero. `first` is the first voxel of the volume, of the type that it has.
+template <class Voxel, class OnRow, class OnZeros>
+void visitRows(const ScalarVolume& volume, const Voxel* first, size_t slice, OnRow&& onRow, OnZeros&& onZeros) {
+  constexpr size_t kRowsAtOnce = 64;
+  const auto width = static_cast<size_t>(volume.grid().size.x);
+  const auto height = static_cast<size_t>(volume.grid().size.y);
+  if (areRowsKnownZero(volume, slice, 0, height)) {
+    onZeros(height);
+    return;
+  }
+  for (size_t begin = 0; begin < height; begin += kRowsAtOnce) {
+    const size_t end = std::min(begin + kRowsAtOnce, height);
+    if (areRowsKnownZero(volume, slice, begin, end)) {
+      onZeros(end - begin);
+      continue;
+    }
+    for (size_t j = begin; j < end; ++j) {
+      onRow(j, first + (slice * height + j) * width);
+    }
+  }
+}
+
+}  // namespace ocelli
