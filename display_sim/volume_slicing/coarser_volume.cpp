@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <glm/common.hpp>
+#include <memory>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -19,14 +21,17 @@ glm::dmat4 fineFromCoarserIndex(const glm::ivec3& factor) {
   return matrix;
 }
 
-ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor) {
+ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor, const ValueRange& range) {
   const VolumeGrid& fine = volume.grid();
   VolumeGrid grid = fine;
   grid.size = (fine.size + factor - 1) / factor;
   grid.worldFromIndex = fine.worldFromIndex * fineFromCoarserIndex(factor);
   const auto width = static_cast<size_t>(grid.size.x);
   const size_t layer = width * static_cast<size_t>(grid.size.y);
-  std::vector<float> values(grid.voxelCount());
+  constexpr double kSteps = 65535;
+  const double extent = range.greatest - range.least;
+  const double stepsByValue = extent > 0 ? kSteps / extent : 0;
+  const auto values = std::make_shared<std::vector<uint16_t>>(grid.voxelCount());
   visitVoxels(volume, [&](const auto* first) {
     parallelFor(static_cast<size_t>(grid.size.z), 1, [&](size_t begin, size_t end) {
       std::vector<double> sums(layer);
@@ -48,12 +53,13 @@ ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor)
           }
         }
         for (size_t i = 0; i < layer; ++i) {
-          values[coarse * layer + i] = static_cast<float>(volume.scale() * (sums[i] / counts[i]) + volume.offset());
+          const double mean = volume.scale() * (sums[i] / counts[i]) + volume.offset();
+          (*values)[coarse * layer + i] = static_cast<uint16_t>((mean - range.least) * stepsByValue + 0.5);
         }
       }
     });
   });
-  return {std::move(grid), std::move(values)};
+  return {std::move(grid), VoxelType::kUint16, std::as_bytes(std::span(*values)), values, extent / kSteps, range.least};
 }
 
 }  // namespace ocelli

@@ -13,12 +13,12 @@ namespace {
 /// No display has thinner cells, in display radii: 2^-kThinnestOctaves.
 constexpr int kThinnestOctaves = 26;
 constexpr int kThickestOctaves = 2;
-constexpr int kShifts = kSweptOpacityBits;
+constexpr int kShifts = 16;
 constexpr size_t kOpacityEntries =
     kSweptLogMask + 1 + static_cast<size_t>(kSweptLogSteps) * (kThinnestOctaves + kThickestOctaves);
 
-/// By the logarithm of the optical thickness x, 1 - exp(-x), times 2^shift. What would exceed 1 is never asked for.
-const std::vector<uint16_t>& sweptOpacities(int shift) {
+/// By the logarithm of the optical thickness x, 1 - exp(-x), times 2^wanted. What would exceed 1 is never asked for.
+const std::vector<uint16_t>& sweptOpacities(int wanted) {
   static const std::vector<std::vector<uint16_t>> tables = [] {
     std::vector<std::vector<uint16_t>> made(kShifts, std::vector<uint16_t>(kOpacityEntries));
     constexpr double kFull = 1 << kSweptOpacityBits;
@@ -32,7 +32,7 @@ const std::vector<uint16_t>& sweptOpacities(int shift) {
     }
     return made;
   }();
-  return tables[static_cast<size_t>(shift)];
+  return tables[static_cast<size_t>(wanted)];
 }
 
 SweptColumn columnOf(double thickness, double maxExtinction) {

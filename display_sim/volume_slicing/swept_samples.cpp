@@ -18,7 +18,7 @@ namespace ocelli {
 namespace {
 
 /// Voxels of the volume a column, beyond which the volume is made coarser first.
-constexpr double kMaxVoxelsAColumn = 1.5;
+constexpr double kMaxVoxelsAColumn = 2;
 /// Gradients, by the distance of voxels, below this share of the range of values have no direction to be lit from: as
 /// in oc_core/volume_render/volume_lighting.h.
 constexpr double kFlatShareOfRange = 1e-3;
@@ -152,15 +152,14 @@ class SweptSampler {
         const CellMoments moments = momentsOf(column.points, glm::vec3(rowShift));
         const size_t at = static_cast<size_t>(y) * static_cast<size_t>(patch.columns) + static_cast<size_t>(x);
         patch.means[at] = moments.mean;
-        patch.variances[at] = moments.variance * column.line;
+        patch.variances[at] = moments.variance;
         patch.states[at] = isIn(column.center + rowShift, glm::dvec3(0)) ? CellState::kInVolume : CellState::kBeside;
         if (weighing_.isNeeded()) {
           patch.weights[at] = weighing_.weightOf(moments.gradient);
         }
       }
     }
-    encode(place, patch, 1.0f / static_cast<float>(12 * pointsAColumn * pointsAColumn),
-           1.0f / static_cast<float>(12 * pointsARow * pointsARow), codes, weights, reaches);
+    encode(place, patch, columns, pointsAColumn, pointsARow, codes, weights, reaches);
   }
 
  private:
@@ -202,24 +201,32 @@ class SweptSampler {
 
   CellMoments momentsOf(const std::vector<glm::vec3>& points, const glm::vec3& shift) const {
     CellMoments moments;
+    // From the first value on, so that single precision does.
+    float first = 0;
+    float sum = 0;
     float squares = 0;
-    const auto count = static_cast<float>(points.size());
-    for (const glm::vec3& point : points) {
+    for (size_t i = 0; i < points.size(); ++i) {
       glm::vec3 gradient(0);
-      const float value =
-          ((weighing_.isNeeded() ? field_.at(point + shift, gradient) : field_.at(point + shift)) - least_) * byRange_;
-      moments.mean += value;
-      squares += value * value;
+      const glm::vec3 at = points[i] + shift;
+      const float value = ((weighing_.isNeeded() ? field_.at(at, gradient) : field_.at(at)) - least_) * byRange_;
+      first = i == 0 ? value : first;
+      sum += value - first;
+      squares += (value - first) * (value - first);
       moments.gradient += gradient;
     }
-    moments.mean /= count;
+    const auto count = static_cast<float>(points.size());
+    moments.mean = first + sum / count;
     moments.gradient /= count;
-    moments.variance = std::max(squares / count - moments.mean * moments.mean, 0.0f);
+    moments.variance = std::max(squares - sum * sum / count, 0.0f) / count;
     return moments;
   }
 
-  void encode(const SweptSlice& place, const SlicePatch& patch, float columnPart, float rowPart, uint16_t* codes,
-              uint8_t* weights, SweptReach* reaches) const {
+  void encode(const SweptSlice& place, const SlicePatch& patch, const std::vector<ColumnPoints>& columns,
+              int pointsAColumn, int pointsARow, uint16_t* codes, uint8_t* weights, SweptReach* reaches) const {
+    // Of the variance 1 / 12 of a line of the length 1 the part that n points spread evenly over it have.
+    const auto part = [](int n) { return (1 - 1.0f / static_cast<float>(n * n)) / 12; };
+    const float columnPart = part(pointsAColumn);
+    const float rowPart = part(pointsARow);
     const auto stride = static_cast<size_t>(patch.columns);
     for (int brickRow = 0; brickRow < place.brickRows; ++brickRow) {
       for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reaches) {
@@ -236,7 +243,11 @@ class SweptSampler {
             if (isOnScreen && patch.states[at] == CellState::kInVolume) {
               const float byColumn = patch.slope(at, 1);
               const float byRow = patch.slope(at, stride);
-              const float variance = patch.variances[at] + byColumn * byColumn * columnPart + byRow * byRow * rowPart;
+              const float squares = byColumn * byColumn / 12 + byRow * byRow / 12;
+              const float byPoints = byColumn * byColumn * columnPart + byRow * byRow * rowPart;
+              const size_t column = static_cast<size_t>(brickColumn * kSweptBrickSide + x + 1);
+              const float across = std::max(patch.variances[at] - byPoints, 0.0f) * columns[column].line;
+              const float variance = squares + across;
               code = sweptCode(patch.means[at], std::sqrt(3 * variance));
               const float step = sweptMeanOf(code) * (kSweptMeans - 1);
               const float reach = sweptReach(sweptHalfSpreadOf(code));
@@ -280,7 +291,7 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   glm::dmat4 sceneFromIndex = scene.worldFromIndex;
   if (factor != glm::ivec3(1)) {
     report(progress, "making the volume coarser", 0);
-    coarser = coarserVolume(*scene.volume, factor);
+    coarser = coarserVolume(*scene.volume, factor, range_);
     sceneFromIndex = sceneFromIndex * fineFromCoarserIndex(factor);
   }
   const ScalarVolume& volume = coarser ? *coarser : *scene.volume;

@@ -56,7 +56,8 @@ uint64_t restOf(uint32_t threshold, int shift) {
 /// `weight` is 255 at the most.
 uint64_t lightFields(SweptEntry entry, const SweptColumn& column, uint32_t weight) {
   uint32_t opacity = column.opacity[entry >> kSweptLogShift & kSweptLogMask];
-  opacity = opacity * (weight + (weight >> 7)) >> 8;
+  // 255 is 2^16.
+  opacity = opacity * (weight * 257 + (weight >> 7)) >> 16;
   return (entry & kSweptColorMask) * opacity;
 }
 
