@@ -47,8 +47,8 @@ std::vector<glm::vec3> normalSums(const Mesh& mesh) {
   return sums;
 }
 
-/// Multiplies the colours with the shade of the normals: against the gradient between the outermost voxel centres; those
-/// of the triangles beyond them, where the box closes the surface, and where there is no gradient.
+/// Multiplies the colours with the shade of the normals: against the gradient between the outermost voxel centres;
+/// those of the triangles beyond them, where the box closes the surface, and where there is no gradient.
 void shade(Mesh& mesh, const std::vector<glm::vec3>& points, const VolumeScene& scene) {
   const std::vector<glm::vec3> ofTriangles = normalSums(mesh);
   const glm::dmat3 worldFromGradient = glm::transpose(glm::inverse(glm::dmat3(scene.worldFromIndex)));
@@ -71,8 +71,8 @@ void requireSurface(const SurfaceQuads& surface, const IsosurfaceOptions& option
                      "give them values in the program that wrote the file");
   }
   if (range.least == range.greatest) {
-    throw InputError(fmt::format("this volume has no surface: all of its voxels have the value {:g}", range.least), where,
-                     "give a volume whose values differ");
+    throw InputError(fmt::format("this volume has no surface: all of its voxels have the value {:g}", range.least),
+                     where, "give a volume whose values differ");
   }
   if (!(options.value >= range.least && options.value < range.greatest)) {
     throw InputError(fmt::format("no surface of this volume has the value {:g}: its values run from {:g} to {:g}",
@@ -101,8 +101,7 @@ Mesh isosurface(const VolumeScene& scene, const IsosurfaceOptions& options, cons
       mesh.positions[i] = glm::vec3(scene.worldFromIndex * glm::dvec4(glm::dvec3(surface.points[i]), 1));
     }
   });
-  mesh.triangles =
-      trianglesOf(surface, mesh.positions, glm::determinant(glm::dmat3(scene.worldFromIndex)) < 0);
+  mesh.triangles = trianglesOf(surface, mesh.positions, glm::determinant(glm::dmat3(scene.worldFromIndex)) < 0);
   surface.quads = {};
   mesh.colors.assign(mesh.positions.size(), glm::vec3(scene.appearance.transfer.at(options.value).color));
   if (options.isShaded) {

@@ -30,8 +30,8 @@ glm::dvec3 differences(const ScalarVolume& volume, const glm::dvec3& index, doub
 /// fail: the nearest of all that were tried counts.
 glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double value) {
   constexpr int kMaxSteps = 4;
-  constexpr double kReach = 1e-3;     // voxels: within one cell, nearly always
-  constexpr double kFarthest = 0.5;   // voxels along an axis
+  constexpr double kReach = 1e-3;    // voxels: within one cell, nearly always
+  constexpr double kFarthest = 0.5;  // voxels along an axis
   constexpr double kLongestStep = 0.25;
   const glm::dvec3 last(volume.grid().size - 1);
   const glm::dvec3 lower = glm::max(start - kFarthest, glm::dvec3(0));
