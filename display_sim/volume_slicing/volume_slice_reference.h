@@ -1,5 +1,5 @@
-// Volumes into slices, slowly and obviously: many points in each cell, in double precision. What VolumeSlicer is tested
-// against, and what `ocelli slice --exact` does.
+// Volumes into slices, slowly and obviously: many points in each cell, in double precision. Tests compare the
+// VolumeSlicer with it.
 #pragma once
 
 #include <glm/vec3.hpp>

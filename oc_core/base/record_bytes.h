@@ -57,7 +57,9 @@ ErrorType errorAsItWas(const std::string& message) {
   const size_t detail = std::min(message.find(kDetail), next);
   std::string details = message.substr(detail, next - detail);
   for (size_t at = 0; (at = details.find(kDetail, at)) != std::string::npos; ++at) {
-    details.replace(at, kDetail.size(), at == 0 ? "" : "\n");
+    // In two steps, as GCC 12 warns of replace().
+    details.erase(at, kDetail.size());
+    details.insert(at, at == 0 ? 0 : 1, '\n');
   }
   return {message.substr(0, detail), "", message.substr(std::min(next + kNext.size(), message.size())), details};
 }
