@@ -9,6 +9,7 @@
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
+#include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
@@ -34,6 +35,18 @@ void refuseOwnFile(const std::string& source) {
     throw InputError("this is an image; of a reference image ocelli slice and ocelli present take the mesh", source,
                      "ocelli ocri mesh, and its mesh with --no-fit --shading none");
   }
+}
+
+/// What only some commands take as it is, and all as the mesh of a surface in it.
+void refuseVolume(const std::string& source, const SceneOptions& options) {
+  if (!isVolumeSource(source)) {
+    if (options.iso) {
+      throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
+    }
+    return;
+  }
+  throw InputError("this is a volume, which has no triangles", source,
+                   "ocelli render draws it; for a mesh of a surface in it give --iso VALUE");
 }
 
 /// A moving scene at one time.
@@ -78,6 +91,7 @@ void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOpti
 
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
+  refuseVolume(source, options);
   report(progress, "loading the scene", 0);
   if (options.motion.seconds) {
     return momentOf(source, options, progress);

@@ -39,6 +39,8 @@ struct SceneOptions {
   bool textures = true;  ///< bake the textures of a file to vertex colours
   MotionOptions motion{};
   PointSceneOptions points{};  ///< of a scene of points
+  /// Of a volume (oc_core/volume): the scene is the surface at this value. Without it a volume is no mesh.
+  std::optional<double> iso{};
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };
