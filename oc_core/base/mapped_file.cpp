@@ -116,6 +116,15 @@ void MappedFile::release() const {
   ::madvise(addressOf(bytes_.data()), bytes_.size(), MADV_DONTNEED);
 }
 
+void MappedFile::release(size_t begin, size_t end) const {
+  const auto page = static_cast<size_t>(::sysconf(_SC_PAGESIZE));
+  begin = (begin + page - 1) / page * page;
+  end = end == bytes_.size() ? end : end / page * page;
+  if (begin < end) {
+    ::madvise(addressOf(bytes_.data()) + begin, end - begin, MADV_DONTNEED);
+  }
+}
+
 const char* mappedFileAt(const void* address) noexcept {
   const auto at = reinterpret_cast<uintptr_t>(address);
   for (const KnownMapping& known : knownMappings) {

@@ -23,8 +23,9 @@ class MappedFile {
   std::span<const uint8_t> bytes() const { return bytes_; }
   /// Reads them ahead.
   void willNeed(size_t begin, size_t end) const;
-  /// Gives the memory of what was read back to the system.
+  /// Gives the memory of what was read back to the system: of all, or of the pages that lie in a part as a whole.
   void release() const;
+  void release(size_t begin, size_t end) const;
 
  private:
   std::span<const uint8_t> bytes_;

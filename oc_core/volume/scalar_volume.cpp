@@ -37,7 +37,14 @@ std::string_view nameOf(VoxelType type) {
 ScalarVolume::ScalarVolume(VolumeGrid grid, VoxelType type, std::span<const std::byte> voxels,
                            std::shared_ptr<const void> owner, double scale, double offset)
     : grid_(std::move(grid)), type_(type), voxels_(voxels), owner_(std::move(owner)), scale_(scale), offset_(offset) {
+  OC_CHECK(grid_.voxelCount() > 0, "a volume has voxels");
   OC_CHECK(voxels_.size() == grid_.voxelCount() * bytesOf(type_), "a volume has as many voxels as its grid");
+}
+
+ScalarVolume::ScalarVolume(VolumeGrid grid, VoxelType type, std::shared_ptr<const VoxelStore> store, double scale,
+                           double offset)
+    : ScalarVolume(std::move(grid), type, store->bytes(), store, scale, offset) {
+  store_ = store.get();
 }
 
 ScalarVolume::ScalarVolume(VolumeGrid grid, std::vector<float> values)

@@ -5,11 +5,13 @@
 #include <cstdint>
 #include <memory>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "oc_core/volume/volume_grid.h"
+#include "oc_core/volume/voxel_store.h"
 
 namespace ocelli {
 
@@ -18,12 +20,22 @@ enum class VoxelType { kUint8, kInt8, kUint16, kInt16, kUint32, kInt32, kFloat32
 size_t bytesOf(VoxelType type);
 std::string_view nameOf(VoxelType type);  ///< "uint8"
 
+/// What is known of a volume besides its voxels. Empty: nothing says it.
+struct VolumeFacts {
+  std::string modality{};   ///< how it was taken, in the words of DICOM: "CT", "MR"
+  std::string valueUnit{};  ///< of what voxels mean: "HU" (Hounsfield)
+  std::string format{};     ///< of the file that it came from: "NRRD"
+};
+
 class ScalarVolume {
  public:
   /// `voxels` hold as many values of `type` as the grid has voxels, i fastest, in the byte order of this machine;
   /// `owner` keeps them in memory, or mapped. What a voxel means is `scale` times what it holds, plus `offset`.
   ScalarVolume(VolumeGrid grid, VoxelType type, std::span<const std::byte> voxels, std::shared_ptr<const void> owner,
                double scale = 1, double offset = 0);
+  /// Voxels that need not be in memory (voxel_store.h); the bytes of `store` are those of `voxels` above.
+  ScalarVolume(VolumeGrid grid, VoxelType type, std::shared_ptr<const VoxelStore> store, double scale = 1,
+               double offset = 0);
   /// The values themselves.
   ScalarVolume(VolumeGrid grid, std::vector<float> values);
 
@@ -32,6 +44,11 @@ class ScalarVolume {
   std::span<const std::byte> voxels() const { return voxels_; }
   double scale() const { return scale_; }
   double offset() const { return offset_; }
+  /// Where voxels come from that need not be in memory; null where they are.
+  const VoxelStore* store() const { return store_; }
+
+  const VolumeFacts& facts() const { return facts_; }
+  void setFacts(VolumeFacts facts) { facts_ = std::move(facts); }
 
   /// What a voxel means. Each index lies in the grid.
   double valueAt(const glm::ivec3& voxel) const;
@@ -46,6 +63,8 @@ class ScalarVolume {
   std::shared_ptr<const void> owner_;
   double scale_;
   double offset_;
+  const VoxelStore* store_ = nullptr;  ///< owned by owner_
+  VolumeFacts facts_;
 };
 
 /// Calls `visitor` with a pointer to the first voxel, of the type that it has.
@@ -72,7 +91,7 @@ auto visitVoxels(const ScalarVolume& volume, Visitor&& visitor) {
   }
 }
 
-/// The least and the greatest value of all voxels. On all threads.
+/// The least and the greatest value of all voxels that are finite numbers. On all threads.
 struct ValueRange {
   double least = 0;
   double greatest = 0;

@@ -1,0 +1,80 @@
+#include "oc_core/volume/mapped_voxels.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+
+namespace ocelli {
+namespace {
+
+/// A file in more pieces than this counts as one without holes from there on.
+constexpr size_t kMaxExtents = 1 << 20;
+
+/// What of a file is no hole, in order. One piece where the system cannot tell.
+std::vector<std::pair<uint64_t, uint64_t>> dataExtents(const std::filesystem::path& path, uint64_t size) {
+  std::vector<std::pair<uint64_t, uint64_t>> extents;
+  const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  if (file < 0) {
+    return {{0, size}};
+  }
+  uint64_t at = 0;
+  while (at < size) {
+    const off_t data = ::lseek(file, static_cast<off_t>(at), SEEK_DATA);
+    if (data < 0) {
+      // ENXIO: nothing but a hole is left.
+      if (errno != ENXIO) {
+        extents.emplace_back(at, size);
+      }
+      break;
+    }
+    const off_t hole = extents.size() < kMaxExtents ? ::lseek(file, data, SEEK_HOLE) : -1;
+    const uint64_t end = hole > data ? static_cast<uint64_t>(hole) : size;
+    extents.emplace_back(static_cast<uint64_t>(data), end);
+    at = end;
+  }
+  ::close(file);
+  return extents;
+}
+
+}  // namespace
+
+MappedVoxels::MappedVoxels(const VoxelFile& file)
+    : file_(file.path), offset_(file.offset), size_(file.bytes), data_(dataExtents(file.path, file_.bytes().size())) {
+  const uint64_t has = file_.bytes().size();
+  if (offset_ > has || size_ > has - offset_) {
+    throw InputError("the file ends before its last voxel: " + std::to_string(size_) + " bytes of voxels from byte " +
+                         std::to_string(offset_) + " on are not in the " + std::to_string(has) + " that it has",
+                     file.path.string(), "copy it again, or correct the sizes in its header");
+  }
+}
+
+std::span<const std::byte> MappedVoxels::bytes() const {
+  return std::as_bytes(file_.bytes()).subspan(offset_, size_);
+}
+
+bool MappedVoxels::isKnownZero(size_t begin, size_t end) const {
+  const auto next = std::ranges::upper_bound(data_, offset_ + begin, {}, &Extent::second);
+  return next == data_.end() || next->first >= offset_ + end;
+}
+
+void MappedVoxels::willRead(size_t begin, size_t end) const {
+  file_.willNeed(offset_ + begin, offset_ + end);
+}
+
+void MappedVoxels::release(size_t begin, size_t end) const {
+  file_.release(offset_ + begin, offset_ + end);
+}
+
+ScalarVolume mapVolume(const VolumeGrid& grid, VoxelType type, const VoxelFile& file, double scale, double offset) {
+  OC_CHECK(areVoxelsAligned(file.offset, type), "voxels that are mapped lie at multiples of their size");
+  OC_CHECK(file.bytes == grid.voxelCount() * bytesOf(type), "a file has the bytes of its grid");
+  return {grid, type, std::make_shared<const MappedVoxels>(file), scale, offset};
+}
+
+}  // namespace ocelli

@@ -1,0 +1,53 @@
+#include "oc_core/volume/volume_scan.h"
+
+#include <algorithm>
+
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+/// What is read at once of a volume that may not fit into memory.
+constexpr size_t kBytesAtOnce = size_t{128} << 20U;
+
+}  // namespace
+
+SlicesInMemory::SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last) : store_(volume.store()) {
+  if (store_ != nullptr) {
+    const auto slices = static_cast<size_t>(volume.grid().size.z);
+    const size_t sliceBytes = volume.voxels().size() / slices;
+    begin_ = first * sliceBytes;
+    end_ = std::min(last, slices) * sliceBytes;
+    if (!store_->isKnownZero(begin_, end_)) {
+      store_->willRead(begin_, end_);
+    }
+  }
+}
+
+SlicesInMemory::~SlicesInMemory() {
+  if (store_ != nullptr) {
+    store_->release(begin_, end_);
+  }
+}
+
+void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
+                const std::function<void(size_t begin, size_t end)>& body) {
+  const size_t sliceBytes = volume.voxels().size() / static_cast<size_t>(volume.grid().size.z);
+  // All at once, where they are in memory.
+  const size_t atOnce = volume.store() == nullptr ? last - first : std::max<size_t>(1, kBytesAtOnce / sliceBytes);
+  for (size_t begin = first; begin < last; begin += atOnce) {
+    const size_t end = std::min(begin + atOnce, last);
+    const SlicesInMemory slices(volume, begin, end);
+    parallelFor(end - begin, 1, [&](size_t from, size_t to) { body(begin + from, begin + to); });
+  }
+}
+
+bool areRowsKnownZero(const ScalarVolume& volume, size_t slice, size_t firstRow, size_t lastRow) {
+  const size_t rowBytes = static_cast<size_t>(volume.grid().size.x) * bytesOf(volume.type());
+  const size_t sliceBytes = static_cast<size_t>(volume.grid().size.y) * rowBytes;
+  const size_t begin = slice * sliceBytes;
+  return volume.store() != nullptr &&
+         volume.store()->isKnownZero(begin + firstRow * rowBytes, begin + lastRow * rowBytes);
+}
+
+}  // namespace ocelli
