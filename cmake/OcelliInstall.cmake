@@ -40,6 +40,7 @@ foreach(schema IN ITEMS
     oc_core/constructor/curved_ray_camera.schema.json
     oc_core/constructor/graph_camera.schema.json
     oc_core/ocri/camera.schema.json
+    oc_core/volume/transfer_function.schema.json
     oc_core/worlds/maze.schema.json
     oc_core/worlds/object_roles.schema.json
     protocols/analysis_plan.schema.json

@@ -2,11 +2,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
-#include <limits>
 
 #include "oc_core/base/check.h"
-#include "oc_core/base/parallel.h"
 
 namespace ocelli {
 namespace {
@@ -38,6 +37,8 @@ ScalarVolume::ScalarVolume(VolumeGrid grid, VoxelType type, std::span<const std:
                            std::shared_ptr<const void> owner, double scale, double offset)
     : grid_(std::move(grid)), type_(type), voxels_(voxels), owner_(std::move(owner)), scale_(scale), offset_(offset) {
   OC_CHECK(grid_.voxelCount() > 0, "a volume has voxels");
+  OC_CHECK(std::isfinite(scale_) && scale_ != 0 && std::isfinite(offset_),
+           "values have a finite scale, which is not 0");
   OC_CHECK(voxels_.size() == grid_.voxelCount() * bytesOf(type_), "a volume has as many voxels as its grid");
 }
 
@@ -72,28 +73,6 @@ double ScalarVolume::fieldAt(const glm::dvec3& index) const {
   };
   const auto alongJ = [&](int k) { return glm::mix(alongI(first.y, k), alongI(next.y, k), share.y); };
   return glm::mix(alongJ(first.z), alongJ(next.z), share.z);
-}
-
-ValueRange valueRange(const ScalarVolume& volume) {
-  const auto slices = static_cast<size_t>(volume.grid().size.z);
-  const size_t count = volume.grid().voxelCount() / slices;
-  std::vector<ValueRange> ranges(slices);
-  visitVoxels(volume, [&](const auto* first) {
-    parallelFor(slices, 1, [&](size_t begin, size_t end) {
-      for (size_t slice = begin; slice < end; ++slice) {
-        const auto [least, greatest] = std::minmax_element(first + slice * count, first + (slice + 1) * count);
-        ranges[slice] = {static_cast<double>(*least), static_cast<double>(*greatest)};
-      }
-    });
-  });
-  ValueRange all{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const ValueRange& range : ranges) {
-    all.least = std::min(all.least, range.least);
-    all.greatest = std::max(all.greatest, range.greatest);
-  }
-  const double first = volume.scale() * all.least + volume.offset();
-  const double second = volume.scale() * all.greatest + volume.offset();
-  return {std::min(first, second), std::max(first, second)};
 }
 
 }  // namespace ocelli

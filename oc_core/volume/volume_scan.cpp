@@ -9,6 +9,8 @@ namespace {
 
 /// What is read at once of a volume that may not fit into memory.
 constexpr size_t kBytesAtOnce = size_t{128} << 20U;
+/// Ranges of slices that what is read at once is divided into, about.
+constexpr size_t kPartsAtOnce = 32;
 
 }  // namespace
 
@@ -38,7 +40,9 @@ void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
   for (size_t begin = first; begin < last; begin += atOnce) {
     const size_t end = std::min(begin + atOnce, last);
     const SlicesInMemory slices(volume, begin, end);
-    parallelFor(end - begin, 1, [&](size_t from, size_t to) { body(begin + from, begin + to); });
+    // What each call sets up, such as bins, pays for some slices.
+    const size_t grain = std::max<size_t>(1, (end - begin) / kPartsAtOnce);
+    parallelFor(end - begin, grain, [&](size_t from, size_t to) { body(begin + from, begin + to); });
   }
 }
 

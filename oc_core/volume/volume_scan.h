@@ -1,10 +1,10 @@
 // Reading all voxels of a volume once, on all threads, also where they do not fit into memory.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <functional>
 
-#include "oc_core/base/progress.h"
 #include "oc_core/volume/scalar_volume.h"
 
 namespace ocelli {
@@ -33,5 +33,28 @@ class SlicesInMemory {
 /// Whether the rows [firstRow, lastRow) of slice k, in the store of the volume, are known to be zero without being
 /// read.
 bool areRowsKnownZero(const ScalarVolume& volume, size_t slice, size_t firstRow, size_t lastRow);
+
+/// Calls `onRow(j, row)` with a pointer to the first voxel of each row of a slice, in order, and `onZeros(rows)` for
+/// rows that are known to be zero. `first` is the first voxel of the volume, of the type that it has.
+template <class Voxel, class OnRow, class OnZeros>
+void visitRows(const ScalarVolume& volume, const Voxel* first, size_t slice, OnRow&& onRow, OnZeros&& onZeros) {
+  constexpr size_t kRowsAtOnce = 64;
+  const auto width = static_cast<size_t>(volume.grid().size.x);
+  const auto height = static_cast<size_t>(volume.grid().size.y);
+  if (areRowsKnownZero(volume, slice, 0, height)) {
+    onZeros(height);
+    return;
+  }
+  for (size_t begin = 0; begin < height; begin += kRowsAtOnce) {
+    const size_t end = std::min(begin + kRowsAtOnce, height);
+    if (areRowsKnownZero(volume, slice, begin, end)) {
+      onZeros(end - begin);
+      continue;
+    }
+    for (size_t j = begin; j < end; ++j) {
+      onRow(j, first + (slice * height + j) * width);
+    }
+  }
+}
 
 }  // namespace ocelli

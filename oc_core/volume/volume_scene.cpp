@@ -6,6 +6,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/volume/builtin_volumes.h"
+#include "oc_core/volume/transfer_presets.h"
 
 namespace ocelli {
 
@@ -23,6 +24,9 @@ VolumeScene loadVolumeScene(const std::string& source, const VolumeSceneOptions&
     throw InputError("this is no volume", source, "give builtin:volume,name=NAME");
   }
   BuiltinVolume made = makeBuiltinVolume(source);
+  made.appearance = options.transfer.empty()
+                        ? std::move(made.appearance)
+                        : appearanceOf(transferByName(options.transfer), made.volume, made.volume.grid().meanSpacing());
   VolumeScene scene{.volume = std::make_shared<ScalarVolume>(std::move(made.volume)),
                     .appearance = std::move(made.appearance),
                     .clips = options.clips};

@@ -1,0 +1,125 @@
+#include "oc_core/volume/volume_histogram.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <mutex>
+#include <numeric>
+#include <utility>
+
+#include "oc_core/base/check.h"
+#include "oc_core/volume/volume_scan.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kMaxWholeNumbers = 65536;
+constexpr size_t kBins = 4096;
+
+/// Which bin a voxel is in, as voxels hold values.
+struct VoxelBins {
+  VoxelBins(const ScalarVolume& volume, const ValueRange& values)
+      : least((values.least - volume.offset()) / volume.scale()),
+        greatest((values.greatest - volume.offset()) / volume.scale()) {
+    if (least > greatest) {
+      std::swap(least, greatest);
+    }
+    const bool isWhole = volume.type() != VoxelType::kFloat32 && volume.type() != VoxelType::kFloat64;
+    if (isWhole) {
+      least = std::round(least);
+      greatest = std::round(greatest);
+    }
+    countsEach = isWhole && greatest - least < kMaxWholeNumbers;
+    if (countsEach) {
+      bins = static_cast<size_t>(greatest - least) + 1;
+      least -= 0.5;
+      greatest += 0.5;
+    } else {
+      bins = greatest > least ? kBins : 1;
+    }
+    binsByValue = greatest > least ? static_cast<double>(bins) / (greatest - least) : 0;
+  }
+
+  size_t binOf(double voxel) const {
+    return std::min(static_cast<size_t>(std::max((voxel - least) * binsByValue, 0.0)), bins - 1);
+  }
+
+  double least;
+  double greatest;
+  bool countsEach = false;
+  size_t bins = 1;
+  double binsByValue = 0;
+};
+
+template <class Voxel>
+void countSlice(const ScalarVolume& volume, const Voxel* first, size_t slice, const VoxelBins& bins,
+                std::vector<uint64_t>& counts) {
+  const auto width = static_cast<size_t>(volume.grid().size.x);
+  visitRows(
+      volume, first, slice,
+      [&](size_t /*j*/, const Voxel* row) {
+        for (size_t i = 0; i < width; ++i) {
+          const auto value = static_cast<double>(row[i]);
+          if (std::isfinite(value)) {
+            ++counts[bins.binOf(value)];
+          }
+        }
+      },
+      [&](size_t rows) { counts[bins.binOf(0)] += rows * width; });
+}
+
+}  // namespace
+
+uint64_t VolumeHistogram::total() const {
+  return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
+}
+
+double VolumeHistogram::percentile(double percent) const {
+  const double wanted = percent / 100 * static_cast<double>(total());
+  double before = 0;
+  for (size_t bin = 0; bin < counts.size(); ++bin) {
+    const auto count = static_cast<double>(counts[bin]);
+    if (before + count >= wanted && count > 0) {
+      const double value = bounds.least + (static_cast<double>(bin) + (wanted - before) / count) * binWidth();
+      return std::clamp(value, values.least, values.greatest);
+    }
+    before += count;
+  }
+  return values.greatest;
+}
+
+VolumeHistogram VolumeHistogram::withBins(size_t bins) const {
+  OC_CHECK(bins > 0, "a histogram has bins");
+  VolumeHistogram fewer{values, bounds, std::vector<uint64_t>(bins)};
+  for (size_t bin = 0; bin < counts.size(); ++bin) {
+    // By the bin's centre.
+    const double at = (static_cast<double>(bin) + 0.5) / static_cast<double>(counts.size()) * static_cast<double>(bins);
+    fewer.counts[std::min(static_cast<size_t>(at), bins - 1)] += counts[bin];
+  }
+  return fewer;
+}
+
+VolumeHistogram histogramOf(const ScalarVolume& volume) {
+  VolumeHistogram histogram{.values = valueRange(volume)};
+  const VoxelBins bins(volume, histogram.values);
+  histogram.counts.resize(bins.bins);
+  std::mutex mutex;
+  visitVoxels(volume, [&](const auto* first) {
+    scanSlices(volume, 0, static_cast<size_t>(volume.grid().size.z), [&](size_t begin, size_t end) {
+      std::vector<uint64_t> counts(bins.bins);
+      for (size_t slice = begin; slice < end; ++slice) {
+        countSlice(volume, first, slice, bins, counts);
+      }
+      const std::scoped_lock lock(mutex);
+      std::ranges::transform(counts, histogram.counts, histogram.counts.begin(), std::plus<>());
+    });
+  });
+  histogram.bounds = {volume.scale() * bins.least + volume.offset(), volume.scale() * bins.greatest + volume.offset()};
+  if (volume.scale() < 0) {
+    std::swap(histogram.bounds.least, histogram.bounds.greatest);
+    std::ranges::reverse(histogram.counts);
+  }
+  return histogram;
+}
+
+}  // namespace ocelli
