@@ -1,0 +1,44 @@
+// What of a ray lies within a volume: pieces of its polyline, in index coordinates. For .cpp files.
+#pragma once
+
+#include <array>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
+#include <span>
+
+#include "oc_core/camera/ray_path.h"
+#include "oc_core/volume/volume_scene.h"
+
+namespace ocelli {
+
+/// A straight piece of a ray.
+struct RayPiece {
+  glm::dvec3 from{0};       ///< index coordinates
+  glm::dvec3 way{0};        ///< the same, by length
+  glm::dvec3 direction{0};  ///< in the scene's world, of length 1
+  double length = 0;        ///< in the unit of the grid's world: that of extinctions
+  double t = 0;             ///< the ray's parameter where the piece begins
+  double tByLength = 0;
+  bool continues = false;  ///< it begins where the piece before ends
+};
+
+/// The box of a volume and its clips, which together are convex.
+class VolumeExtent {
+ public:
+  using Pieces = std::array<RayPiece, RayPath::kMaxPoints>;
+
+  /// The scene must outlive it, and its volume and clips must not change.
+  explicit VolumeExtent(const VolumeScene& scene);
+
+  /// The pieces of a ray before the parameter `end`, from near to far: how many of `pieces` were written. None for a
+  /// ray with coordinates that are not finite.
+  size_t cut(const RayPath& ray, double end, Pieces& pieces) const;
+
+ private:
+  const VolumeScene& scene_;
+  glm::dmat4 indexFromWorld_;
+  double unitsByWorldLength_;
+  glm::dvec3 upper_;  ///< of the box; the lower corner is -0.5
+};
+
+}  // namespace ocelli
