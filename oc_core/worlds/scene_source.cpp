@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/isosurface/isosurface.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
@@ -35,18 +36,6 @@ void refuseOwnFile(const std::string& source) {
     throw InputError("this is an image; of a reference image ocelli slice and ocelli present take the mesh", source,
                      "ocelli ocri mesh, and its mesh with --no-fit --shading none");
   }
-}
-
-/// What only some commands take as it is, and all as the mesh of a surface in it.
-void refuseVolume(const std::string& source, const SceneOptions& options) {
-  if (!isVolumeSource(source)) {
-    if (options.iso) {
-      throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
-    }
-    return;
-  }
-  throw InputError("this is a volume, which has no triangles", source,
-                   "ocelli render draws it; for a mesh of a surface in it give --iso VALUE");
 }
 
 /// A moving scene at one time.
@@ -89,10 +78,38 @@ void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOpti
   }
 }
 
+void requireSurfaceOfVolume(const std::string& source, const SceneOptions& options) {
+  const bool isVolume = isVolumeSource(source);
+  if (!isVolume && options.iso) {
+    throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
+  }
+  if (isVolume && !options.iso) {
+    throw InputError("this is a volume, which has no triangles", source,
+                     "ocelli render draws it; for a mesh of a surface in it give --iso VALUE");
+  }
+}
+
+GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  requireSurfaceOfVolume(source, options);
+  refuseUnusedPoints({}, options);
+  const VolumeScene volume = loadVolumeScene(source, {.fit = options.fit, .warn = options.warn}, progress);
+  const IsosurfaceOptions surface{.value = *options.iso, .isShaded = options.shading == Shading::kLambert};
+  GuidedScene loaded;
+  loaded.mesh = isosurface(volume, surface, source, progress);
+  loaded.objectOfTriangle.assign(loaded.mesh.triangles.size(), 0);
+  const VolumeGrid& grid = volume.volume->grid();
+  const glm::dmat4 sceneFromIndex = grid.isAnatomical ? sceneFromPatient() * grid.worldFromIndex : grid.worldFromIndex;
+  loaded.worldFromScene = glm::mat4(volume.worldFromIndex * glm::inverse(sceneFromIndex));
+  return loaded;
+}
+
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
-  refuseVolume(source, options);
+  requireSurfaceOfVolume(source, options);
   report(progress, "loading the scene", 0);
+  if (options.iso && !options.motion.seconds) {
+    return loadVolumeSurface(source, options, progress);
+  }
   if (options.motion.seconds) {
     return momentOf(source, options, progress);
   }
