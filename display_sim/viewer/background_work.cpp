@@ -19,7 +19,8 @@ std::shared_ptr<const LoadedVolume> loadedVolume(const WorkWanted& wanted, const
   if (wanted.volumeIsShaded) {
     loaded.scene.appearance.shading.isOn = *wanted.volumeIsShaded;
   }
-  loaded.histogram = histogramOf(*loaded.scene.volume, progress);
+  report(progress, "counting values", 0);
+  loaded.histogram = histogramOf(*loaded.scene.volume);
   return std::make_shared<const LoadedVolume>(std::move(loaded));
 }
 

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "display_sim/viewer/gui_pieces.h"
 #include "display_sim/viewer/viewer_colors.h"
-#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {
@@ -24,7 +24,7 @@ ImVec2 vec(const glm::dvec2& at) {
 }
 
 uint32_t packedColor(const glm::dvec3& linear, uint8_t alpha = 255) {
-  const glm::vec3 encoded = srgbFromLinear(glm::vec3(linear)) * 255.0f + 0.5f;
+  const glm::vec3 encoded = encodedColor(linear) * 255.0f + 0.5f;
   return GuiColor{static_cast<uint8_t>(encoded.x), static_cast<uint8_t>(encoded.y), static_cast<uint8_t>(encoded.z)}
       .packed(alpha);
 }

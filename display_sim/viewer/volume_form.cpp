@@ -90,7 +90,7 @@ void VolumeForm::drawPoint(TransferEditor& editor) {
   if (moved) {
     editor.movePoint(index, value, percent / 100);
   }
-  glm::vec3 encoded = srgbFromLinear(glm::vec3(point.color));
+  glm::vec3 encoded = encodedColor(point.color);
   if (ImGui::ColorEdit3("colour", &encoded.x, ImGuiColorEditFlags_NoInputs)) {
     editor.colorPoint(index, glm::dvec3(linearFromSrgb(encoded)));
   }

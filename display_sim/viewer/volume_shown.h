@@ -13,9 +13,9 @@ namespace ocelli {
 
 struct VolumeShown {
   bool on = false;                         ///< the scene is a volume, or is to be one that is being loaded
-  std::optional<TransferEditor> transfer;  ///< nothing before the volume has come
-  ValueAxis values;                        ///< all that the pane of the transfer function can show
-  ValueAxis axis;                          ///< those that it shows
+  std::optional<TransferEditor> transfer{};  ///< nothing before the volume has come
+  ValueAxis values{};                      ///< all that the pane of the transfer function can show
+  ValueAxis axis{};                        ///< those that it shows
   /// What is shown along x, y and z of the scene, as shares of the volume's box: the rest is clipped.
   std::array<glm::dvec2, 3> kept{{{0, 1}, {0, 1}, {0, 1}}};
 };
