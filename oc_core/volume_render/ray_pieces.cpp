@@ -47,7 +47,8 @@ size_t VolumeExtent::cut(const RayPath& ray, double end, Pieces& pieces) const {
     SegmentPart part;
     bool isSome = true;
     for (int axis = 0; axis < 3 && isSome; ++axis) {
-      isSome = narrow(from[axis] + 0.5, next[axis] + 0.5, part) && narrow(upper_[axis] - from[axis], upper_[axis] - next[axis], part);
+      isSome = narrow(from[axis] + 0.5, next[axis] + 0.5, part) &&
+               narrow(upper_[axis] - from[axis], upper_[axis] - next[axis], part);
     }
     const glm::dvec3 begin(ray[i]);
     const glm::dvec3 way = glm::dvec3(ray[i + 1]) - begin;
@@ -68,13 +69,9 @@ size_t VolumeExtent::cut(const RayPath& ray, double end, Pieces& pieces) const {
     }
     const double length = worldLength * unitsByWorldLength_;
     const bool continues = part.first == 0 && lastEnd == static_cast<double>(i);
-    pieces[count++] = {from + (next - from) * part.first,
-                       (next - from) / length,
-                       way / worldLength,
-                       length * (part.last - part.first),
-                       t0 + tLength * part.first,
-                       tLength / length,
-                       continues};
+    pieces[count++] = {
+        from + (next - from) * part.first, (next - from) / length, way / worldLength, length * (part.last - part.first),
+        t0 + tLength * part.first,         tLength / length,       continues};
     lastEnd = static_cast<double>(i) + part.last;
   }
   return count;

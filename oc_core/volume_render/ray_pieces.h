@@ -12,14 +12,15 @@
 namespace ocelli {
 
 /// A straight piece of a ray.
+// Without initial values: there is room for as many as a ray may have points, for every ray.
 struct RayPiece {
-  glm::dvec3 from{0};       ///< index coordinates
-  glm::dvec3 way{0};        ///< the same, by length
-  glm::dvec3 direction{0};  ///< in the scene's world, of length 1
-  double length = 0;        ///< in the unit of the grid's world: that of extinctions
-  double t = 0;             ///< the ray's parameter where the piece begins
-  double tByLength = 0;
-  bool continues = false;  ///< it begins where the piece before ends
+  glm::dvec3 from;       ///< index coordinates
+  glm::dvec3 way;        ///< the same, by length
+  glm::dvec3 direction;  ///< in the scene's world, of length 1
+  double length;         ///< in the unit of the grid's world: that of extinctions
+  double t;              ///< the ray's parameter where the piece begins
+  double tByLength;
+  bool continues;  ///< it begins where the piece before ends
 };
 
 /// The box of a volume and its clips, which together are convex.

@@ -25,7 +25,8 @@ glm::dvec3 VolumeLighting::indexGradientAt(const glm::dvec3& index) const {
   for (int axis = 0; axis < 3; ++axis) {
     glm::dvec3 one(0);
     one[axis] = 1;
-    gradient[axis] = (volume.fieldAt(glm::min(center + one, last)) - volume.fieldAt(glm::max(center - one, glm::dvec3(0)))) / 2;
+    gradient[axis] =
+        (volume.fieldAt(glm::min(center + one, last)) - volume.fieldAt(glm::max(center - one, glm::dvec3(0)))) / 2;
   }
   return gradient;
 }

@@ -11,7 +11,9 @@ constexpr size_t kPadding = 3;
 /// of memory, or after it.
 void nearBricks(std::vector<uint8_t>& distances, const glm::ivec3& size, int sign) {
   const auto step = [&](int i, int count) { return sign > 0 ? i : count - 1 - i; };
-  const auto at = [&](int x, int y, int z) -> uint8_t& { return distances[static_cast<size_t>((z * size.y + y) * size.x + x)]; };
+  const auto at = [&](int x, int y, int z) -> uint8_t& {
+    return distances[static_cast<size_t>((z * size.y + y) * size.x + x)];
+  };
   for (int k = 0; k < size.z; ++k) {
     for (int j = 0; j < size.y; ++j) {
       for (int i = 0; i < size.x; ++i) {
@@ -23,7 +25,8 @@ void nearBricks(std::vector<uint8_t>& distances, const glm::ivec3& size, int sig
         int least = distance;
         for (int n = 0; n < 13; ++n) {
           const glm::ivec3 other = brick + sign * glm::ivec3(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
-          if (other.x >= 0 && other.y >= 0 && other.z >= 0 && other.x < size.x && other.y < size.y && other.z < size.z) {
+          if (other.x >= 0 && other.y >= 0 && other.z >= 0 && other.x < size.x && other.y < size.y &&
+              other.z < size.z) {
             least = std::min(least, at(other.x, other.y, other.z) + 1);
           }
         }

@@ -8,7 +8,7 @@
 namespace ocelli {
 
 /// Hits have the colour of what the ray has passed, as if it were opaque: the mean of the colours, weighted by how much
-/// of each the eye sees. The element is kVolume, or kSurface plus the triangle.
+/// of each the eye sees. The element is kVolume or kSurface.
 class VolumeTarget final : public RayTarget {
  public:
   static constexpr uint32_t kVolume = 0;
