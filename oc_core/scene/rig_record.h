@@ -1,7 +1,7 @@
 // The rig in the record of a scene (scene_record.h). For scene_record.cpp.
 #pragma once
 
-#include "oc_core/scene/record_bytes.h"
+#include "oc_core/base/record_bytes.h"
 
 namespace ocelli {
 

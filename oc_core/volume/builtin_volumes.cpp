@@ -1,52 +1,57 @@
 #include "oc_core/volume/builtin_volumes.h"
 
-#include <cmath>
-#include <numbers>
-#include <utility>
+#include <algorithm>
+#include <string_view>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/volume/builtin_volume_list.h"
 
 namespace ocelli {
 namespace {
 
-constexpr std::string_view kPrefix = "builtin:volume";
+constexpr std::string_view kVolumePrefix = "builtin:volume";
+constexpr std::string_view kNameKey = "name=";
 
-/// S. Marschner and R. Lobb, "An evaluation of reconstruction filters for volume rendering", 1994: the test signal.
-double marschnerLobb(const glm::dvec3& p) {
-  constexpr double kAlpha = 0.25;
-  constexpr double kFrequency = 6;
-  const double r = std::hypot(p.x, p.y);
-  const double wave = std::cos(2 * std::numbers::pi * kFrequency * std::cos(std::numbers::pi * r / 2));
-  return (1 - std::sin(std::numbers::pi * p.z / 2) + kAlpha * (1 + wave)) / (2 * (1 + kAlpha));
+const BuiltinVolumeKind& volumeKindCalled(const std::string& name, const std::string& source) {
+  const auto found = std::ranges::find(listBuiltinVolumes(), name, &BuiltinVolumeKind::name);
+  if (found == listBuiltinVolumes().end()) {
+    throw InputError("there is no built-in volume '" + name + "'", source, "one of " + listNames(listBuiltinVolumes()));
+  }
+  return *found;
 }
 
 }  // namespace
 
+const std::vector<BuiltinVolumeKind>& listBuiltinVolumes() {
+  static const std::vector<BuiltinVolumeKind> kinds{skullVolume(),         engineVolume(), phantomVolume(),
+                                                    marschnerLobbVolume(), noiseVolume(),  sphereVolume(),
+                                                    slabVolume(),          rampVolume()};
+  return kinds;
+}
+
 bool isBuiltinVolume(const std::string& source) {
-  return source.starts_with(kPrefix);
+  return source == kVolumePrefix || source.starts_with(std::string(kVolumePrefix) + ",");
 }
 
 BuiltinVolume makeBuiltinVolume(const std::string& source) {
-  if (source != std::string(kPrefix) + ",name=marschner-lobb") {
-    throw InputError("there is no such volume", source, "use builtin:volume,name=marschner-lobb");
+  OC_CHECK(isBuiltinVolume(source), "callers ask isBuiltinVolume() first");
+  std::vector<std::string> pieces = splitAtCommas(source);
+  pieces.erase(pieces.begin());
+  const auto isName = [](const std::string& piece) { return piece.starts_with(kNameKey); };
+  const auto name = std::ranges::find_if(pieces, isName);
+  if (name == pieces.end()) {
+    throw InputError(
+        "it is not said which volume", source,
+        "add name=" + listBuiltinVolumes().front().name + ", or another of " + listNames(listBuiltinVolumes()));
   }
-  constexpr int kSize = 64;
-  VolumeGrid grid;
-  grid.size = glm::ivec3(kSize);
-  const double step = 2.0 / (kSize - 1);
-  grid.worldFromIndex = glm::dmat4(glm::dvec4(step, 0, 0, 0), glm::dvec4(0, step, 0, 0), glm::dvec4(0, 0, step, 0),
-                                   glm::dvec4(-1, -1, -1, 1));
-  std::vector<float> values;
-  values.reserve(grid.voxelCount());
-  for (int k = 0; k < kSize; ++k) {
-    for (int j = 0; j < kSize; ++j) {
-      for (int i = 0; i < kSize; ++i) {
-        values.push_back(static_cast<float>(marschnerLobb(glm::dvec3(grid.worldFromIndex * glm::dvec4(i, j, k, 1)))));
-      }
-    }
+  const BuiltinVolumeKind& kind = volumeKindCalled(name->substr(kNameKey.size()), source);
+  pieces.erase(name);
+  if (std::ranges::any_of(pieces, isName)) {
+    throw InputError("'name' is given twice", source, "leave one of them out");
   }
-  TransferFunction transfer({{0.45, {0.9, 0.6, 0.2}, 0}, {0.5, {0.9, 0.6, 0.2}, 0.9}, {1, {0.9, 0.8, 0.7}, 0.9}}, 0.1);
-  return {ScalarVolume(std::move(grid), std::move(values)), {std::move(transfer), {.isOn = true}}};
+  const std::string example = std::string(kVolumePrefix) + "," + std::string(kNameKey) + kind.name;
+  return kind.make(readBuiltinValues(kind.parameters, pieces, {"the volume " + kind.name, example}, source));
 }
 
 }  // namespace ocelli

@@ -4,6 +4,7 @@
 // people with any colour vision read them.
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,9 @@ const std::vector<TransferPreset>& transferPresets();
 /// The preset that fits a volume: by its facts (modality, unit), else by whether it is anatomical and its values are
 /// those of a CT.
 const TransferPreset& presetFor(const ScalarVolume& volume);
+
+/// A point whose colour is 0xRRGGBB, in sRGB.
+TransferPoint transferPoint(double value, uint32_t color, double opacity);
 
 /// A preset by its name, or a file by its path, which ends in ".json". Throws InputError that lists the presets.
 TransferDescription transferByName(const std::string& nameOrFile);

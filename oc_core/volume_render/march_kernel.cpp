@@ -124,10 +124,10 @@ struct Steps {
 
 /// What a step needs of the sample before it.
 struct Before {
-  Quad integral = setQuad(0);
-  Quad rest = setQuad(0);
-  Quad at = setQuad(0);
-  float entry = 0;
+  Quad integral;
+  Quad rest;
+  Quad at;
+  float entry;
 };
 
 /// `entry` are places in the table. `length` are those of the steps that end at each sample.
@@ -187,7 +187,7 @@ class March {
     const Floats d;
     const auto last = static_cast<int>(std::max(1.0f, std::ceil(part.length / setup_.step - 1e-4f)));  // sample
     const FloatVec lane = hn::Iota(d, 0.0f);
-    Before before;
+    Before before{setQuad(0), setQuad(0), setQuad(0), 0};
     bool isBefore = false;  // whether `before` is that of the sample before the group
     bool wasSeen = false;   // whether the brick of that sample shows something
     size_t piece = 0;

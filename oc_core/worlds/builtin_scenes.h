@@ -9,50 +9,17 @@
 #pragma once
 
 #include <functional>
-#include <map>
 #include <memory>
-#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "oc_core/scene/builtin_parameters.h"
 #include "oc_core/scene/moving_scene.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/worlds/object_roles.h"
 
 namespace ocelli {
-
-struct BuiltinParameter {
-  enum class Kind {
-    kInteger,
-    kNumber,
-    kFile,  ///< a path; as given, else below $OCELLI_DATA_DIR
-  };
-
-  std::string name;
-  std::string summary;  ///< what it is, with its unit
-  Kind kind = Kind::kNumber;
-  std::string
-      otherwise;     ///< what stands where the user gives none, as the user would write it; may be empty for a path
-  double least = 0;  ///< both included; of no meaning for a path
-  double most = 0;
-};
-
-/// The values of a scene's parameters, checked against their kinds and ranges.
-class BuiltinValues {
- public:
-  double number(const std::string& name) const;
-  size_t count(const std::string& name) const;
-  const std::string& path(const std::string& name) const;
-  /// Whether the user gave it.
-  bool isGiven(const std::string& name) const { return given_.contains(name); }
-
- private:
-  friend class BuiltinReader;
-  std::map<std::string, double> numbers_;
-  std::map<std::string, std::string> paths_;
-  std::set<std::string> given_;
-};
 
 struct BuiltinScene {
   std::string name;

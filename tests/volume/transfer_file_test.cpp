@@ -72,9 +72,10 @@ TEST(TransferFile, schemaAgreesWithTheReader) {
   const auto shadingErrorOf = [](const std::string& shading) {
     return transferErrorOf(R"({"points": [{"value": 0, "opacity": 0}], "shading": )" + shading + "}");
   };
-  test::SchemaAgreement{properties.at("shading"), shadingErrorOf}.check();
+  const nlohmann::json& described = schema.at("$defs").at("shading");
+  test::SchemaAgreement{described, shadingErrorOf}.check();
   const VolumeShading usual;
-  const nlohmann::json& shading = properties.at("shading").at("properties");
+  const nlohmann::json& shading = described.at("properties");
   EXPECT_EQ(shading.at("ambient").at("default"), usual.ambient);
   EXPECT_EQ(shading.at("diffuse").at("default"), usual.diffuse);
   EXPECT_EQ(shading.at("specular").at("default"), usual.specular);

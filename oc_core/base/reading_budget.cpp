@@ -1,4 +1,4 @@
-#include "oc_core/scene/import/reading_budget.h"
+#include "oc_core/base/reading_budget.h"
 
 #include <sys/resource.h>
 #include <unistd.h>
@@ -45,6 +45,11 @@ void ReadingBudget::addMemory(uint64_t bytes) {
   apply();
 }
 
+void ReadingBudget::addWriting(uint64_t bytes) {
+  writtenBytes_ += bytes;
+  apply();
+}
+
 void ReadingBudget::apply() const {
   const uint64_t memory = limits_.memoryBytes(fileBytes_) + memoryBytes_;
   const uint64_t most = std::min(memory, static_cast<uint64_t>(limits_.memoryMax));
@@ -52,7 +57,7 @@ void ReadingBudget::apply() const {
     setSoftLimit(RLIMIT_AS, most);
   }
   // What is written counts as memory of nobody.
-  setSoftLimit(RLIMIT_FSIZE, most);
+  setSoftLimit(RLIMIT_FSIZE, most + writtenBytes_);
   setSoftLimit(RLIMIT_CPU, static_cast<uint64_t>(limits_.processorSeconds(fileBytes_)));
 }
 

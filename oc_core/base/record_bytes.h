@@ -1,7 +1,11 @@
-// The bytes of a record (scene_record.h): numbers as they are in memory, lists, texts. For the .cpp files that write
-// and read its parts.
+// The bytes of the records that readers hand back (reader_process.h): numbers as they are in memory, lists, texts. For
+// the .cpp files that write and read their parts.
+//
+// Both ends are of one build and on one machine; but the writer may have been led astray by the file that it read, so
+// the reader trusts nothing.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 #include <limits>
@@ -11,9 +15,9 @@
 #include <type_traits>
 #include <vector>
 
+#include "oc_core/base/byte_sink.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
-#include "oc_core/scene/scene_record.h"
 
 namespace ocelli {
 
@@ -44,14 +48,37 @@ class RecordWriter {
   const ByteSink& sink_;
 };
 
+/// The error whose text, as Error::what() gives it, another process sent.
+template <class ErrorType = InputError>
+ErrorType errorAsItWas(const std::string& message) {
+  constexpr std::string_view kNext = "\n  try: ";
+  constexpr std::string_view kDetail = "\n    ";
+  const size_t next = std::min(message.find(kNext), message.size());
+  const size_t detail = std::min(message.find(kDetail), next);
+  std::string details = message.substr(detail, next - detail);
+  for (size_t at = 0; (at = details.find(kDetail, at)) != std::string::npos; ++at) {
+    details.replace(at, kDetail.size(), at == 0 ? "" : "\n");
+  }
+  return {message.substr(0, detail), "", message.substr(std::min(next + kNext.size(), message.size())), details};
+}
+
+/// What a record is about, for the error message where it is none.
+struct RecordWords {
+  std::string_view what;  ///< "scene"
+  std::string_view next;  ///< what to do where it is broken: "convert the scene to binary PLY"
+};
+
 /// Trusts nothing, and asks for no more memory than there are bytes.
 class RecordParser {
  public:
-  RecordParser(std::span<const std::byte> bytes, const std::string& writer) : bytes_(bytes), writer_(writer) {}
+  /// `writer` names the program that wrote them; it and `words` must outlive this.
+  RecordParser(std::span<const std::byte> bytes, const std::string& writer, const RecordWords& words)
+      : bytes_(bytes), writer_(writer), words_(words) {}
 
   [[noreturn]] void fail(const std::string& what) const {
-    throw WorkError("the program that reads scene files gave back what is no scene (" + what + ")", writer_,
-                    "convert the scene to binary PLY, and report this");
+    const std::string name(words_.what);
+    throw WorkError("the program that reads " + name + " files gave back what is no " + name + " (" + what + ")",
+                    writer_, std::string(words_.next) + ", and report this");
   }
 
   bool atEnd() const { return bytes_.empty(); }
@@ -107,6 +134,7 @@ class RecordParser {
  private:
   std::span<const std::byte> bytes_;  ///< those that are still to be read
   const std::string& writer_;
+  const RecordWords& words_;
 };
 
 }  // namespace ocelli
