@@ -2,6 +2,7 @@
 #pragma once
 
 #include "oc_core/base/record_bytes.h"
+#include "oc_core/scene/scene_record.h"
 
 namespace ocelli {
 
