@@ -16,36 +16,36 @@ namespace {
 using test::transferState;
 
 /// 500 wide and 200 high: a value of 1 is 5 pixels.
-constexpr TransferFrame kFrame{{100, 50}, {500, 200}, {0, 100}, 1};
+constexpr TransferFrame kTransferFrame{{100, 50}, {500, 200}, {0, 100}, 1};
 
-TransferFrame frameOf(const ViewerState& state) {
-  TransferFrame frame = kFrame;
+TransferFrame transferFrameOf(const ViewerState& state) {
+  TransferFrame frame = kTransferFrame;
   frame.axis = state.volume.axis;
   return frame;
 }
 
-void drag(ViewerState& state, TransferPointer& pointer, const glm::dvec2& from, const glm::dvec2& to) {
-  pointer.press(state, frameOf(state), from);
-  pointer.move(state, frameOf(state), to);
+void dragTransfer(ViewerState& state, TransferPointer& pointer, const glm::dvec2& from, const glm::dvec2& to) {
+  pointer.press(state, transferFrameOf(state), from);
+  pointer.move(state, transferFrameOf(state), to);
   pointer.release(state);
 }
 
 TEST(TransferPointer, placesAndValuesAreEachOthersInverse) {
-  EXPECT_EQ(kFrame.placeOf(0, 1), glm::dvec2(100, 50));
-  EXPECT_EQ(kFrame.placeOf(100, 0), glm::dvec2(600, 250));
-  EXPECT_EQ(kFrame.valueAt(kFrame.placeOf(30, 0.2)), 30);
-  EXPECT_DOUBLE_EQ(kFrame.opacityAt(kFrame.placeOf(30, 0.2)), 0.2);
+  EXPECT_EQ(kTransferFrame.placeOf(0, 1), glm::dvec2(100, 50));
+  EXPECT_EQ(kTransferFrame.placeOf(100, 0), glm::dvec2(600, 250));
+  EXPECT_EQ(kTransferFrame.valueAt(kTransferFrame.placeOf(30, 0.2)), 30);
+  EXPECT_DOUBLE_EQ(kTransferFrame.opacityAt(kTransferFrame.placeOf(30, 0.2)), 0.2);
 }
 
 TEST(TransferPointer, dragsThePointUnderIt) {
   ViewerState state = transferState();
   TransferPointer pointer;
   // Beside its middle, (350, 150): it moves as far as the pointer, and does not jump there.
-  drag(state, pointer, {353, 148}, {403, 108});
+  dragTransfer(state, pointer, {353, 148}, {403, 108});
   EXPECT_EQ(state.volume.transfer->chosen(), 1U);
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 60);
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].opacity, 0.7);
-  drag(state, pointer, {403, 108}, {900, 0});
+  dragTransfer(state, pointer, {403, 108}, {900, 0});
   EXPECT_EQ(state.volume.transfer->points()[1].value, 100) << "stops at its neighbour";
   EXPECT_TRUE(state.volume.transfer->undo());
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 60) << "one drag is one step";
@@ -54,57 +54,57 @@ TEST(TransferPointer, dragsThePointUnderIt) {
 TEST(TransferPointer, aClickThatDoesNotMoveChangesNothing) {
   ViewerState state = transferState();
   TransferPointer pointer;
-  drag(state, pointer, {351, 151}, {351, 151});
+  dragTransfer(state, pointer, {351, 151}, {351, 151});
   EXPECT_EQ(state.volume.transfer->chosen(), 1U);
   EXPECT_FALSE(state.volume.transfer->canUndo());
-  drag(state, pointer, {200, 60}, {200, 60});
+  dragTransfer(state, pointer, {200, 60}, {200, 60});
   EXPECT_EQ(state.volume.transfer->chosen(), std::nullopt) << "beside all of them";
 }
 
 TEST(TransferPointer, aDoubleClickAddsAPointWhereItIs) {
   ViewerState state = transferState();
   TransferPointer pointer;
-  const glm::dvec2 at = kFrame.placeOf(20, 0.75);
-  drag(state, pointer, at, at);
+  const glm::dvec2 at = kTransferFrame.placeOf(20, 0.75);
+  dragTransfer(state, pointer, at, at);
   EXPECT_EQ(state.volume.transfer->points().size(), 3U);
   state.seconds += kDoubleClickSeconds / 2;
-  drag(state, pointer, at, at + glm::dvec2(50, 0));
+  dragTransfer(state, pointer, at, at + glm::dvec2(50, 0));
   ASSERT_EQ(state.volume.transfer->points().size(), 4U);
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 30) << "added at 20, and dragged on at once";
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].opacity, 0.75);
-  drag(state, pointer, {200, 60}, {200, 60});
+  dragTransfer(state, pointer, {200, 60}, {200, 60});
   state.seconds += 2 * kDoubleClickSeconds;
-  drag(state, pointer, {200, 60}, {200, 60});
+  dragTransfer(state, pointer, {200, 60}, {200, 60});
   EXPECT_EQ(state.volume.transfer->points().size(), 4U) << "too late for a double click";
-  drag(state, pointer, {400, 60}, {400, 60});
+  dragTransfer(state, pointer, {400, 60}, {400, 60});
   EXPECT_EQ(state.volume.transfer->points().size(), 4U) << "too far away for one";
 }
 
 TEST(TransferPointer, theWheelZoomsAndADragBesidePointsMovesTheValues) {
   ViewerState state = transferState();
   TransferPointer pointer;
-  TransferPointer::scroll(state, frameOf(state), kFrame.placeOf(40, 0.5), 3);
+  TransferPointer::scroll(state, transferFrameOf(state), kTransferFrame.placeOf(40, 0.5), 3);
   EXPECT_LT(state.volume.axis.width(), 60);
   EXPECT_NEAR(state.volume.axis.shareOf(40), 0.4, 1e-12);
   const ValueAxis before = state.volume.axis;
-  drag(state, pointer, {200, 60}, {250, 60});
+  dragTransfer(state, pointer, {200, 60}, {250, 60});
   EXPECT_NEAR(state.volume.axis.least, before.least - before.width() / 10, 1e-12) << "values follow the pointer";
-  TransferPointer::scroll(state, frameOf(state), kFrame.placeOf(40, 0.5), -30);
+  TransferPointer::scroll(state, transferFrameOf(state), kTransferFrame.placeOf(40, 0.5), -30);
   EXPECT_EQ(state.volume.axis, state.volume.values);
 }
 
 TEST(TransferPointer, aPointThatIsChangedUnderItIsLetGo) {
   ViewerState state = transferState();
   TransferPointer pointer;
-  pointer.press(state, kFrame, kFrame.placeOf(50, 0.5));
+  pointer.press(state, kTransferFrame, kTransferFrame.placeOf(50, 0.5));
   state.volume.transfer->removePoint(1);
   state.volume.transfer->choose(std::nullopt);
-  pointer.move(state, kFrame, {300, 100});
+  pointer.move(state, kTransferFrame, {300, 100});
   EXPECT_EQ(state.volume.transfer->points().size(), 2U);
   EXPECT_EQ(state.volume.transfer->points()[1].value, 100);
 }
 
-PaneKeyOutcome press(ViewerState& state, Key key, Modifiers modifiers = {}) {
+PaneKeyOutcome pressTransferKey(ViewerState& state, Key key, Modifiers modifiers = {}) {
   return applyTransferKey(state, {key, true, modifiers});
 }
 
@@ -119,26 +119,26 @@ TEST(TransferKeys, noKeyDoesTwoThings) {
 TEST(TransferKeys, tabGoesThroughThePointsAndOut) {
   ViewerState state = transferState();
   for (const size_t expected : {0U, 1U, 2U}) {
-    EXPECT_TRUE(press(state, Key::kTab).used);
+    EXPECT_TRUE(pressTransferKey(state, Key::kTab).used);
     EXPECT_EQ(state.volume.transfer->chosen(), expected);
   }
-  EXPECT_FALSE(press(state, Key::kTab).used) << "on to the next pane";
+  EXPECT_FALSE(pressTransferKey(state, Key::kTab).used) << "on to the next pane";
   EXPECT_EQ(state.volume.transfer->chosen(), std::nullopt);
-  EXPECT_TRUE(press(state, Key::kTab, {.shift = true}).used);
+  EXPECT_TRUE(pressTransferKey(state, Key::kTab, {.shift = true}).used);
   EXPECT_EQ(state.volume.transfer->chosen(), 2U);
 }
 
 TEST(TransferKeys, arrowsMoveTheChosenPoint) {
   ViewerState state = transferState();
-  EXPECT_FALSE(press(state, Key::kRight).used) << "none is chosen";
+  EXPECT_FALSE(pressTransferKey(state, Key::kRight).used) << "none is chosen";
   state.volume.transfer->choose(1);
-  press(state, Key::kRight);
+  pressTransferKey(state, Key::kRight);
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 51);
-  press(state, Key::kLeft, {.control = true});
+  pressTransferKey(state, Key::kLeft, {.control = true});
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 50.9);
-  press(state, Key::kUp);
+  pressTransferKey(state, Key::kUp);
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].opacity, 0.52);
-  press(state, Key::kDown, {.control = true});
+  pressTransferKey(state, Key::kDown, {.control = true});
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].opacity, 0.518);
   EXPECT_TRUE(applyAction(state, ViewerAction::kUndoTransfer));
   EXPECT_EQ(state.volume.transfer->points()[1].value, 50) << "one step";
@@ -149,33 +149,33 @@ TEST(TransferKeys, arrowsMoveTheChosenPoint) {
 TEST(TransferKeys, pointsAreAddedAndRemoved) {
   ViewerState state = transferState();
   state.volume.transfer->choose(1);
-  press(state, Key::kA);
+  pressTransferKey(state, Key::kA);
   EXPECT_EQ(state.volume.transfer->points().size(), 4U);
   EXPECT_EQ(state.volume.transfer->points()[*state.volume.transfer->chosen()].value, 75);
   for (int i = 0; i < 3; ++i) {
-    EXPECT_STREQ(press(state, Key::kDelete).note, "");
+    EXPECT_STREQ(pressTransferKey(state, Key::kDelete).note, "");
   }
-  EXPECT_STRNE(press(state, Key::kDelete).note, "") << "the last one stays, and that is said";
+  EXPECT_STRNE(pressTransferKey(state, Key::kDelete).note, "") << "the last one stays, and that is said";
   EXPECT_EQ(state.volume.transfer->points().size(), 1U);
-  EXPECT_TRUE(press(state, Key::kEscape).used);
-  EXPECT_FALSE(press(state, Key::kEscape).used);
+  EXPECT_TRUE(pressTransferKey(state, Key::kEscape).used);
+  EXPECT_FALSE(pressTransferKey(state, Key::kEscape).used);
 }
 
 TEST(TransferKeys, meanWhatTheyMeanElsewhereInOtherPanes) {
   ViewerState state = transferState();
   state.active = Pane::kVolume;
-  EXPECT_FALSE(press(state, Key::kTab).used);
+  EXPECT_FALSE(pressTransferKey(state, Key::kTab).used);
   state.active = Pane::kTransfer;
   state.volume.transfer.reset();
-  EXPECT_FALSE(press(state, Key::kTab).used) << "the volume has not come yet";
+  EXPECT_FALSE(pressTransferKey(state, Key::kTab).used) << "the volume has not come yet";
 }
 
 TEST(TransferKeys, valuesAreZoomedAroundThePoint) {
   ViewerState state = transferState();
   state.volume.transfer->choose(2);
-  press(state, Key::kEqual);
+  pressTransferKey(state, Key::kEqual);
   EXPECT_EQ(state.volume.axis, (ValueAxis{20, 100}));
-  press(state, Key::kMinus);
+  pressTransferKey(state, Key::kMinus);
   EXPECT_EQ(state.volume.axis, state.volume.values);
   applyAction(state, ViewerAction::kZoomIn);
   applyAction(state, ViewerAction::kResetView);
