@@ -26,7 +26,7 @@ namespace ocelli {
 namespace {
 
 constexpr ImageSize kRenderSize{720, 480};
-constexpr const char* kRaster = "raster";
+constexpr const char* kRasterMethod = "raster";
 
 struct RenderChoice {
   SceneChoice scene;
@@ -55,7 +55,7 @@ std::optional<Technique> techniqueOf(const std::string& method) {
 
 FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh,
                     const CommandContext& context) {
-  if (choice.method.empty() || choice.method == kRaster) {
+  if (choice.method.empty() || choice.method == kRasterMethod) {
     return rasterize(camera, mesh);
   }
   if (choice.method == "raycast") {
@@ -110,7 +110,7 @@ void render(const RenderChoice& choice, const CommandContext& context) {
     if (!choice.identity.empty()) {
       throw InputError("averages tell of no single object", "--identity", "leave it out, or draw without --antialias");
     }
-    return renderAntialiased({choice.scene, choice.camera, choice.method.empty() ? kRaster : choice.method,
+    return renderAntialiased({choice.scene, choice.camera, choice.method.empty() ? kRasterMethod : choice.method,
                               choice.antialias, choice.output, reference},
                              context);
   }
@@ -161,8 +161,8 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
           "--method", choice->method,
           "How: fill projected triangles, splat samples of them, meet each with the rays around it, follow the rays "
           "(the reference), or draw on the GPU with OpenGL; of a volume along the rays, or with OpenGL")
-      ->check(CLI::IsMember({kRaster, "points", "hybrid", "raycast", "gl"}))
-      ->default_str(kRaster)
+      ->check(CLI::IsMember({kRasterMethod, "points", "hybrid", "raycast", "gl"}))
+      ->default_str(kRasterMethod)
       ->type_name("NAME");
   addGlOption(command, choice->gl);
   addViewOption(command, choice->view);

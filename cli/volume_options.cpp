@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_check.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
 
@@ -34,6 +35,15 @@ void addVolumeOptions(CLI::App& command, VolumeChoice& choice) {
                   "several times")
       ->type_name("HALFSPACE")
       ->allow_extra_args(false);
+}
+
+void addOpacityOption(CLI::App& command, std::optional<double>& opacity) {
+  command
+      .add_option("--opacity", opacity,
+                  "Of a volume: its surface is where the opacity of what a ray has passed first reaches this; 0.5 by "
+                  "default")
+      ->check(numberCheck(0.001, 0.999))
+      ->type_name("SHARE");
 }
 
 bool takesVolume(const SceneChoice& scene) {

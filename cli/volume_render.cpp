@@ -7,6 +7,7 @@
 #include <chrono>
 #include <nlohmann/json.hpp>
 
+#include "cli/gl_volume.h"
 #include "cli/number_check.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
@@ -23,6 +24,7 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kVolumeFrame = "volume";
+constexpr const char* kGlMethod = "gl";
 
 double secondsSince(std::chrono::steady_clock::time_point start) {
   return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -50,8 +52,8 @@ VolumeScene volumeWithSurfaces(const VolumeRender& render, const CommandContext&
 
 void checkChoice(const VolumeRender& render) {
   const VolumeRenderChoice& options = render.options;
-  refuseForVolumes(!render.method.empty() && render.method != "raycast", "--method", "is not drawn by " + render.method,
-                   "use raycast, the default");
+  refuseForVolumes(!render.method.empty() && render.method != "raycast" && render.method != kGlMethod, "--method",
+                   "is not drawn by " + render.method, "use raycast, the default, or gl");
   if (options.surfaces.empty() && !options.surfacesFrame.empty()) {
     throw InputError("there are no surfaces to stand anywhere", "--surfaces-frame", "give --surfaces, or leave it out");
   }
@@ -106,17 +108,22 @@ void renderVolumePicture(const VolumeRender& render, const CommandContext& conte
   checkChoice(render);
   const std::string& background = render.options.background;
   const glm::vec3 behind = background.empty() ? glm::vec3(0) : colorFromText(background, "--background");
+  const auto gl = render.method == kGlMethod ? std::make_unique<GlVolumeDrawing>(render.gl) : nullptr;
   const auto loading = std::chrono::steady_clock::now();
   VolumeRenderOptions options;
   options.step = render.options.step.value_or(options.step);
   const VolumeRenderer renderer(volumeWithSurfaces(render, context), options);
+  if (gl) {
+    gl->upload(renderer.scene(), options, context.progress());
+  }
   const double loadSeconds = secondsSince(loading);
   const VolumeTarget firstHits(renderer);
   const VolumeCamera camera = volumeCamera(
       render.camera, render.reference, renderer.scene(), [&]() -> const RayTarget& { return firstHits; },
       context.progress());
   const auto drawing = std::chrono::steady_clock::now();
-  const VolumeImage image = renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress());
+  const VolumeImage image = gl ? gl->render(camera.size, camera.ray, context.progress())
+                               : renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress());
   const double drawSeconds = secondsSince(drawing);
   const VolumePictureFacts facts = factsOf(image);
   if (facts.touched == 0) {
@@ -143,6 +150,9 @@ void renderVolumePicture(const VolumeRender& render, const CommandContext& conte
                                          {"threads", threadCount()},
                                          {"peak_mib", peakMebibytes()}};
     context.print(textOfJson(json, 2) + "\n");
+  }
+  if (gl) {
+    context.note("drawn with " + gl->description());
   }
   context.note(fmt::format("wrote {}: {} of {}x{}, {:.1f} million samples in {:.2f} s", render.output, camera.name,
                            camera.size.x, camera.size.y, static_cast<double>(facts.samples) / 1e6, drawSeconds));

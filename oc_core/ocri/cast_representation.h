@@ -24,11 +24,12 @@ CameraMap mapOf(C camera) {
           {shared->width(), shared->height()}};
 }
 
-/// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.
+/// How every camera can be drawn: along its rays, by the renderer, where it casts some.
 template <Camera C>
 FragmentImage castAlongRays(const C& camera, const RepresentationInputs& in) {
-  const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
-  return standing != nullptr ? raycast(camera, in.mesh, *standing) : raycast(camera, in.mesh, RayScene(in.mesh));
+  std::optional<FragmentImage> cast =
+      in.renderer != nullptr ? in.renderer->drawAlong(raysOfCamera(camera)) : std::nullopt;
+  return cast ? *std::move(cast) : raycast(camera, in.mesh, RayScene(in.mesh));
 }
 
 /// `makeCamera` makes the camera from RepresentationInputs. `wrapsAround`: whether the last column of its image is next

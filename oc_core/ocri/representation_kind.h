@@ -54,6 +54,11 @@ struct CameraMap {
 std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                   const ReferenceImages& images, const Progress& progress = {});
 
+/// The same of what is no mesh, for images that were built of `target`.
+std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference,
+                                  const TargetRenderer& target, const ReferenceImages& images,
+                                  const Progress& progress = {});
+
 /// The images of an eye that moves, each from what the last one knew. Called by one thread at a time.
 class ImageSequence {
  public:

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 
@@ -51,6 +52,25 @@ CellCamera cellCamera(const Inputs& in) {
 
 GpcCamera gpcCamera(const Inputs& in) {
   return {in.reference, in.choice.gpc};
+}
+
+/// What the scene lies within: its mesh, or the box around what rays are cast at.
+Mesh outerMesh(const Inputs& in) {
+  const RayTarget* target = in.renderer != nullptr ? in.renderer->rays() : nullptr;
+  if (target == nullptr) {
+    return in.mesh;
+  }
+  Mesh mesh;
+  const std::array<glm::vec3, 8> corners = cornersOf(target->bounds());
+  mesh.positions.assign(corners.begin(), corners.end());
+  // The corners of each side in turn, by the numbers of cornersOf().
+  constexpr std::array<std::array<uint32_t, 4>, 6> kSides{
+      {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
+  for (const auto& [a, b, c, d] : kSides) {
+    mesh.triangles.emplace_back(a, b, c);
+    mesh.triangles.emplace_back(a, c, d);
+  }
+  return mesh;
 }
 
 // ---- their maps
@@ -149,7 +169,7 @@ std::optional<ViewedPart> viewedFromSegment(const CameraChoice& choice, const Pi
 // ---- images of several cameras
 
 ReferenceImages layeredDepthImage(const Inputs& in) {
-  ReferenceImages images = buildLayeredDepthImage(in.reference, in.mesh, in.choice.count);
+  ReferenceImages images = buildLayeredDepthImage(in.reference, in.mesh, in.choice.count, in.renderer);
   for (size_t i = 0; i < images.size(); ++i) {
     images[i].layer = static_cast<int>(i);
   }
@@ -339,7 +359,8 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .options = {&kCellSide},
                   .images = [](const Inputs& in) -> ReferenceImages {
                     return {buildWideDepthImage(in.reference, in.mesh,
-                                                wideFactor(in.reference, in.mesh, cubeOf(in.choice)), in.renderer)};
+                                                wideFactor(in.reference, outerMesh(in), cubeOf(in.choice)),
+                                                in.renderer)};
                   },
                   .maps = pinholeMaps});
   rows.push_back(cornersRow(
