@@ -89,6 +89,14 @@ double ratioFromText(const std::string& text, const std::string& option) {
   return numbers.size() == 1 ? numbers[0] : numbers[0] / numbers[1];
 }
 
+glm::dvec2 rangeFromText(const std::string& text, const std::string& option) {
+  const std::vector<double> numbers = numbersFromText<double>(text, ':');
+  if (numbers.size() != 2 || numbers[0] > numbers[1]) {
+    fail(option, text, "a range of values, LEAST:GREATEST", "300:2000");
+  }
+  return {numbers[0], numbers[1]};
+}
+
 glm::dvec4 halfSpaceFromText(const std::string& text, const std::string& option) {
   constexpr std::string_view kAxes = "xyz";
   const size_t axis = text.empty() ? std::string_view::npos : kAxes.find(text.front());

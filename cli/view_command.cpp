@@ -6,6 +6,7 @@
 #include "cli/gl_drawing.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/volume_options.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/base/error.h"
@@ -18,6 +19,7 @@ namespace {
 
 struct ViewChoice {
   SceneChoice scene;
+  VolumeChoice volume;
   std::string camera = "ddoc";
   std::string view;
   std::string size = "720x480";
@@ -36,6 +38,14 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
   ViewerOptions options;
   options.source = choice.scene.source;
   options.sceneOptions = choice.scene.options;
+  if (isVolumeSource(choice.scene.source)) {
+    options.volumeOptions = volumeSceneOptionsOf(choice.scene, choice.volume);
+    if (choice.scene.shadingGiven) {
+      options.volumeIsShaded = choice.scene.options.shading == Shading::kLambert;
+    }
+  } else {
+    refuseVolumeOptions(choice.volume);
+  }
   options.camera = cameraChoice(choice.camera);
   options.reference = readViewOption(choice.view);
   options.width = size.width;
@@ -82,6 +92,7 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("view", "Look around in a window: scene, rays, reconstruction, display");
   const auto choice = std::make_shared<ViewChoice>();
   addSceneOptions(command, choice->scene, context);
+  addVolumeOptions(command, choice->volume);
   addCameraOption(command, choice->camera);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
@@ -98,6 +109,7 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
   context.finish(command,
                  "  ocelli view builtin:statues\n"
                  "  ocelli view bunny.obj --camera cell --size 1440x960\n"
+                 "  ocelli view scan.nrrd --transfer ct-bone\n"
                  "  ocelli view builtin:mirror --effect reflection --by cell\n"
                  "  ocelli view builtin:room --offscreen tour.json -o frames",
                  [choice, context] { view(*choice, context); });

@@ -3,12 +3,26 @@
 #include <chrono>
 
 #include "display_sim/slicing/slicer.h"
+#include "oc_core/isosurface/isosurface.h"
 
 namespace ocelli {
 namespace {
 
 /// Thrown through work that a newer request has made useless.
 struct Superseded {};
+
+std::shared_ptr<const LoadedVolume> loadedVolume(const WorkWanted& wanted, const Progress& progress) {
+  VolumeSceneOptions options = wanted.volumeOptions;
+  options.fit = wanted.sceneOptions.fit;
+  options.warn = wanted.sceneOptions.warn;
+  LoadedVolume loaded{loadVolumeScene(wanted.source, options, progress), {}};
+  if (wanted.volumeIsShaded) {
+    loaded.scene.appearance.shading.isOn = *wanted.volumeIsShaded;
+  }
+  report(progress, "counting values", 0);
+  loaded.histogram = histogramOf(*loaded.scene.volume);
+  return std::make_shared<const LoadedVolume>(std::move(loaded));
+}
 
 }  // namespace
 
@@ -132,16 +146,29 @@ std::optional<WorkResult> BackgroundWork::make(const WorkWanted& wanted, WorkSte
   return result;
 }
 
+LoadedScene BackgroundWork::loaded(const WorkWanted& wanted, const Done& done, const Progress& progress) {
+  LoadedScene scene{wanted.source, wanted.sceneRevision, {}, {}, wanted.sceneOptions.points};
+  if (!isVolumeSource(wanted.source)) {
+    scene.mesh = loadScene(wanted.source, wanted.sceneOptions, progress);
+    scene.bounds = boundsOf(scene.mesh);
+    return scene;
+  }
+  const bool stands = done.scene && done.scene->volume && done.scene->volumeRevision == wanted.volumeRevision;
+  scene.volume = stands ? done.scene->volume : loadedVolume(wanted, progress);
+  scene.volumeRevision = wanted.volumeRevision;
+  scene.iso = wanted.sceneOptions.iso;
+  scene.bounds = scene.volume->scene.bounds();
+  if (scene.iso) {
+    const IsosurfaceOptions options{.value = *scene.iso, .isShaded = wanted.sceneOptions.shading == Shading::kLambert};
+    scene.mesh = isosurface(scene.volume->scene, options, wanted.source, progress);
+  }
+  return scene;
+}
+
 void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
   if (done.scene == nullptr || done.scene->revision != wanted.sceneRevision) {
     const auto made = make(wanted, WorkStep::kScene, done.sceneKey, [&](const Progress& progress) {
-      LoadedScene scene{wanted.source,
-                        wanted.sceneRevision,
-                        loadScene(wanted.source, wanted.sceneOptions, progress),
-                        {},
-                        wanted.sceneOptions.points};
-      scene.bounds = boundsOf(scene.mesh);
-      return WorkResult{.scene = std::make_shared<const LoadedScene>(std::move(scene))};
+      return WorkResult{.scene = std::make_shared<const LoadedScene>(loaded(wanted, done, progress))};
     });
     if (!made || !made->scene) {
       return;
@@ -149,6 +176,9 @@ void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
     done.scene = made->scene;
   }
   const Mesh& mesh = done.scene->mesh;
+  if (done.scene->volume && mesh.triangles.empty()) {
+    return;  // what follows is made of triangles
+  }
   const auto builtCamera = make(wanted, WorkStep::kCamera, done.cameraKey, [&](const Progress& progress) {
     report(progress, "building \"" + wanted.camera.name + "\"", 0);
     BuiltCamera built{wanted.camera, {wanted.reference, wanted.width, wanted.height}, {}, {}};

@@ -66,9 +66,14 @@ void SidePanel::draw(const PanelDrawing& drawing) {
   // Scrolls by itself where the window is low; flattened, so that keys get to what is in it.
   ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   drawScene(drawing);
+  if (drawing.state.volume.on) {
+    volumeForm_.draw(drawing, valueWidth(drawing.scale));
+  }
   drawCamera(drawing);
-  drawDisplay(drawing);
-  if (drawing.state.effect.on) {
+  if (hasMesh(drawing.state)) {
+    drawDisplay(drawing);
+  }
+  if (isOffered(drawing.state, Pane::kEffect)) {
     drawEffectForm(drawing, valueWidth(drawing.scale));
   }
   drawShown(drawing);
@@ -91,7 +96,12 @@ void SidePanel::drawScene(const PanelDrawing& drawing) {
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("A file, or builtin:NAME[,key=value...]; Enter opens it");
   }
-  noteText(facts.data->scene ? grouped(facts.data->scene->mesh.triangles.size()) + " triangles" : "nothing loaded yet");
+  const auto& scene = facts.data->scene;
+  if (!scene) {
+    noteText("nothing loaded yet");
+  } else if (hasMesh(drawing.state)) {
+    noteText(grouped(scene->mesh.triangles.size()) + " triangles");
+  }
 }
 
 void SidePanel::drawCamera(const PanelDrawing& drawing) {
@@ -186,6 +196,10 @@ void SidePanel::drawDisplay(const PanelDrawing& drawing) {
 
 void SidePanel::drawShown(const PanelDrawing& drawing) {
   ViewerState& state = drawing.state;
+  if (!hasMesh(state)) {
+    drawButtons(drawing);
+    return;
+  }
   sectionTitle("Panes show");
   SceneShown& scene = state.scene;
   const float column = 104 * drawing.scale;
@@ -211,6 +225,10 @@ void SidePanel::drawShown(const PanelDrawing& drawing) {
   comboOf("image", state.reference.quantity, 3);
   comboOf("eye sees", state.reconstruction.content, 5);
   ImGui::PopItemWidth();
+  drawButtons(drawing);
+}
+
+void SidePanel::drawButtons(const PanelDrawing& drawing) {
   if (ImGui::Button("Help (H)")) {
     drawing.wishes.actions.push_back(ViewerAction::kHelp);
   }
