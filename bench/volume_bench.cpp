@@ -1,5 +1,5 @@
-// What volumes along rays cost: beside VTK's ray caster on the CPU (vtkFixedPointVolumeRayCastMapper), at the same error
-// against the reference, and along the rays of cameras that bend them beside the pinhole's.
+// What volumes along rays cost: beside VTK's ray caster on the CPU (vtkFixedPointVolumeRayCastMapper), at the same
+// error against the reference, and along the rays of cameras that bend them beside the pinhole's.
 //
 // Times are the least of --runs, taken in turn for all. VTK is there where its library was found.
 #include <cmath>
@@ -158,10 +158,23 @@ void measureCameras(const VolumeBenchChoice& choice, const VolumeScene& scene) {
   std::fflush(stdout);
 }
 
+/// VTK's volumes end at the outermost voxels' centres.
+std::vector<ClipPlane> centersAlone(const VolumeScene& scene) {
+  std::vector<ClipPlane> clips;
+  for (int axis = 0; axis < 3; ++axis) {
+    const glm::dvec3 way = glm::normalize(glm::dvec3(scene.worldFromIndex[axis]));
+    const glm::dvec3 last = glm::dvec3(scene.worldFromIndex * glm::dvec4(glm::dvec3(scene.volume->grid().size - 1), 1));
+    clips.push_back({way, glm::dot(way, glm::dvec3(scene.worldFromIndex[3]))});
+    clips.push_back({-way, -glm::dot(way, last)});
+  }
+  return clips;
+}
+
 void measureVolumes(const VolumeBenchChoice& choice) {
   fmt::print("{} threads, {}, {} x {}\n", threadCount(), marchInstructionSet(), choice.width, choice.height);
   for (const std::string& source : choice.scenes) {
     VolumeScene scene = loadVolumeScene(source);
+    scene.clips = centersAlone(scene);
     const glm::ivec3& size = scene.volume->grid().size;
     for (const bool isShaded : {false, true}) {
       if (choice.shadedOnly && !isShaded) {

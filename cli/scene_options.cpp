@@ -63,6 +63,11 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
                   "Of a volume: take the surface where it has this value, a mesh, in place of the volume")
       ->check(numberCheck(-1e30, 1e30))
       ->type_name("VALUE");
+  command
+      .add_option("--transfer", choice.options.transfer,
+                  "Of a volume: the transfer function, which says what its values look like: a preset or a file; by "
+                  "default one that fits the volume")
+      ->type_name("NAME|FILE.json");
 }
 
 void addMotionOptions(CLI::App& command, SceneChoice& choice) {

@@ -1,7 +1,6 @@
 #include "cli/values.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <cstdint>
 #include <string_view>
@@ -9,6 +8,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/image/color.h"
 
@@ -26,12 +26,11 @@ std::vector<T> numbersFromText(std::string_view text, char separator) {
   std::vector<T> numbers;
   while (true) {
     const size_t length = std::min(text.find(separator), text.size());
-    T number{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + length, number);
-    if (error != std::errc() || end != text.data() + length || !std::isfinite(static_cast<double>(number))) {
+    const std::optional<T> number = numberFromText<T>(text.substr(0, length));
+    if (!number) {
       return {};
     }
-    numbers.push_back(number);
+    numbers.push_back(*number);
     if (length == text.size()) {
       return numbers;
     }
@@ -88,6 +87,14 @@ double ratioFromText(const std::string& text, const std::string& option) {
     fail(option, text, "a number or a ratio", "1/25");
   }
   return numbers.size() == 1 ? numbers[0] : numbers[0] / numbers[1];
+}
+
+glm::dvec2 rangeFromText(const std::string& text, const std::string& option) {
+  const std::vector<double> numbers = numbersFromText<double>(text, ':');
+  if (numbers.size() != 2 || numbers[0] > numbers[1]) {
+    fail(option, text, "a range of values, LEAST:GREATEST", "300:2000");
+  }
+  return {numbers[0], numbers[1]};
 }
 
 glm::dvec4 halfSpaceFromText(const std::string& text, const std::string& option) {

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
 #include <optional>
@@ -26,6 +27,9 @@ float cellSideFromText(const std::string& text, const std::string& option);
 size_t frameNumber(int64_t number, const std::string& option);
 /// "1/25" or "0.04"; finite.
 double ratioFromText(const std::string& text, const std::string& option);
+
+/// "LEAST:GREATEST", finite, in this order.
+glm::dvec2 rangeFromText(const std::string& text, const std::string& option);
 
 /// "NX,NY,NZ,D", or "x>D" and "x<D" with any of the axes: (n, d), with n of length 1, of the half space where
 /// dot(n, p) >= d.

@@ -2,13 +2,13 @@
 
 #include <CLI/CLI.hpp>
 
+#include "cli/number_check.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
 
-constexpr const char* kTransferOption = "--transfer";
 constexpr const char* kClipOption = "--clip";
 
 /// What is said of meshes, and has no meaning for a volume.
@@ -29,17 +29,21 @@ void refuseMeshOptions(const SceneChoice& scene) {
 
 void addVolumeOptions(CLI::App& command, VolumeChoice& choice) {
   command
-      .add_option(
-          kTransferOption, choice.transfer,
-          "Of a volume: the transfer function, which says what its values look like; by default one that fits it")
-      ->type_name("NAME|FILE.json");
-  command
       .add_option(kClipOption, choice.clips,
                   "Of a volume: show the half space alone where, say, 'x>0.2' or 'z<0', or of a normal and a distance, "
                   "NX,NY,NZ,D, where the normal times the point is D or more; in the scene's coordinates. May be given "
                   "several times")
       ->type_name("HALFSPACE")
       ->allow_extra_args(false);
+}
+
+void addOpacityOption(CLI::App& command, std::optional<double>& opacity) {
+  command
+      .add_option("--opacity", opacity,
+                  "Of a volume: its surface is where the opacity of what a ray has passed first reaches this; 0.5 by "
+                  "default")
+      ->check(numberCheck(0.001, 0.999))
+      ->type_name("SHARE");
 }
 
 bool takesVolume(const SceneChoice& scene) {
@@ -54,7 +58,6 @@ void refuseVolumeOption(bool isGiven, const std::string& option) {
 }
 
 void refuseVolumeOptions(const VolumeChoice& choice) {
-  refuseVolumeOption(!choice.transfer.empty(), kTransferOption);
   refuseVolumeOption(!choice.clips.empty(), kClipOption);
 }
 
@@ -63,7 +66,7 @@ VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeCh
   if (scene.options.motion.seconds) {
     throw InputError("this volume does not move", "--time", "leave it out");
   }
-  VolumeSceneOptions options{.fit = scene.options.fit, .transfer = choice.transfer, .warn = scene.options.warn};
+  VolumeSceneOptions options{.fit = scene.options.fit, .transfer = scene.options.transfer, .warn = scene.options.warn};
   for (const std::string& text : choice.clips) {
     const glm::dvec4 halfSpace = halfSpaceFromText(text, kClipOption);
     options.clips.push_back({glm::dvec3(halfSpace), halfSpace.w});

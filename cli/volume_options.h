@@ -10,6 +10,7 @@
 // All other commands take volumes as the mesh of an isosurface, --iso, and refuse them without it: loadScene() does.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,12 +25,14 @@ class App;
 namespace ocelli {
 
 struct VolumeChoice {
-  std::string transfer;
   std::vector<std::string> clips;
 };
 
-/// Adds --transfer and --clip. `choice` must outlive the parsing.
+/// Adds --clip. `choice` must outlive the parsing.
 void addVolumeOptions(CLI::App& command, VolumeChoice& choice);
+
+/// Adds --opacity, of commands that take the first hits of a volume for its surface (oc_core/volume_ocri).
+void addOpacityOption(CLI::App& command, std::optional<double>& opacity);
 
 /// Whether SCENE is a volume, and taken as one: not as an isosurface.
 bool takesVolume(const SceneChoice& scene);

@@ -12,6 +12,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
   libopenmpi-dev openmpi-bin
   libusb-1.0-0-dev libumockdev-dev umockdev
   libmicrohttpd-dev libwebsockets-dev
+  libteem-dev libnifti2-dev libgdcm-dev libpugixml-dev
   libopenvdb-dev
   libjpeg62-turbo-dev libwebp-dev libjxl-dev
   libgtest-dev libgmock-dev libbenchmark-dev libosmesa6-dev libosmesa6 libegl-dev libegl1

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <csignal>
 #include <cstdio>
@@ -16,6 +15,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/machine.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -31,10 +31,8 @@ std::optional<double> positiveVariable(const char* name) {
   if (text == nullptr || *text == '\0') {
     return std::nullopt;
   }
-  double value = 0;
-  const char* end = text + std::strlen(text);
-  const auto [stop, error] = std::from_chars(text, end, value);
-  if (error != std::errc() || stop != end || !(value > 0 && value <= 1e9)) {
+  const std::optional<double> value = numberFromText<double>(text);
+  if (!value || *value <= 0 || *value > 1e9) {
     throw InputError("\"" + std::string(text) + "\" is not a number above 0, and at most 1e9", name,
                      std::string(name) + "=16");
   }

@@ -48,18 +48,20 @@ class RecordWriter {
   const ByteSink& sink_;
 };
 
-/// The error whose text, as Error::what() gives it, another process sent.
+/// The parts of the text of an error, as Error::what() gives it.
+struct ErrorText {
+  explicit ErrorText(const std::string& message);
+
+  std::string what;
+  std::string next;
+  std::string details;
+};
+
+/// The error whose text another process sent.
 template <class ErrorType = InputError>
 ErrorType errorAsItWas(const std::string& message) {
-  constexpr std::string_view kNext = "\n  try: ";
-  constexpr std::string_view kDetail = "\n    ";
-  const size_t next = std::min(message.find(kNext), message.size());
-  const size_t detail = std::min(message.find(kDetail), next);
-  std::string details = message.substr(detail, next - detail);
-  for (size_t at = 0; (at = details.find(kDetail, at)) != std::string::npos; ++at) {
-    details.replace(at, kDetail.size(), at == 0 ? "" : "\n");
-  }
-  return {message.substr(0, detail), "", message.substr(std::min(next + kNext.size(), message.size())), details};
+  const ErrorText text(message);
+  return {text.what, "", text.next, text.details};
 }
 
 /// What a record is about, for the error message where it is none.

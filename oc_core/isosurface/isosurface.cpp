@@ -12,6 +12,7 @@
 #include "oc_core/isosurface/surface_quads.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/shading.h"
+#include "oc_core/volume/volume_gradient.h"
 
 namespace ocelli {
 namespace {
@@ -51,12 +52,14 @@ std::vector<glm::vec3> normalSums(const Mesh& mesh) {
 /// those of the triangles beyond them, where the box closes the surface, and where there is no gradient.
 void shade(Mesh& mesh, const std::vector<glm::vec3>& points, const VolumeScene& scene) {
   const std::vector<glm::vec3> ofTriangles = normalSums(mesh);
-  const glm::dmat3 worldFromGradient = glm::transpose(glm::inverse(glm::dmat3(scene.worldFromIndex)));
+  // From the world of the grid, by way of index coordinates.
+  const glm::dmat3 sceneFromGrid =
+      worldGradientFromIndex(scene.worldFromIndex) * glm::transpose(glm::dmat3(scene.volume->grid().worldFromIndex));
   parallelFor(points.size(), 1 << 10, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       glm::dvec3 outward(0);
       if (isBetweenCenters(scene.volume->grid(), points[i])) {
-        outward = -(worldFromGradient * indexGradient(*scene.volume, points[i]));
+        outward = -(sceneFromGrid * gradientAt(*scene.volume, points[i]));
       }
       const double length = glm::length(outward);
       mesh.colors[i] *= length > 0 ? lambertShade(glm::vec3(outward / length)) : shadeOfSum(ofTriangles[i]);
@@ -107,6 +110,9 @@ Mesh isosurface(const VolumeScene& scene, const IsosurfaceOptions& options, cons
   if (options.isShaded) {
     report(progress, "shading the surface", 0);
     shade(mesh, surface.points, scene);
+  }
+  if (const VoxelStore* store = scene.volume->store()) {
+    store->release(0, store->bytes().size());
   }
   report(progress, "shading the surface", 1);
   return mesh;

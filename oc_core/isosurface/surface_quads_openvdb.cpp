@@ -108,8 +108,17 @@ void fill(Tree& tree, const ScalarVolume& volume, const T* voxels, double value,
   const PaddedField<T> field(volume, voxels, value);
   const glm::ivec3 size = volume.grid().size;
   const glm::ivec3 blocks = (size + 2 + kBlock - 1) / kBlock;
+  const size_t bytesOfSlice = bytesOf(volume.type()) * size.x * size.y;
   for (int layer = 0; layer < blocks.z; ++layer) {
     report(progress, "looking for the surface", static_cast<double>(layer) / blocks.z);
+    // Of the slices that the layer reads.
+    const size_t firstByte = bytesOfSlice * std::max(layer * kBlock - 2, 0);
+    const size_t lastByte = bytesOfSlice * std::min((layer + 1) * kBlock, size.z);
+    if (volume.store() != nullptr && volume.offset() <= value && volume.store()->isKnownZero(firstByte, lastByte)) {
+      surface.range.least = std::min(surface.range.least, volume.offset());
+      surface.range.greatest = std::max(surface.range.greatest, volume.offset());
+      continue;  // a hole of a sparse file, which lies outside
+    }
     std::vector<BlockRow> rows(static_cast<size_t>(blocks.y));
     parallelFor(rows.size(), 1, [&](size_t begin, size_t end) {
       for (size_t y = begin; y < end; ++y) {
@@ -139,6 +148,9 @@ void fill(Tree& tree, const ScalarVolume& volume, const T* voxels, double value,
           tree.addTile(1, first, -tree.background(), false);
         }
       }
+    }
+    if (volume.store() != nullptr) {
+      volume.store()->release(firstByte, lastByte);
     }
   }
 }

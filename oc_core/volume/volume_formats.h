@@ -17,8 +17,8 @@ struct VolumeFormat {
 std::span<const VolumeFormat> volumeFormats();
 inline constexpr std::string_view kDicomFormat = "DICOM";
 
-/// The format of a file by the ending of its name, in any case; DICOM also by its first bytes, and for a folder that has
-/// such a file. Null where it is none of these. A folder of many files is asked for a few only.
+/// The format of a file by the ending of its name, in any case; DICOM also by its first bytes, and for a folder that
+/// has such a file. Null where it is none of these. A folder of many files is asked for a few only.
 const VolumeFormat* volumeFormatOf(const std::filesystem::path& path);
 /// The same of a file's name alone.
 const VolumeFormat* volumeFormatOfName(const std::filesystem::path& path);

@@ -55,8 +55,8 @@ VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const
   VolumeFile file{{}, record.times, record.warnings};
   const fs::path holder = record.file.empty() ? scratch.link() : fs::path(record.file);
   for (const uint64_t begin : record.begins) {
-    file.volumes.push_back(mapVolume(record.grid, record.type, {holder, begin, record.volumeBytes()}, record.scale,
-                                     record.offset));
+    file.volumes.push_back(
+        mapVolume(record.grid, record.type, {holder, begin, record.volumeBytes()}, record.scale, record.offset));
     file.volumes.back().setFacts(record.facts);
   }
   return file;
@@ -68,7 +68,8 @@ bool areAlike(const ScalarVolume& a, const ScalarVolume& b) {
          a.grid().isAnatomical == b.grid().isAnatomical && a.grid().unit == b.grid().unit;
 }
 
-VolumeFile readNumbered(const std::vector<fs::path>& paths, const VolumeFileOptions& options, const Progress& progress) {
+VolumeFile readNumbered(const std::vector<fs::path>& paths, const VolumeFileOptions& options,
+                        const Progress& progress) {
   VolumeFile all;
   for (size_t at = 0; at < paths.size(); ++at) {
     report(progress, "loading the volumes", static_cast<double>(at) / static_cast<double>(paths.size()));
@@ -90,9 +91,10 @@ VolumeFile readNumbered(const std::vector<fs::path>& paths, const VolumeFileOpti
     }
   }
   if (all.volumes.size() > 1) {
-    all.warnings.push_back(fmt::format("{} files are taken for one volume at times 0, 1, 2, ... s, in the order of "
-                                       "their names",
-                                       all.volumes.size()));
+    all.warnings.push_back(
+        fmt::format("{} files are taken for one volume at times 0, 1, 2, ... s, in the order of "
+                    "their names",
+                    all.volumes.size()));
   } else {
     all.times.clear();
   }
@@ -114,8 +116,9 @@ const ReaderProgram& volumeReader() {
       .afterCrash = "the file may be damaged: export it again, if need be in another format such as NRRD",
       .reduce = "convert the volume to NRRD without compression",
       .missing = "the program ocelli-read-volume is missing, which reads volume files",
-      .ifMissing = "install libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev and build Ocelli with "
-                   "OCELLI_WITH_VOLUME_IMPORT=ON, or let the environment variable OCELLI_VOLUME_READER name the program"};
+      .ifMissing =
+          "install libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev and build Ocelli with "
+          "OCELLI_WITH_VOLUME_IMPORT=ON, or let the environment variable OCELLI_VOLUME_READER name the program"};
   return kReader;
 }
 

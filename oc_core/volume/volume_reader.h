@@ -1,9 +1,9 @@
 // Volumes of files: by `ocelli-read-volume` (import/), a process of its own (base/reader_process.h), where whatever a
 // damaged file does to a library ends as an error message here.
 //
-// Voxels that a file holds as volumes have them (uncompressed, in the byte order of this machine, at a multiple of their
-// size) are mapped from it. All others are written, as such, to a scratch file (base/scratch_file.h) in the folder for
-// temporary files (TMPDIR), and mapped from there: memory is never asked for all of them.
+// Voxels that a file holds as volumes have them (uncompressed, in the byte order of this machine, at a multiple of
+// their size) are mapped from it. All others are written, as such, to a scratch file (base/scratch_file.h) in the
+// folder for temporary files (TMPDIR), and mapped from there: memory is never asked for all of them.
 #pragma once
 
 #include <filesystem>

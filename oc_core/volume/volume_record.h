@@ -28,9 +28,9 @@ struct VolumeRecord {
 
   VolumeGrid grid;
   VoxelType type = VoxelType::kUint8;
-  double scale = 1;   ///< what a voxel means is this times what it holds,
-  double offset = 0;  ///< plus this
-  std::string file;   ///< whose bytes are the voxels as volumes have them; empty: the scratch file
+  double scale = 1;              ///< what a voxel means is this times what it holds,
+  double offset = 0;             ///< plus this
+  std::string file;              ///< whose bytes are the voxels as volumes have them; empty: the scratch file
   std::vector<uint64_t> begins;  ///< where the voxels of each volume begin, in that file
   std::vector<double> times;     ///< of the volumes, in seconds, rising; or empty
   VolumeFacts facts;
@@ -46,8 +46,8 @@ void writeVolumeRecord(const VolumeRecord& record, const ByteSink& sink);
 void writeVolumeFailure(const std::string& message, bool isInput, const ByteSink& sink);
 
 /// Throws InputError or WorkError with the message of a failure, and WorkError naming `writer` where the bytes are no
-/// record: a size or an index out of range, a number that is not finite, a grid without volume, or bytes missing or left
-/// over.
+/// record: a size or an index out of range, a number that is not finite, a grid without volume, or bytes missing or
+/// left over.
 VolumeRecord volumeFromRecord(std::span<const std::byte> bytes, const std::string& writer);
 
 }  // namespace ocelli

@@ -144,13 +144,19 @@ VoxelSurvey surveyVoxels(const ScalarVolume& volume) {
   });
 }
 
-void requireFinite(const VoxelSurvey& survey, const std::string& where) {
-  if (survey.notFinite > 0) {
-    const glm::ivec3& at = survey.firstNotFinite;
-    throw InputError(fmt::format("{} {} not a finite number (NaN or infinite), the first at index ({}, {}, {})",
-                                 survey.notFinite, survey.notFinite == 1 ? "voxel is" : "voxels are", at.x, at.y, at.z),
-                     where, "give these voxels a value, such as that of the background");
+void requireFinite(const VoxelSurvey& survey, const std::string& where, int factor) {
+  if (survey.notFinite == 0) {
+    return;
   }
+  const glm::ivec3 at = survey.firstNotFinite * factor;
+  const std::string first = factor == 1
+                                ? fmt::format("at index ({}, {}, {})", at.x, at.y, at.z)
+                                : fmt::format("among those from index ({}, {}, {}) up to {} further along each axis",
+                                              at.x, at.y, at.z, factor - 1);
+  throw InputError(
+      fmt::format("{}{} {} not a finite number (NaN or infinite), the first {}", factor == 1 ? "" : "at least ",
+                  survey.notFinite, survey.notFinite == 1 ? "voxel is" : "voxels are", first),
+      where, "give these voxels a value, such as that of the background");
 }
 
 ValueRange valueRange(const ScalarVolume& volume) {

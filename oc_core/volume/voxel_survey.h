@@ -19,7 +19,7 @@ struct VoxelSurvey {
 VoxelSurvey surveyVoxels(const ScalarVolume& volume);
 
 /// Throws InputError that says how many voxels are no finite numbers and where the first is, unless there are none.
-/// `where` is the file.
-void requireFinite(const VoxelSurvey& survey, const std::string& where);
+/// `where` is the file; `factor` is that of the level (volume_levels.h) that was surveyed.
+void requireFinite(const VoxelSurvey& survey, const std::string& where, int factor = 1);
 
 }  // namespace ocelli

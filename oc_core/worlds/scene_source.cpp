@@ -83,6 +83,9 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
   if (!isVolume && options.iso) {
     throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
   }
+  if (!isVolume && !options.transfer.empty()) {
+    throw InputError("this scene is no volume, so it has no transfer function", "--transfer", "leave it out");
+  }
   if (isVolume && !options.iso) {
     throw InputError("this is a volume, which has no triangles", source,
                      "ocelli render draws it; for a mesh of a surface in it give --iso VALUE");
@@ -92,7 +95,8 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
 GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
   requireSurfaceOfVolume(source, options);
   refuseUnusedPoints({}, options);
-  const VolumeScene volume = loadVolumeScene(source, {.fit = options.fit, .warn = options.warn}, progress);
+  const VolumeScene volume =
+      loadVolumeScene(source, {.fit = options.fit, .transfer = options.transfer, .warn = options.warn}, progress);
   const IsosurfaceOptions surface{.value = *options.iso, .isShaded = options.shading == Shading::kLambert};
   GuidedScene loaded;
   loaded.mesh = isosurface(volume, surface, source, progress);

@@ -42,6 +42,7 @@ struct SceneOptions {
   /// Of a volume (oc_core/volume): the scene is the surface at this value (oc_core/isosurface). Without it a volume is
   /// no mesh.
   std::optional<double> iso{};
+  std::string transfer{};  ///< of a volume: whose colours it has, as VolumeSceneOptions::transfer
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };

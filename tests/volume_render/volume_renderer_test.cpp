@@ -69,6 +69,7 @@ TEST(VolumeRenderer, isTheReferenceAlongTheRaysOfAnyCamera) {
     expectReference(test::bendingTwice(test::smallCamera(), ArcModel::kBezier), "curved, Bezier", scene);
     View within;
     within.eye = {0.1f, 0.2f, 0.3f};
+    within.fovVerticalDegrees = 60;
     const PinholeCamera inside(within, test::kWidth, test::kHeight);
     expectReference(inside, "pinhole within", scene);
     expectReference(PanoramaCamera(inside), "panorama within", scene);
@@ -149,7 +150,7 @@ TEST(VolumeRenderer, skippingWhatIsEmptyChangesNothing) {
     const VolumeImage all = renderVolume(camera, scene, {.skipEmpty = false});
     const VolumeImage some = renderVolume(camera, scene, {.skipEmpty = true});
     // Sums are formed of other groups of samples: some roundings of numbers below 1.
-    EXPECT_LT(differenceOf(all, some).greatest, 2e-6) << name;
+    EXPECT_LT(differenceOf(all, some).greatest, 4e-6) << name;
     size_t allSamples = 0;
     size_t someSamples = 0;
     for (size_t i = 0; i < all.size(); ++i) {
@@ -218,7 +219,7 @@ TEST(VolumeRenderer, clipsShowTheirHalfSpaceAlone) {
   // A ray in the clipped part sees nothing.
   const VolumeRenderer renderer(scene);
   EXPECT_EQ(renderer.pixel({{-0.5f, 0, 5}, {-0.5f, 0, -5}}), VolumePixel());
-  EXPECT_GT(renderer.pixel({{0.7f, 0, 5}, {0.7f, 0, -5}}).color.w, 0.01f);
+  EXPECT_GT(greatestOpacity(renderVolume(test::smallCamera(), renderer)), 0.5);
   // Where a clip lies in the middle of a homogeneous slab, half is left.
   VolumeScene slab = test::floatVolume(
       glm::ivec3(20), 0.1, [](auto) { return 1; }, test::everywhere(0.5, 0.5));

@@ -31,7 +31,10 @@ FileSource::FileSource(const std::filesystem::path& path, ReadingBudget* budget)
     failSystem(name(), errno);
   }
   struct stat info {};
-  const int reason = ::fstat(file_, &info) != 0 ? errno : S_ISDIR(info.st_mode) ? EISDIR : S_ISREG(info.st_mode) ? 0 : EINVAL;
+  const int reason = ::fstat(file_, &info) != 0 ? errno
+                     : S_ISDIR(info.st_mode)    ? EISDIR
+                     : S_ISREG(info.st_mode)    ? 0
+                                                : EINVAL;
   if (reason != 0) {
     ::close(std::exchange(file_, -1));
     failSystem(name(), reason);

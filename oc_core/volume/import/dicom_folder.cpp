@@ -7,14 +7,15 @@
 #include <gdcmSequenceOfItems.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
+#include <cstring>
 #include <glm/geometric.hpp>
 #include <optional>
 #include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/dicom_slices.h"
+#include "oc_core/volume/import/number_list.h"
 #include "oc_core/volume/volume_formats.h"
 
 namespace ocelli {
@@ -23,25 +24,25 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr const char* kDicomExportAgain = "copy or export this file again, or remove it from the folder";
-constexpr gdcm::Tag kModality(0x0008, 0x0060);
-constexpr gdcm::Tag kSeriesDescription(0x0008, 0x103e);
-constexpr gdcm::Tag kSeriesUid(0x0020, 0x000e);
-constexpr gdcm::Tag kSeriesNumber(0x0020, 0x0011);
-constexpr gdcm::Tag kImagePosition(0x0020, 0x0032);
-constexpr gdcm::Tag kImageOrientation(0x0020, 0x0037);
-constexpr gdcm::Tag kPixelSpacing(0x0028, 0x0030);
-constexpr gdcm::Tag kRescaleIntercept(0x0028, 0x1052);
-constexpr gdcm::Tag kRescaleSlope(0x0028, 0x1053);
-constexpr gdcm::Tag kRescaleType(0x0028, 0x1054);
-constexpr gdcm::Tag kUnits(0x0054, 0x1001);  // of PET
-constexpr gdcm::Tag kPixelData(0x7fe0, 0x0010);
+const gdcm::Tag kModality(0x0008, 0x0060);
+const gdcm::Tag kSeriesDescription(0x0008, 0x103e);
+const gdcm::Tag kSeriesUid(0x0020, 0x000e);
+const gdcm::Tag kSeriesNumber(0x0020, 0x0011);
+const gdcm::Tag kImagePosition(0x0020, 0x0032);
+const gdcm::Tag kImageOrientation(0x0020, 0x0037);
+const gdcm::Tag kPixelSpacing(0x0028, 0x0030);
+const gdcm::Tag kRescaleIntercept(0x0028, 0x1052);
+const gdcm::Tag kRescaleSlope(0x0028, 0x1053);
+const gdcm::Tag kRescaleType(0x0028, 0x1054);
+const gdcm::Tag kUnits(0x0054, 0x1001);  // of PET
+const gdcm::Tag kPixelData(0x7fe0, 0x0010);
 // Of files with several frames: groups of fields, of all frames and of each.
-constexpr gdcm::Tag kSharedGroups(0x5200, 0x9229);
-constexpr gdcm::Tag kFrameGroups(0x5200, 0x9230);
-constexpr gdcm::Tag kPlanePosition(0x0020, 0x9113);
-constexpr gdcm::Tag kPlaneOrientation(0x0020, 0x9116);
-constexpr gdcm::Tag kPixelMeasures(0x0028, 0x9110);
-constexpr gdcm::Tag kPixelValues(0x0028, 0x9145);
+const gdcm::Tag kSharedGroups(0x5200, 0x9229);
+const gdcm::Tag kFrameGroups(0x5200, 0x9230);
+const gdcm::Tag kPlanePosition(0x0020, 0x9113);
+const gdcm::Tag kPlaneOrientation(0x0020, 0x9116);
+const gdcm::Tag kPixelMeasures(0x0028, 0x9110);
+const gdcm::Tag kPixelValues(0x0028, 0x9145);
 
 /// Empty where there is none.
 std::string textOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
@@ -63,26 +64,7 @@ std::string textOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
 
 /// Decimal strings, "0.5\\0.5": empty where there is none, or one is no number.
 std::vector<double> numbersOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  const std::string text = textOf(data, tag);
-  std::vector<double> numbers;
-  const char* at = text.data();
-  const char* end = at + text.size();
-  while (at != end) {
-    while (at != end && (*at == ' ' || *at == '+' || *at == '\\')) {
-      ++at;
-    }
-    double number = 0;
-    const auto [stop, error] = std::from_chars(at, end, number);
-    if (error != std::errc() || !std::isfinite(number)) {
-      return {};
-    }
-    numbers.push_back(number);
-    at = stop;
-    while (at != end && *at == ' ') {
-      ++at;
-    }
-  }
-  return numbers;
+  return numbersFromText(textOf(data, tag), " \\").value_or(std::vector<double>());
 }
 
 /// The first item of a sequence; null where there is none.
@@ -122,7 +104,8 @@ class FrameFields {
   unsigned frame_;
 };
 
-[[noreturn]] void failDicom(const std::string& what, const fs::path& file, const std::string& next = kDicomExportAgain) {
+[[noreturn]] void failDicom(const std::string& what, const fs::path& file,
+                            const std::string& next = kDicomExportAgain) {
   throw InputError(what, file.string(), next);
 }
 
@@ -229,8 +212,8 @@ void keepStoredBits(std::vector<char>& bytes, unsigned stored, bool isSigned) {
     Unsigned pixel = 0;
     std::memcpy(&pixel, bytes.data() + at, sizeof(pixel));
     pixel = static_cast<Unsigned>(pixel << unused);
-    pixel = isSigned ? static_cast<Unsigned>(static_cast<Signed>(pixel) >> unused)
-                     : static_cast<Unsigned>(pixel >> unused);
+    pixel =
+        isSigned ? static_cast<Unsigned>(static_cast<Signed>(pixel) >> unused) : static_cast<Unsigned>(pixel >> unused);
     std::memcpy(bytes.data() + at, &pixel, sizeof(pixel));
   }
 }

@@ -21,8 +21,9 @@ constexpr double kMaxTurned = 1e-4;
 
 std::string describe(const std::string& uid, const std::vector<const DicomSlice*>& slices) {
   const DicomSlice& first = *slices.front();
-  std::string text = fmt::format("series {}: {} slices of {} x {}", first.seriesNumber.empty() ? "?" : first.seriesNumber,
-                                 slices.size(), first.columns, first.rows);
+  std::string text =
+      fmt::format("series {}: {} slices of {} x {}", first.seriesNumber.empty() ? "?" : first.seriesNumber,
+                  slices.size(), first.columns, first.rows);
   if (!first.seriesDescription.empty()) {
     text += fmt::format(", \"{}\"", first.seriesDescription);
   }
@@ -82,17 +83,17 @@ void checkSteps(const std::vector<DicomSlice>& slices, const glm::dvec3& normal,
                                    after, heightOf(slices[at], normal)),
                        where, "give a folder with one time, one echo and one reconstruction of the volume");
     }
-    if (const double count = step / usual; count > 2 - 2 * kMaxMisplaced &&
-                                           std::abs(count - std::round(count)) < 2 * kMaxMisplaced) {
-      throw InputError(fmt::format("{:.0f} slice{} missing between {} and {}, which are {:g} mm apart, not {:g} mm",
-                                   std::round(count) - 1, std::round(count) == 2 ? " is" : "s are", before, after, step,
-                                   usual),
-                       where, "copy or export the folder again, with all slices");
+    if (const double count = step / usual;
+        count > 2 - 2 * kMaxMisplaced && std::abs(count - std::round(count)) < 2 * kMaxMisplaced) {
+      throw InputError(
+          fmt::format("{:.0f} slice{} missing between {} and {}, which are {:g} mm apart, not {:g} mm",
+                      std::round(count) - 1, std::round(count) == 2 ? " is" : "s are", before, after, step, usual),
+          where, "copy or export the folder again, with all slices");
     }
     if (std::abs(step / usual - 1) > 2 * kMaxMisplaced) {
-      throw InputError(fmt::format("the slices {} and {} are {:g} mm apart, and most others {:g} mm", before, after, step,
-                                   usual),
-                       where, "resample the volume to equal distances, or remove the slices of the other distance");
+      throw InputError(
+          fmt::format("the slices {} and {} are {:g} mm apart, and most others {:g} mm", before, after, step, usual),
+          where, "resample the volume to equal distances, or remove the slices of the other distance");
     }
   }
 }
@@ -128,9 +129,8 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
 void arrangeSlices(std::vector<DicomSlice>& slices, VolumeRecord& record, const std::string& where) {
   checkAlike(slices);
   const glm::dvec3 normal = glm::normalize(glm::cross(slices.front().alongColumns, slices.front().alongRows));
-  std::stable_sort(slices.begin(), slices.end(), [&](const DicomSlice& a, const DicomSlice& b) {
-    return heightOf(a, normal) < heightOf(b, normal);
-  });
+  std::stable_sort(slices.begin(), slices.end(),
+                   [&](const DicomSlice& a, const DicomSlice& b) { return heightOf(a, normal) < heightOf(b, normal); });
   if (slices.size() < 2) {
     throw InputError("there is but one slice", where, "give a folder with all slices of a volume");
   }
@@ -150,9 +150,9 @@ void arrangeSlices(std::vector<DicomSlice>& slices, VolumeRecord& record, const 
   checkVolumeSize({first.columns, first.rows, slices.size()}, 1, where);
   VolumeGrid& grid = record.grid;
   grid.size = {first.columns, first.rows, static_cast<int>(slices.size())};
-  grid.worldFromIndex = glm::dmat4(glm::dvec4(first.alongColumns * first.columnSpacing, 0),
-                                   glm::dvec4(first.alongRows * first.rowSpacing, 0), glm::dvec4(step, 0),
-                                   glm::dvec4(first.position, 1));
+  grid.worldFromIndex =
+      glm::dmat4(glm::dvec4(first.alongColumns * first.columnSpacing, 0),
+                 glm::dvec4(first.alongRows * first.rowSpacing, 0), glm::dvec4(step, 0), glm::dvec4(first.position, 1));
   grid.unit = "mm";
   grid.isAnatomical = true;
   record.facts = {first.modality, first.valueUnit, "DICOM"};

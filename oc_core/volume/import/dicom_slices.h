@@ -22,7 +22,7 @@ struct DicomSlice {
   std::string valueUnit;
   int columns = 0;
   int rows = 0;
-  glm::dvec3 position{0};     ///< of the centre of its first pixel
+  glm::dvec3 position{0};      ///< of the centre of its first pixel
   glm::dvec3 alongColumns{0};  ///< from a pixel to the next one of its row, of length 1
   glm::dvec3 alongRows{0};     ///< from a row to the next
   double columnSpacing = 1;

@@ -37,7 +37,7 @@ uint64_t inflateBytes(const ByteFeed& feed, uint64_t limit, const std::string& w
   std::vector<std::byte> piece(kInflatedPiece);
   std::span<const std::byte> rest;
   uint64_t written = 0;
-  bool isFirst = true;   // of the streams
+  bool isFirst = true;    // of the streams
   bool isWithin = false;  // a stream
   while (written < limit) {
     if (rest.empty()) {

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -13,6 +12,7 @@
 #include <optional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/volume/import/number_list.h"
 
 namespace ocelli {
 namespace {
@@ -105,7 +105,9 @@ class MetaImageFields {
     fail("there is no ElementDataFile, which ends the header", kExportAgain);
   }
 
-  [[noreturn]] void fail(const std::string& what, const std::string& next) const { throw InputError(what, where_, next); }
+  [[noreturn]] void fail(const std::string& what, const std::string& next) const {
+    throw InputError(what, where_, next);
+  }
 
   uint64_t end() const { return end_; }
   const std::string& rest() const { return rest_; }
@@ -153,24 +155,11 @@ class MetaImageFields {
   }
 
   std::vector<double> numbersOf(const std::string& name) const {
-    std::vector<double> numbers;
-    const std::string text = this->text(name);
-    const char* at = text.data();
-    const char* end = at + text.size();
-    while (at != end) {
-      if (*at == ' ' || *at == '\t') {
-        ++at;
-        continue;
-      }
-      double number = 0;
-      const auto [stop, error] = std::from_chars(at, end, number);
-      if (error != std::errc() || !std::isfinite(number)) {
-        fail(fmt::format("{} = {}: these are no numbers", name, text), kExportAgain);
-      }
-      numbers.push_back(number);
-      at = stop;
+    const std::optional<std::vector<double>> numbers = numbersFromText(text(name), " \t");
+    if (!numbers) {
+      fail(fmt::format("{} = {}: these are no numbers", name, text(name)), kExportAgain);
     }
-    return numbers;
+    return *numbers;
   }
 
   std::string where_;
@@ -258,15 +247,17 @@ void setGeometry(const MetaImageFields& fields, size_t dimensions, MetaImageHead
   }
   world[3] = glm::dvec4(origin[0], origin[1], origin[2], 1);
   if (!center.empty() && std::any_of(center.begin(), center.end(), [](double x) { return x != 0; })) {
-    record.warnings.emplace_back("the file names a centre of rotation, which is not kept: Offset says where voxel 0 is");
+    record.warnings.emplace_back(
+        "the file names a centre of rotation, which is not kept: Offset says where voxel 0 is");
   }
   const std::string letters = fields.text("AnatomicalOrientation", "???");
   record.grid.isAnatomical = letters != "???" && letters != "UNKNOWN";
   record.grid.unit = fields.text("DistanceUnits", record.grid.isAnatomical ? "mm" : "");
   if (record.grid.isAnatomical && letters != anatomicalLetters(world)) {
-    record.warnings.push_back(fmt::format("the file says AnatomicalOrientation = {}, but its TransformMatrix is {}: the "
-                                          "matrix is taken, as ITK does",
-                                          letters, anatomicalLetters(world)));
+    record.warnings.push_back(
+        fmt::format("the file says AnatomicalOrientation = {}, but its TransformMatrix is {}: the "
+                    "matrix is taken, as ITK does",
+                    letters, anatomicalLetters(world)));
   }
   if (dimensions == 4 && header.volumes > 1) {
     for (uint64_t at = 0; at < header.volumes; ++at) {
@@ -319,18 +310,13 @@ std::vector<std::string> dataFilesOf(const MetaImageFields& fields, double slice
     isSound = name[at] >= '0' && name[at] <= '9' && width < 10;
     width = 10 * width + (name[at] - '0');
   }
-  const std::string tail = space == std::string::npos ? "" : name.substr(space);
-  const char* at = tail.data();
-  for (size_t count = 0; isSound && count < numbers.size(); ++count) {
-    while (at != tail.data() + tail.size() && *at == ' ') {
-      ++at;
-    }
-    if (at == tail.data() + tail.size()) {
-      break;
-    }
-    const auto [stop, error] = std::from_chars(at, tail.data() + tail.size(), numbers[count]);
-    isSound = error == std::errc();
-    at = stop;
+  const std::optional<std::vector<double>> given =
+      numbersFromText(space == std::string::npos ? "" : name.substr(space), " ");
+  isSound = isSound && given && given->size() <= numbers.size();
+  for (size_t at = 0; isSound && at < given->size(); ++at) {
+    const double number = (*given)[at];
+    isSound = number == std::floor(number) && std::abs(number) < 1e9;
+    numbers[at] = isSound ? static_cast<int>(number) : 0;
   }
   constexpr int kMaxFiles = 1'000'000;
   isSound = isSound && numbers[2] >= 1 && numbers[0] >= 0 && numbers[1] >= numbers[0] &&
@@ -387,10 +373,16 @@ MetaImageHeader parseMetaImage(const ByteSource& source) {
   } else if (header.voxels.isDeflated) {
     fields.fail("HeaderSize = -1 says that the voxels are the last bytes, which compressed ones cannot", kExportAgain);
   }
+  std::string unknown;
   for (const auto& [name, value] : fields.all()) {
     if (std::find(kKnownFields.begin(), kKnownFields.end(), name) == kKnownFields.end()) {
-      record.warnings.push_back(fmt::format("the file says {} = {}, which is not kept", name, value.substr(0, 60)));
+      unknown += (unknown.empty() ? "" : ", ") + name;
     }
+  }
+  constexpr size_t kMaxShown = 200;
+  if (!unknown.empty()) {
+    record.warnings.push_back("what the file says of these is not kept: " + unknown.substr(0, kMaxShown) +
+                              (unknown.size() > kMaxShown ? "..." : ""));
   }
   return header;
 }

@@ -4,7 +4,6 @@
 #include <nifti2_io.h>
 
 #include <array>
-#include <bit>
 #include <cmath>
 #include <memory>
 #include <string>
@@ -140,15 +139,14 @@ VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch
   setGrid(*image, record);
   setTimes(*image, static_cast<uint64_t>(volumes), record);
   if (image->intent_code != NIFTI_INTENT_NONE) {
-    record.warnings.push_back(
-        fmt::format("the file says what its values are for ({}), which is not kept", nifti_intent_string(image->intent_code)));
+    record.warnings.push_back(fmt::format("the file says what its values are for ({}), which is not kept",
+                                          nifti_intent_string(image->intent_code)));
   }
   if (image->iname_offset < 0) {
     throw InputError("the header says that the voxels begin before the file", where, kNiftiExportAgain);
   }
   const bool isDeflated = nifti_is_gzfile(path.c_str()) != 0;
-  constexpr bool kIsLittle = std::endian::native == std::endian::little;
-  const bool isSwapped = image->byteorder != (kIsLittle ? LSB_FIRST : MSB_FIRST);
+  const bool isSwapped = image->byteorder != nifti_short_order();
   const auto offset = static_cast<uint64_t>(image->iname_offset);
   placeVoxels(record, static_cast<uint64_t>(volumes),
               {type, isSwapped, isDeflated ? 0 : offset, isDeflated, isDeflated ? offset : 0}, source, where, scratch);

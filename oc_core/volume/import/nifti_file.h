@@ -7,8 +7,8 @@
 
 namespace ocelli {
 
-/// For `ocelli-read-volume`; the library may crash. The frame of the format, RAS, becomes LPS. Where a file has both the
-/// sform is taken, as nibabel does, else the qform. Throws InputError and WorkError.
+/// For `ocelli-read-volume`; the library may crash. The frame of the format, RAS, becomes LPS. Where a file has both
+/// the sform is taken, as nibabel does, else the qform. Throws InputError and WorkError.
 VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch, ReadingBudget* budget);
 
 }  // namespace ocelli

@@ -269,9 +269,10 @@ class NrrdHeader {
 
   void noteWhatIsNotKept() {
     if (std::isfinite(nrrd_.oldMin) || std::isfinite(nrrd_.oldMax)) {
-      record.warnings.push_back(fmt::format("the file's values were {:g} to {:g} before they became integers, which is "
-                                            "not undone",
-                                            nrrd_.oldMin, nrrd_.oldMax));
+      record.warnings.push_back(
+          fmt::format("the file's values were {:g} to {:g} before they became integers, which is "
+                      "not undone",
+                      nrrd_.oldMin, nrrd_.oldMax));
     }
     for (unsigned at = 0; at < nrrd_.kvpArr->len; ++at) {
       const std::string key = text(nrrd_.kvp[2 * at]);

@@ -1,6 +1,6 @@
-// `ocelli-read-volume PARENT SCRATCH FOLDER SERIES FILE`: reads a file or a folder of volumes for readVolumeFile(), which
-// starts it and takes the record that it writes to descriptor kChildResultDescriptor. Voxels that must be unpacked go to
-// the file SCRATCH, which lies in FOLDER. What goes wrong with the file is a record too.
+// `ocelli-read-volume PARENT SCRATCH FOLDER SERIES FILE`: reads a file or a folder of volumes for readVolumeFile(),
+// which starts it and takes the record that it writes to descriptor kChildResultDescriptor. Voxels that must be
+// unpacked go to the file SCRATCH, which lies in FOLDER. What goes wrong with the file is a record too.
 #include <unistd.h>
 
 #include <cstdio>

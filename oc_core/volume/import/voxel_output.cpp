@@ -68,8 +68,9 @@ void toDoubles(std::span<std::byte> bytes, const std::string& where) {
 }
 
 [[noreturn]] void failMissing(uint64_t missing, uint64_t all, const std::string& where) {
-  throw InputError(fmt::format("the file has {} bytes of voxels, {} fewer than its header says", all - missing, missing),
-                   where, "copy or export the file again");
+  throw InputError(
+      fmt::format("the file has {} bytes of voxels, {} fewer than its header says", all - missing, missing), where,
+      "copy or export the file again");
 }
 
 }  // namespace
@@ -98,11 +99,11 @@ ScratchOutput::~ScratchOutput() {
 }
 
 void ScratchOutput::fail(int reason) const {
-  throw WorkError("the voxels of this file must be unpacked here, which failed: " +
-                      std::generic_category().message(reason),
-                  folder_.string(),
-                  "free some space, let the environment variable TMPDIR name a folder on a larger disk, or convert the "
-                  "file to NRRD without compression");
+  throw WorkError(
+      "the voxels of this file must be unpacked here, which failed: " + std::generic_category().message(reason),
+      folder_.string(),
+      "free some space, let the environment variable TMPDIR name a folder on a larger disk, or convert the "
+      "file to NRRD without compression");
 }
 
 void ScratchOutput::expect(uint64_t bytes) {
@@ -253,13 +254,13 @@ void placeVoxels(VolumeRecord& record, uint64_t volumes, const StoredVoxels& sto
     failMissing(bytes - there, bytes, source.name());
   }
   if (stored.isDeflated && bytes / kMaxInflation > there) {
-    throw InputError(fmt::format("the header says {} bytes of voxels, far more than {} compressed bytes can hold", bytes,
-                                 there),
-                     source.name(), "copy or export the file again");
+    throw InputError(
+        fmt::format("the header says {} bytes of voxels, far more than {} compressed bytes can hold", bytes, there),
+        source.name(), "copy or export the file again");
   }
   record.type = voxelTypeOf(stored.type);
-  const bool isAsItMustBe = !stored.isDeflated && !isConverted(stored.type) &&
-                            (!stored.isSwapped || bytesOf(stored.type) == 1);
+  const bool isAsItMustBe =
+      !stored.isDeflated && !isConverted(stored.type) && (!stored.isSwapped || bytesOf(stored.type) == 1);
   if (isAsItMustBe && areVoxelsAligned(stored.offset, record.type)) {
     record.file = path;
     record.begins.clear();
@@ -269,10 +270,11 @@ void placeVoxels(VolumeRecord& record, uint64_t volumes, const StoredVoxels& sto
     return;
   }
   if (isAsItMustBe && static_cast<double>(bytes) > kGibibyteOfVoxels) {
-    record.warnings.push_back(fmt::format(
-        "the {:.1f} GiB of voxels are copied first, as they begin at byte {} of their file, which is no multiple of the "
-        "{} bytes of a voxel; in a file of their own they would be read from there",
-        static_cast<double>(bytes) / kGibibyteOfVoxels, stored.offset, bytesOf(stored.type)));
+    record.warnings.push_back(
+        fmt::format("the {:.1f} GiB of voxels are copied first, as they begin at byte {} of their file, which is no "
+                    "multiple of the "
+                    "{} bytes of a voxel; in a file of their own they would be read from there",
+                    static_cast<double>(bytes) / kGibibyteOfVoxels, stored.offset, bytesOf(stored.type)));
   }
   scratch.expect(volumes * record.volumeBytes());
   VoxelWriter writer(record, volumes, stored.type, stored.isSwapped, scratch);
@@ -297,9 +299,9 @@ void checkVolumeSize(const glm::dvec3& size, double volumes, const std::string& 
   }
   constexpr double kMaxBytes = 4e18;  // more is no size of a file
   if (size.x * size.y * size.z * volumes * sizeof(double) > kMaxBytes) {
-    throw InputError(fmt::format("{} volumes of {} x {} x {} voxels are larger than any file", volumes, size.x, size.y,
-                                 size.z),
-                     where, "the header is damaged: copy or export the file again");
+    throw InputError(
+        fmt::format("{} volumes of {} x {} x {} voxels are larger than any file", volumes, size.x, size.y, size.z),
+        where, "the header is damaged: copy or export the file again");
   }
 }
 

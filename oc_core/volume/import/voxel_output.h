@@ -32,8 +32,8 @@ struct StoredVoxels {
 /// The scratch file.
 class ScratchOutput {
  public:
-  /// An empty path: what is written goes nowhere, but is counted. `folder` is named where the disk is full. `budget` may
-  /// be null.
+  /// An empty path: what is written goes nowhere, but is counted. `folder` is named where the disk is full. `budget`
+  /// may be null.
   ScratchOutput(const std::filesystem::path& path, std::filesystem::path folder, ReadingBudget* budget);
   ~ScratchOutput();
   ScratchOutput(const ScratchOutput&) = delete;

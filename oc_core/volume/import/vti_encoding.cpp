@@ -103,7 +103,8 @@ class VtiByteReader {
       fail("the voxels are not sound base64");
     }
     const unsigned all = static_cast<unsigned>(bits[0]) << 18U | static_cast<unsigned>(bits[1]) << 12U |
-                         static_cast<unsigned>(std::max(bits[2], 0)) << 6U | static_cast<unsigned>(std::max(bits[3], 0));
+                         static_cast<unsigned>(std::max(bits[2], 0)) << 6U |
+                         static_cast<unsigned>(std::max(bits[3], 0));
     quantum_ = {static_cast<std::byte>(all >> 16U), static_cast<std::byte>(all >> 8U), static_cast<std::byte>(all)};
     decodedAt_ = 0;
   }

@@ -11,9 +11,9 @@ namespace ocelli {
 
 struct VtiEncoding {
   bool isBase64 = false;
-  bool isDeflated = false;   ///< by zlib, each block for itself
-  bool isSwapped = false;    ///< numbers of headers have the other byte order than this machine's
-  size_t wordBytes = 4;      ///< of the numbers of headers: 4 or 8
+  bool isDeflated = false;  ///< by zlib, each block for itself
+  bool isSwapped = false;   ///< numbers of headers have the other byte order than this machine's
+  size_t wordBytes = 4;     ///< of the numbers of headers: 4 or 8
 };
 
 /// Hands on the bytes of an array, whose header stands at `offset` of the source. Throws InputError where they are

@@ -4,14 +4,15 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
+#include <optional>
 #include <pugixml.hpp>
 #include <string_view>
 #include <vector>
 
 #include "oc_core/base/error.h"
+#include "oc_core/volume/import/number_list.h"
 
 namespace ocelli {
 namespace {
@@ -154,8 +155,8 @@ class VtiParser {
     }
     const pugi::xml_node chosen = active ? active : scalars.front();
     if (scalars.size() + vectors > 1) {
-      header_.record.warnings.push_back(fmt::format("of {} arrays, \"{}\" is taken", scalars.size() + vectors,
-                                                    chosen.attribute("Name").value()));
+      header_.record.warnings.push_back(
+          fmt::format("of {} arrays, \"{}\" is taken", scalars.size() + vectors, chosen.attribute("Name").value()));
     }
     return chosen;
   }
@@ -167,20 +168,13 @@ class VtiParser {
     if (!attribute && otherwise != nullptr) {
       return *otherwise;
     }
-    std::array<double, Count> numbers{};
     const std::string_view text = attribute.value();
-    const char* at = text.data();
-    const char* end = at + text.size();
-    for (double& number : numbers) {
-      while (at != end && std::strchr(" \t\r\n", *at) != nullptr) {
-        ++at;
-      }
-      const auto [stop, error] = std::from_chars(at, end, number);
-      if (error != std::errc() || !std::isfinite(number)) {
-        fail(fmt::format("{} of {} is \"{}\", and must be {} numbers", name, node.name(), text, Count));
-      }
-      at = stop;
+    const std::optional<std::vector<double>> read = numbersFromText(text, " \t\r\n");
+    if (!read || read->size() != Count) {
+      fail(fmt::format("{} of {} is \"{}\", and must be {} numbers", name, node.name(), text, Count));
     }
+    std::array<double, Count> numbers{};
+    std::copy(read->begin(), read->end(), numbers.begin());
     return numbers;
   }
 
@@ -245,12 +239,11 @@ class VtiParser {
     }
     header_.encoding.isBase64 = encoding == "base64";
     const std::string_view text = array.attribute("offset").value();
-    uint64_t offset = 0;
-    const auto [stop, error] = std::from_chars(text.data(), text.data() + text.size(), offset);
-    if (error != std::errc() || stop != text.data() + text.size() || offset > source_.size() - xml_.appended) {
+    const std::optional<uint64_t> offset = numberFromText<uint64_t>(text);
+    if (!offset || *offset > source_.size() - xml_.appended) {
       fail(fmt::format("the offset \"{}\" of the array is not in the file", text));
     }
-    header_.offset = xml_.appended + offset;
+    header_.offset = xml_.appended + *offset;
   }
 
   const ByteSource& source_;
@@ -260,12 +253,12 @@ class VtiParser {
 
 template <class Number>
 void appendNumber(std::string_view token, VoxelWriter& writer, const std::string& where) {
-  Number number{};
-  const auto [stop, error] = std::from_chars(token.data(), token.data() + token.size(), number);
-  if (error != std::errc() || stop != token.data() + token.size()) {
-    throw InputError(fmt::format("\"{}\" is no number of the array's type", token.substr(0, 40)), where, kVtiExportAgain);
+  const std::optional<Number> number = numberFromText<Number>(token);
+  if (!number) {
+    throw InputError(fmt::format("\"{}\" is no number of the array's type", token.substr(0, 40)), where,
+                     kVtiExportAgain);
   }
-  writer.append(std::as_bytes(std::span(&number, 1)), where);
+  writer.append(std::as_bytes(std::span(&*number, 1)), where);
 }
 
 void appendNumberOf(StoredType type, std::string_view token, VoxelWriter& writer, const std::string& where) {
@@ -325,8 +318,8 @@ void placeVtiVoxels(VtiHeader& header, const ByteSource& source, const std::stri
     }
     std::memcpy(&seen, word.data(), size.wordBytes);
     if (seen != bytes) {
-      throw InputError(fmt::format("the array has {} bytes, and its extent and type need {}", seen, bytes), source.name(),
-                       "copy or export the file again");
+      throw InputError(fmt::format("the array has {} bytes, and its extent and type need {}", seen, bytes),
+                       source.name(), "copy or export the file again");
     }
     placeVoxels(record, 1, {header.type, size.isSwapped, header.offset + size.wordBytes}, source, path, scratch);
     return;

@@ -8,8 +8,8 @@
 #include <string>
 
 #include "oc_core/volume/import/byte_source.h"
-#include "oc_core/volume/import/vti_encoding.h"
 #include "oc_core/volume/import/voxel_output.h"
+#include "oc_core/volume/import/vti_encoding.h"
 
 namespace ocelli {
 
