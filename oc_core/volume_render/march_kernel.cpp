@@ -442,7 +442,7 @@ HWY_ATTR void March<Field>::add() {
   green_ = seen(green_, first.green, last.green);
   blue_ = seen(blue_, first.blue, last.blue);
   if (setup_->isShaded) {
-    const FloatVec center = centerOfLight(first.extinction, last.extinction, depth_, likeEnds);
+    const FloatVec center = centerOfLight(first.extinction, last.extinction, step_, depth_, perDepth);
     const Light light = lightOfSteps(hn::NegMulAdd(step_, center, length_), hn::Gt(kept, hn::Set(d, kUnseen)));
     const FloatVec white = hn::Mul(kept, light.added);
     red_ = hn::MulAdd(red_, light.factor, white);
