@@ -309,47 +309,50 @@ class NativeField {
     for (size_t lane = 0; lane < count; ++lane) {
       const Quad alongJ = setQuad(v[lane]);
       const Quad alongK = setQuad(w[lane]);
-      const auto rowAt = [&](int row, int plane) {
-        return voxels_ + (static_cast<size_t>(std::clamp(plane, 0, size.z - 1)) * static_cast<size_t>(size.y) +
-                          static_cast<size_t>(std::clamp(row, 0, size.y - 1))) *
-                             static_cast<size_t>(size.x);
-      };
+      // The row of the cell, and the ways from it to rows j - 1 and j + 2 and to planes k - 1 and k + 2; those at the
+      // ends stand for what is beyond.
+      const Voxel* row =
+          voxels_ + (static_cast<size_t>(k[lane]) * static_cast<size_t>(size.y) + static_cast<size_t>(j[lane])) *
+                        static_cast<size_t>(size.x);
+      const std::ptrdiff_t nextJ = nextJ_;
+      const std::ptrdiff_t nextK = nextK_;
+      const std::ptrdiff_t lowJ = j[lane] > 0 ? -nextJ : 0;
+      const std::ptrdiff_t highJ = j[lane] + 2 < size.y ? 2 * nextJ : nextJ;
+      const std::ptrdiff_t lowK = k[lane] > 0 ? -nextK : 0;
+      const std::ptrdiff_t highK = k[lane] + 2 < size.z ? 2 * nextK : nextK;
       // The rows of the cell, from the voxel before it to that behind it.
-      const Quad rows[2][2] = {
-          {fourAlong(rowAt(j[lane], k[lane]), i[lane]), fourAlong(rowAt(j[lane] + 1, k[lane]), i[lane])},
-          {fourAlong(rowAt(j[lane], k[lane] + 1), i[lane]), fourAlong(rowAt(j[lane] + 1, k[lane] + 1), i[lane])}};
+      const Quad rows[2][2] = {{fourAlong(row, i[lane]), fourAlong(row + nextJ, i[lane])},
+                               {fourAlong(row + nextK, i[lane]), fourAlong(row + nextJ + nextK, i[lane])}};
       const Quad near = mix(rows[0][0], rows[0][1], alongJ);  // plane k
       const Quad far = mix(rows[1][0], rows[1][1], alongJ);   // plane k + 1
       const Quad low = mix(rows[0][0], rows[1][0], alongK);   // row j
       const Quad high = mix(rows[0][1], rows[1][1], alongK);  // row j + 1
       const Quad middle = mix(near, far, alongK);
       // The same beside the cell, of its own two columns alone: rows j - 1 and j + 2, planes k - 1 and k + 2.
-      const auto pairsAt = [&](int row, int plane, int otherRow, int otherPlane) HWY_ATTR {
-        return twoPairs(rowAt(row, plane) + i[lane], rowAt(otherRow, otherPlane) + i[lane]);
-      };
+      const Voxel* cell = row + i[lane];
       const auto mixPairs = [&](Quad pairs, float share) HWY_ATTR {
         const hn::Half<Quads> pair;
         const auto a = hn::LowerHalf(pair, pairs);
         return hn::MulAdd(hn::Sub(hn::UpperHalf(pair, pairs), a), hn::Set(pair, share), a);
       };
-      const auto below = mixPairs(pairsAt(j[lane] - 1, k[lane], j[lane] - 1, k[lane] + 1), w[lane]);
-      const auto above = mixPairs(pairsAt(j[lane] + 2, k[lane], j[lane] + 2, k[lane] + 1), w[lane]);
-      const auto before = mixPairs(pairsAt(j[lane], k[lane] - 1, j[lane] + 1, k[lane] - 1), v[lane]);
-      const auto behind = mixPairs(pairsAt(j[lane], k[lane] + 2, j[lane] + 1, k[lane] + 2), v[lane]);
-      HWY_ALIGN float numbers[4];
-      HWY_ALIGN float two[4];
+      const auto below = mixPairs(twoPairs(cell + lowJ, cell + lowJ + nextK), w[lane]);
+      const auto above = mixPairs(twoPairs(cell + highJ, cell + highJ + nextK), w[lane]);
+      const auto before = mixPairs(twoPairs(cell + lowK, cell + lowK + nextJ), v[lane]);
+      const auto behind = mixPairs(twoPairs(cell + highK, cell + highK + nextJ), v[lane]);
       const hn::Half<Quads> pair;
-      storeQuad(middle, numbers);
-      const float ownI = numbers[2] - numbers[0];
-      slopes[lane] = ownI + (numbers[3] - numbers[1] - ownI) * u[lane];
+      const hn::Half<hn::Half<Quads>> one;
+      const auto alongI = [&](const auto& two) HWY_ATTR {
+        const auto left = hn::LowerHalf(one, two);
+        return hn::GetLane(hn::MulAdd(hn::Sub(hn::UpperHalf(one, two), left), hn::Set(one, u[lane]), left));
+      };
+      slopes[lane] = alongI(hn::Sub(hn::UpperHalf(pair, middle), hn::LowerHalf(pair, middle)));
       const auto slopeAt = [&](const auto& outerBefore, Quad innerBefore, Quad innerAfter, const auto& outerAfter,
                                float share) HWY_ATTR {
         const auto inner = [&](Quad four)
                                HWY_ATTR { return hn::LowerHalf(pair, hn::ShiftRightLanes<1>(Quads(), four)); };
         const auto first = hn::Sub(inner(innerAfter), outerBefore);
         const auto second = hn::Sub(outerAfter, inner(innerBefore));
-        hn::StoreU(hn::MulAdd(hn::Sub(second, first), hn::Set(pair, share), first), pair, two);
-        return two[0] + (two[1] - two[0]) * u[lane];
+        return alongI(hn::MulAdd(hn::Sub(second, first), hn::Set(pair, share), first));
       };
       slopes[kLanes + lane] = slopeAt(below, low, high, above, v[lane]);
       slopes[2 * kLanes + lane] = slopeAt(before, near, far, behind, w[lane]);

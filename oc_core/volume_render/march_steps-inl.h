@@ -159,15 +159,15 @@ class ColorOrder {
   FloatVec weight_;
 };
 
-/// How far before its end, as a share of its length, the light of a step comes from on average: where extinction, e0 at
-/// its begin and e1 at its end, is the parabola that gives the step its depth tau, that is
-/// 1/2 - (e1 - e0) length / (12 tau), and tau / 12 more, as what is nearer hides what is behind.
-HWY_ATTR HWY_INLINE FloatVec centerOfLight(FloatVec before, FloatVec after, FloatVec length, FloatVec depth,
-                                           FloatVec perDepth) {
+/// How far before its end, as a share of its length, the light of a step comes from: where the field has the entry that
+/// its extinction has on average.
+HWY_ATTR HWY_INLINE FloatVec centerOfLight(FloatVec before, FloatVec after, FloatVec mean) {
   const Floats d;
-  const FloatVec tilt = hn::Mul(hn::Mul(hn::Sub(before, after), length), perDepth);
-  const FloatVec center = hn::MulAdd(hn::Add(tilt, depth), hn::Set(d, 1.0f / 12), hn::Set(d, 0.5f));
-  return hn::Min(hn::Max(center, hn::Zero(d)), hn::Set(d, 1.0f));
+  const FloatVec change = hn::Sub(after, before);
+  const auto isSmall = hn::Lt(hn::Abs(change), hn::Set(d, 1.0f));
+  const FloatVec one = hn::Set(d, 1.0f);
+  const FloatVec share = hn::Div(hn::Sub(after, mean), hn::IfThenElse(isSmall, one, change));
+  return hn::IfThenElse(isSmall, hn::Set(d, 0.5f), hn::Min(hn::Max(share, hn::Zero(d)), one));
 }
 
 }  // namespace ocelli::HWY_NAMESPACE
