@@ -3,6 +3,9 @@ include(CMakePackageConfigHelpers)
 
 install(TARGETS ocelli)
 install(TARGETS ocelli_read_scene DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli)
+if(OCELLI_WITH_VOLUME_IMPORT)
+  install(TARGETS ocelli_read_volume DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli)
+endif()
 foreach(room IN LISTS rooms)
   get_target_property(folder ${room} OCELLI_FOLDER)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ocelli/${folder}
@@ -22,8 +25,9 @@ foreach(component IN LISTS OCELLI_COMPONENTS)
 endforeach()
 
 set(scene_reader ${CMAKE_INSTALL_LIBEXECDIR}/ocelli/ocelli-read-scene)
+set(volume_reader ${CMAKE_INSTALL_LIBEXECDIR}/ocelli/ocelli-read-volume)
 configure_package_config_file(cmake/OcelliConfig.cmake.in OcelliConfig.cmake INSTALL_DESTINATION ${package_folder}
-  PATH_VARS scene_reader)
+  PATH_VARS scene_reader volume_reader)
 write_basic_package_version_file(OcelliConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/OcelliConfig.cmake

@@ -4,12 +4,12 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <cmath>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "analysis/dataset/protocol_facts.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -70,12 +70,7 @@ std::optional<TrialView> viewInWords(const std::string& text, const ViewConditio
 }  // namespace
 
 std::optional<double> numberOfAnswer(const std::string& answer) {
-  double number = 0;
-  const char* end = answer.data() + answer.size();
-  const auto read = std::from_chars(answer.data(), end, number);
-  return !answer.empty() && read.ec == std::errc() && read.ptr == end && std::isfinite(number)
-             ? std::optional<double>(number)
-             : std::nullopt;
+  return numberFromText<double>(answer);
 }
 
 std::vector<std::string> choicesOfAnswer(const std::string& answer) {

@@ -9,6 +9,7 @@
 #include "analysis/inference/sample.h"
 #include "analysis/report/report_parts.h"
 #include "analysis/report/resampled_effects.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -56,8 +57,8 @@ Estimable<Estimate> matchedDifference(const TrialList& trials) {
 }
 
 std::optional<double> signedError(const Trial& trial) {
-  const std::optional<double> answer = numberIn(trial.answer);
-  const std::optional<double> expected = numberIn(trial.expected);
+  const std::optional<double> answer = numberFromText<double>(trial.answer);
+  const std::optional<double> expected = numberFromText<double>(trial.expected);
   return answer && expected ? std::optional<double>(*answer - *expected) : std::nullopt;
 }
 

@@ -14,6 +14,7 @@
 #include "analysis/dataset/protocol_facts.h"
 #include "analysis/tables/neutral_tables.h"
 #include "analysis/tables/published_values.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -450,7 +451,8 @@ TextAnswers textAnswers(const std::vector<ItemAnswers>& items, const std::string
     return result;
   }
   for (const ItemAnswers::Answer& answer : found->answers) {
-    const std::optional<double> number = item.isInProtocol() ? answer.place : numberIn(answer.row->answer);
+    const std::optional<double> number =
+        item.isInProtocol() ? answer.place : numberFromText<double>(answer.row->answer);
     if (!number || *number < 1 || *number > kSteps || *number != std::floor(*number)) {
       result = {};
       result.missing = "on a scale that is not known";

@@ -2,9 +2,10 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -52,14 +53,6 @@ void setMean(Cell& cell, double sum, const std::string& missing) {
 
 }  // namespace
 
-std::optional<double> numberIn(const std::string& text) {
-  double number = 0;
-  const char* end = text.data() + text.size();
-  const auto result = std::from_chars(text.data(), end, number);
-  const bool isNumber = result.ec == std::errc() && result.ptr == end && std::isfinite(number);
-  return isNumber ? std::optional(number) : std::nullopt;
-}
-
 Cell meanTimeCell(std::string name, const TrialList& trials, TimeoutsInMeans timeouts) {
   Cell cell = newCell(std::move(name), "s", "");
   double sum = 0;
@@ -97,8 +90,8 @@ Cell meanErrorCell(std::string name, const TrialList& trials) {
   cell.decimals = 2;
   double sum = 0;
   for (const Trial* trial : trials) {
-    const std::optional<double> answer = numberIn(trial->answer);
-    const std::optional<double> expected = numberIn(trial->expected);
+    const std::optional<double> answer = numberFromText<double>(trial->answer);
+    const std::optional<double> expected = numberFromText<double>(trial->expected);
     if (answer && expected) {
       sum += *answer - *expected;
       cell.rows.push_back(rowOf(*trial));

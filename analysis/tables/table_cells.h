@@ -14,9 +14,6 @@ using TrialList = std::vector<const Trial*>;
 /// What becomes of searches whose time ran out, in means of times.
 enum class TimeoutsInMeans : uint8_t { kRemoved, kSetToLimit };
 
-/// The whole text as a finite number; nothing where it is none.
-std::optional<double> numberIn(const std::string& text);
-
 /// Mean response, seconds. The rows are those that the mean is of.
 Cell meanTimeCell(std::string name, const TrialList& trials, TimeoutsInMeans timeouts);
 /// Share of trials with the right answer, percent.

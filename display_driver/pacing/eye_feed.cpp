@@ -9,7 +9,6 @@
 #include <array>
 #include <atomic>
 #include <cerrno>
-#include <charconv>
 #include <cmath>
 #include <cstring>
 #include <functional>
@@ -21,6 +20,7 @@
 #include "display_driver/pacing/foreseen_eyes.h"
 #include "display_sim/observing/eye_path.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/base/printable_text.h"
 
 namespace ocelli {
@@ -213,9 +213,8 @@ std::unique_ptr<EyeFeed> openEyeFeed(const std::string& text, bool loop, EyePred
   const std::string rest = text.substr(4);
   const size_t colon = rest.rfind(':');
   const std::string number = colon == std::string::npos ? rest : rest.substr(colon + 1);
-  uint16_t port = 0;
-  const auto [end, error] = std::from_chars(number.data(), number.data() + number.size(), port);
-  if (error != std::errc() || end != number.data() + number.size() || port == 0) {
+  const uint16_t port = numberFromText<uint16_t>(number).value_or(0);
+  if (port == 0) {
     throw InputError("this is no port: " + number, "--eyes " + text, "--eyes udp:5005");
   }
   return std::make_unique<DatagramFeed>(colon == std::string::npos ? "127.0.0.1" : rest.substr(0, colon), port,

@@ -2,13 +2,13 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <cmath>
 
 #include "display_driver/wire/frame_encoder.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli::wire {
 namespace {
@@ -41,9 +41,8 @@ PlannedLink plannedLink(const std::string& text) {
   if (text == "usb3") {
     return {text, kUsb3BytesPerSecond};
   }
-  double bytes = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), bytes);
-  if (error != std::errc() || end != text.data() + text.size() || !(bytes >= 1 && bytes <= 1e15)) {
+  const double bytes = numberFromText<double>(text).value_or(0);
+  if (!(bytes >= 1 && bytes <= 1e15)) {
     throw InputError("there is no link \"" + text + "\"", "--link", "usb2, usb3, or bytes a second: --link 25e6");
   }
   return {text, bytes};

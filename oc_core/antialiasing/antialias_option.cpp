@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <string_view>
 
 #include "oc_core/antialiasing/pixel_area.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -31,14 +31,6 @@ std::shared_ptr<const SamplePattern> squarePattern(const AntialiasChoice& choice
 }
 
 constexpr const char* kSquares = "a square number up to 4096";
-
-/// The whole of a text as a number; nothing where it is none.
-template <class Number>
-std::optional<Number> numberIn(std::string_view text) {
-  Number value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(value) : std::nullopt;
-}
 
 /// As in ", 0 to 16"; empty where it is no number.
 std::string rangeOf(const AntialiasKey& key) {
@@ -68,7 +60,7 @@ void readPlacement(const AntialiasKey& key, AntialiasChoice& choice, const std::
 }
 
 void readExact(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
-  const std::optional<int> triangles = numberIn<int>(value);
+  const std::optional<int> triangles = numberFromText<int>(value);
   if (!triangles || !isWithin(key, *triangles)) {
     failValue(key, value, where);
   }
@@ -79,8 +71,8 @@ void readTile(const AntialiasKey& key, AntialiasChoice& choice, const std::strin
   const size_t cross = std::min(value.find('x'), value.size());
   const std::string_view text = value;
   // 0 where there is no number, which is no size either.
-  const int width = numberIn<int>(text.substr(0, cross)).value_or(0);
-  const int height = numberIn<int>(text.substr(std::min(cross + 1, text.size()))).value_or(0);
+  const int width = numberFromText<int>(text.substr(0, cross)).value_or(0);
+  const int height = numberFromText<int>(text.substr(std::min(cross + 1, text.size()))).value_or(0);
   if (!isWithin(key, width) || !isWithin(key, height)) {
     failValue(key, value, where);
   }
@@ -92,7 +84,7 @@ void readTile(const AntialiasKey& key, AntialiasChoice& choice, const std::strin
 }
 
 void readDense(const AntialiasKey& key, AntialiasChoice& choice, const std::string& value, const std::string& where) {
-  const std::optional<double> dense = numberIn<double>(value);
+  const std::optional<double> dense = numberFromText<double>(value);
   if (!dense || !isWithin(key, *dense)) {
     failValue(key, value, where);
   }
@@ -138,7 +130,7 @@ const AntialiasMethod& methodIn(std::string_view text, AntialiasChoice& choice, 
     }
     if (each.allows != nullptr && text.substr(0, dash) == each.name) {
       const std::optional<int> samples =
-          dash == std::string_view::npos ? std::nullopt : numberIn<int>(text.substr(dash + 1));
+          dash == std::string_view::npos ? std::nullopt : numberFromText<int>(text.substr(dash + 1));
       if (!samples || !each.allows(*samples)) {
         throw InputError(fmt::format("{} needs its number of samples a pixel: {}", each.name, each.allowed), where,
                          fmt::format("write {}-16, for example", each.name));

@@ -1,6 +1,6 @@
 #include "oc_core/base/host_port.h"
 
-#include <charconv>
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 
@@ -11,10 +11,8 @@ std::optional<HostPort> hostPortFromText(const std::string& text) {
     return std::nullopt;
   }
   HostPort place{text.substr(0, colon)};
-  const char* const end = text.data() + text.size();
-  const auto read = std::from_chars(text.data() + colon + 1, end, place.port);
-  const bool isPort = read.ec == std::errc() && read.ptr == end && place.port >= 1 && place.port <= kMaxPort;
-  return isPort ? std::optional(place) : std::nullopt;
+  place.port = numberFromText<int>(std::string_view(text).substr(colon + 1)).value_or(0);
+  return place.port >= 1 && place.port <= kMaxPort ? std::optional(place) : std::nullopt;
 }
 
 }  // namespace ocelli

@@ -4,13 +4,12 @@
 #include <unistd.h>
 
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 #include <optional>
 #include <string>
-#include <system_error>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -27,11 +26,8 @@ std::optional<int> descriptorOf(const fs::path& path) {
     return STDERR_FILENO;
   }
   for (const std::string_view folder : {"/dev/fd/", "/proc/self/fd/"}) {
-    int number = 0;
-    const char* const end = text.data() + text.size();
-    if (text.starts_with(folder) && text.size() > folder.size()) {
-      const auto read = std::from_chars(text.data() + folder.size(), end, number);
-      if (read.ec == std::errc() && read.ptr == end) {
+    if (text.starts_with(folder)) {
+      if (const std::optional<int> number = numberFromText<int>(std::string_view(text).substr(folder.size()))) {
         return number;
       }
     }

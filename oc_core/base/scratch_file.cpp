@@ -35,6 +35,10 @@ ScratchFile::~ScratchFile() {
   ::close(file_);
 }
 
+std::filesystem::path ScratchFile::link() const {
+  return "/proc/" + std::to_string(::getpid()) + "/fd/" + std::to_string(file_);
+}
+
 void ScratchFile::fail(int reason) const {
   throw WorkError("what does not fit into memory cannot be written here: " + std::generic_category().message(reason),
                   folder_.string(), "free some space, or write to another disk");

@@ -19,6 +19,10 @@ class ScratchFile {
   ScratchFile(const ScratchFile&) = delete;
   ScratchFile& operator=(const ScratchFile&) = delete;
 
+  /// A path by which it can be opened while this object lives, also by other processes of this user: a link of the
+  /// system, /proc/ID/fd/NUMBER. What was appended here and is still buffered is not seen there.
+  std::filesystem::path link() const;
+
   void append(std::span<const uint8_t> bytes);
   void appendZeros(uint64_t bytes);
 

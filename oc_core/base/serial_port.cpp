@@ -9,10 +9,10 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
-#include <charconv>
 #include <cstring>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -48,9 +48,8 @@ SerialPlace serialPlaceFromText(const std::string& text, const std::string& wher
   const size_t comma = text.rfind(',');
   SerialPlace place{text.substr(0, comma)};
   if (comma != std::string::npos) {
-    const char* const end = text.data() + text.size();
-    const auto read = std::from_chars(text.data() + comma + 1, end, place.bitsPerSecond);
-    place.bitsPerSecond = read.ec == std::errc() && read.ptr == end ? place.bitsPerSecond : 0;
+    place.bitsPerSecond =
+        numberFromText<decltype(place.bitsPerSecond)>(std::string_view(text).substr(comma + 1)).value_or(0);
   }
   const bool isKnown = std::ranges::find(kRates, place.bitsPerSecond, &BaudRate::bitsPerSecond) != kRates.end();
   if (place.device.empty() || !isKnown) {

@@ -1,8 +1,8 @@
 // Built-in and registered representations, and their names.
-#include <charconv>
 #include <string_view>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/base/registry.h"
 #include "oc_core/ocri/builtin_representations.h"
 
@@ -16,10 +16,8 @@ int countFromName(const RepresentationKind& kind, std::string_view name) {
   if (kind.maxCount == 0 || !name.starts_with(stem) || name.substr(stem.size()).starts_with('0')) {
     return 0;
   }
-  const char* end = name.data() + name.size();
-  int count = 0;
-  const auto [stopped, error] = std::from_chars(name.data() + stem.size(), end, count);
-  return error == std::errc() && stopped == end && count >= 1 && count <= kind.maxCount ? count : 0;
+  const int count = numberFromText<int>(name.substr(stem.size())).value_or(0);
+  return count >= 1 && count <= kind.maxCount ? count : 0;
 }
 
 bool answersTo(const RepresentationKind& kind, std::string_view name) {

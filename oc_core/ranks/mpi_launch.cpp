@@ -1,8 +1,9 @@
 #include "oc_core/ranks/mpi_launch.h"
 
-#include <charconv>
 #include <cstdlib>
 #include <string_view>
+
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
@@ -12,10 +13,7 @@ std::optional<int> environmentNumber(const char* name) {
   if (value == nullptr) {
     return std::nullopt;
   }
-  const std::string_view text(value);
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
+  return numberFromText<int>(value);
 }
 
 }  // namespace

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <optional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/spoc_builder.h"
@@ -32,10 +32,8 @@ std::optional<int> numberAfter(const std::string& name, const std::string& start
   if (!name.starts_with(start)) {
     return std::nullopt;
   }
-  int number = 0;
-  const char* end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + start.size(), end, number);
-  return error == std::errc() && stop == end && number >= 1 && number <= most ? std::optional(number) : std::nullopt;
+  const std::optional<int> number = numberFromText<int>(std::string_view(name).substr(start.size()));
+  return number && *number >= 1 && *number <= most ? number : std::nullopt;
 }
 
 struct Conventional {

@@ -15,6 +15,7 @@ namespace {
 
 constexpr size_t kPieceHeader = RemotePiece::kHeaderBytes + 4;  ///< of the message, and of WebSocket's frame
 constexpr int kSizeSteps = 4;
+constexpr size_t kFirstDrawings = 5;
 
 constexpr std::array<ImageMode, 5> kModes{{
     {"gpc", "general pinhole images with depth, wider than the screen and denser in the middle", true,
@@ -299,8 +300,8 @@ Playback playImages(const RemoteScene& scene, const RemotePath& path, const Link
       server.ask(*wish, seconds);
     }
     if (const RemoteClient::Choice choice = client.choose(view); choice.image != nullptr) {
-      if (drawings.empty()) {
-        drawn(k, *choice.image->quick);  // for its time
+      while (drawings.size() < kFirstDrawings) {
+        drawn(k, *choice.image->quick);  // for their time: that of the very first is not what drawing takes
       }
       screen.at(seconds, drawSeconds(), {k, choice.load.isCovered(), choice.image->quick});
     }

@@ -5,13 +5,13 @@
 #include <algorithm>
 #include <atomic>
 #include <bit>
-#include <charconv>
 #include <glm/matrix.hpp>
 #include <utility>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/base/printable_text.h"
 
@@ -29,9 +29,8 @@ size_t animationNamed(const Rig& rig, const std::string& wanted, const std::stri
       return i;
     }
   }
-  size_t number = 0;
-  const auto [end, error] = std::from_chars(wanted.data(), wanted.data() + wanted.size(), number);
-  if (error == std::errc() && end == wanted.data() + wanted.size() && number >= 1 && number <= rig.animations.size()) {
+  const size_t number = numberFromText<size_t>(wanted).value_or(0);
+  if (number >= 1 && number <= rig.animations.size()) {
     return number - 1;
   }
   std::string names;

@@ -1,12 +1,12 @@
 #include "oc_core/scene/ply_header.h"
 
 #include <array>
-#include <charconv>
 #include <optional>
 #include <sstream>
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli::ply {
 namespace {
@@ -112,10 +112,11 @@ class HeaderReader {
     Element element;
     std::string count;
     words >> element.name >> count;
-    const auto [end, error] = std::from_chars(count.data(), count.data() + count.size(), element.count);
-    if (count.empty() || error != std::errc() || end != count.data() + count.size()) {
+    const auto number = numberFromText<decltype(element.count)>(count);
+    if (!number) {
       fail("'" + count + "' is not a number of elements");
     }
+    element.count = *number;
     header_.elements.push_back(element);
   }
 

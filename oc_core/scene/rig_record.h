@@ -1,7 +1,8 @@
 // The rig in the record of a scene (scene_record.h). For scene_record.cpp.
 #pragma once
 
-#include "oc_core/scene/record_bytes.h"
+#include "oc_core/base/record_bytes.h"
+#include "oc_core/scene/scene_record.h"
 
 namespace ocelli {
 

@@ -12,7 +12,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/finite.h"
-#include "oc_core/scene/record_bytes.h"
+#include "oc_core/base/record_bytes.h"
 #include "oc_core/scene/rig_record.h"
 
 namespace ocelli {
@@ -33,12 +33,7 @@ void writeLayer(RecordWriter& writer, const std::optional<TextureLayer>& layer) 
   }
 }
 
-/// The error whose text the other process sent.
-InputError asItWas(const std::string& message) {
-  constexpr std::string_view kNext = "\n  try: ";
-  const size_t next = std::min(message.find(kNext), message.size());
-  return {message.substr(0, next), "", message.substr(std::min(next + kNext.size(), message.size()))};
-}
+constexpr RecordWords kWords{"scene", "convert the scene to binary PLY"};
 
 class RecordReader : public RecordParser {
  public:
@@ -52,7 +47,7 @@ class RecordReader : public RecordParser {
       case RecordKind::kFailure: {
         const std::string message = text();
         expectEnd();
-        throw asItWas(message);
+        throw errorAsItWas(message);
       }
     }
     fail("unknown kind");
@@ -232,7 +227,7 @@ void writeFailureRecord(const std::string& message, const ByteSink& sink) {
 }
 
 SceneRecord sceneFromRecord(std::span<const std::byte> bytes, const std::string& writer) {
-  return RecordReader(bytes, writer).read();
+  return RecordReader(bytes, writer, kWords).read();
 }
 
 }  // namespace ocelli

@@ -26,12 +26,12 @@
 #pragma once
 
 #include <cstddef>
-#include <functional>
 #include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
+#include "oc_core/base/byte_sink.h"
 #include "oc_core/scene/rig.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/texture_bake.h"
@@ -45,8 +45,6 @@ struct SceneRecord {
   std::vector<std::string> warnings;  ///< what the user should know of, a sentence each
   std::optional<Rig> rig;             ///< of a file with animations: what moves parts and instances
 };
-
-using ByteSink = std::function<void(std::span<const std::byte>)>;
 
 /// Writes what sceneFromRecord() reads; more than 2^32 of anything is a bug of the caller.
 void writeSceneRecord(const SceneRecord& record, const ByteSink& sink);

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 
 #include "oc_core/ambient/ambient_error.h"
 #include "oc_core/ambient/ray_ambient.h"
 #include "oc_core/ambient/unseen_target.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/image/color.h"
 #include "oc_core/page/html.h"
 #include "oc_core/shade/ambient_ways.h"
@@ -106,10 +106,8 @@ std::optional<double> numberOrAuto(const std::string& text, const char* option, 
   if (text == kByItself) {
     return std::nullopt;
   }
-  double value = 0;
-  const char* const end = text.data() + text.size();
-  const auto [stop, problem] = std::from_chars(text.data(), end, value);
-  if (problem != std::errc() || stop != end || !(value >= least && value <= most)) {
+  const std::optional<double> value = numberFromText<double>(text);
+  if (!value || *value < least || *value > most) {
     throw InputError(fmt::format("\"{}\" is no number from {} to {}", text, least, most), std::string("--") + option,
                      std::string("give such a number, or ") + kByItself);
   }

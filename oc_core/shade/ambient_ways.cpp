@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <chrono>
 #include <functional>
 #include <limits>
@@ -12,6 +11,7 @@
 #include "oc_core/ambient/horizon_ambient.h"
 #include "oc_core/ambient/ray_ambient.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/depth_rays/depth_image_target.h"
 #include "oc_core/ocri/camera_choice.h"
@@ -180,10 +180,8 @@ std::optional<int> raysIn(const std::string& way) {
   if (!way.starts_with(kTracedPrefix)) {
     return std::nullopt;
   }
-  int rays = 0;
-  const char* const end = way.data() + way.size();
-  const auto [stop, problem] = std::from_chars(way.data() + kTracedPrefix.size(), end, rays);
-  if (problem != std::errc() || stop != end || rays < 1 || rays > AmbientRays::kMaxRays) {
+  const int rays = numberFromText<int>(std::string_view(way).substr(kTracedPrefix.size())).value_or(0);
+  if (rays < 1 || rays > AmbientRays::kMaxRays) {
     throw InputError("\"" + way + "\" does not say how many rays", "--by",
                      "write traced-64; up to " + std::to_string(AmbientRays::kMaxRays));
   }

@@ -1,12 +1,12 @@
 #include "oc_core/shade/shadow_ways.h"
 
 #include <algorithm>
-#include <charconv>
 #include <chrono>
 #include <iterator>
 #include <optional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/ocri/union_mesh.h"
@@ -130,10 +130,8 @@ std::optional<int> raysOfName(const std::string& name) {
   if (!name.starts_with(prefix)) {
     return std::nullopt;
   }
-  int rays = 0;
-  const char* end = name.data() + name.size();
-  const auto [stop, error] = std::from_chars(name.data() + prefix.size(), end, rays);
-  if (error != std::errc() || stop != end || rays < 1 || rays > TracedVisibility::kMaxRays) {
+  const int rays = numberFromText<int>(std::string_view(name).substr(prefix.size())).value_or(0);
+  if (rays < 1 || rays > TracedVisibility::kMaxRays) {
     throw InputError("\"" + name + "\" has no number of rays from 1 to " + std::to_string(TracedVisibility::kMaxRays),
                      "--by", "for example traced-64");
   }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <memory>
 #include <string>
 
@@ -61,6 +62,16 @@ std::span<const std::byte> MappedVoxels::bytes() const {
 bool MappedVoxels::isKnownZero(size_t begin, size_t end) const {
   const auto next = std::ranges::upper_bound(data_, offset_ + begin, {}, &Extent::second);
   return next == data_.end() || next->first >= offset_ + end;
+}
+
+size_t MappedVoxels::bytesToRead() const {
+  uint64_t sum = 0;
+  for (const auto& [begin, end] : data_) {
+    const uint64_t from = std::max(begin, offset_);
+    const uint64_t to = std::min(end, offset_ + size_);
+    sum += to > from ? to - from : 0;
+  }
+  return sum;
 }
 
 void MappedVoxels::willRead(size_t begin, size_t end) const {

@@ -32,6 +32,7 @@ class MappedVoxels : public VoxelStore {
 
   std::span<const std::byte> bytes() const override;
   bool isKnownZero(size_t begin, size_t end) const override;
+  size_t bytesToRead() const override;
   void willRead(size_t begin, size_t end) const override;
   void release(size_t begin, size_t end) const override;
 

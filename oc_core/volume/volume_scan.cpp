@@ -14,13 +14,14 @@ constexpr size_t kPartsAtOnce = 32;
 
 }  // namespace
 
-SlicesInMemory::SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last) : store_(volume.store()) {
+SlicesInMemory::SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last, bool readsAhead)
+    : store_(volume.store()) {
   if (store_ != nullptr) {
     const auto slices = static_cast<size_t>(volume.grid().size.z);
     const size_t sliceBytes = volume.voxels().size() / slices;
     begin_ = first * sliceBytes;
     end_ = std::min(last, slices) * sliceBytes;
-    if (!store_->isKnownZero(begin_, end_)) {
+    if (readsAhead && !store_->isKnownZero(begin_, end_)) {
       store_->willRead(begin_, end_);
     }
   }

@@ -16,10 +16,10 @@ void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
                 const std::function<void(size_t begin, size_t end)>& body);
 
 /// While it lives, slices [first, last) may be read; those that there are, at the most. Of a volume from a store they
-/// are read ahead, and given back at the end. Of any other this does nothing.
+/// are read ahead, unless few of them will be read, and given back at the end. Of any other this does nothing.
 class SlicesInMemory {
  public:
-  SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last);
+  SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last, bool readsAhead = true);
   ~SlicesInMemory();
   SlicesInMemory(const SlicesInMemory&) = delete;
   SlicesInMemory& operator=(const SlicesInMemory&) = delete;

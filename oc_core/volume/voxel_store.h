@@ -18,6 +18,8 @@ class VoxelStore {
   virtual std::span<const std::byte> bytes() const = 0;
   /// Whether the bytes in [begin, end) are known to be zero without being read: the holes of sparse files.
   virtual bool isKnownZero(size_t begin, size_t end) const = 0;
+  /// How many bytes are not known to be zero: what reading all of them reads.
+  virtual size_t bytesToRead() const = 0;
   /// Reads these bytes ahead.
   virtual void willRead(size_t begin, size_t end) const = 0;
   /// Gives the memory of these bytes back. They can be read again.

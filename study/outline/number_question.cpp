@@ -1,10 +1,10 @@
 // A number that is typed.
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/number_text.h"
 #include "study/outline/local_text.h"
 #include "study/outline/option_fields.h"
 #include "study/outline/typed_entry.h"
@@ -54,15 +54,12 @@ void typeNumber(const FormField& /*field*/, QuestionEntry& entry, char32_t chara
 }
 
 std::optional<double> numberOf(const FormField& field, const QuestionEntry& entry) {
-  double number = 0;
-  const char* const end = entry.typed.data() + entry.typed.size();
-  const auto read = std::from_chars(entry.typed.data(), end, number);
-  if (read.ec != std::errc() || read.ptr != end || !(number >= field.least && number <= field.most)) {
+  const std::optional<double> number = numberFromText<double>(entry.typed);
+  if (!number || *number < field.least || *number > field.most) {
     return std::nullopt;
   }
-  const double steps = number / field.step;
-  return std::abs(steps - std::round(steps)) <= kRounding * std::max(1.0, std::abs(steps)) ? std::optional(number)
-                                                                                           : std::nullopt;
+  const double steps = *number / field.step;
+  return std::abs(steps - std::round(steps)) <= kRounding * std::max(1.0, std::abs(steps)) ? number : std::nullopt;
 }
 
 std::optional<std::string> storedNumber(const FormField& field, const QuestionEntry& entry) {

@@ -8,6 +8,7 @@
 #include <numbers>
 
 #include "oc_core/base/check.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/base/sha256.h"
 #include "study/protocol/leveled_block.h"
 #include "study/protocol/staircase_trials.h"
@@ -29,11 +30,9 @@ uint64_t hashOf(const std::string& text) {
 }
 
 double numberOf(const std::string& expected) {
-  double number = 0;
-  const char* end = expected.data() + expected.size();
-  const std::from_chars_result read = std::from_chars(expected.data(), end, number);
-  OC_CHECK(read.ec == std::errc() && read.ptr == end, "what is expected of an estimate is a number");
-  return number;
+  const std::optional<double> number = numberFromText<double>(expected);
+  OC_CHECK(number, "what is expected of an estimate is a number");
+  return *number;
 }
 
 /// Draws outcomes of one subject in one session.

@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
 #include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
+#include "oc_core/base/number_text.h"
 #include "oc_core/base/parallel.h"
 #include "study/store/program_version.h"
 #include "study/store/resume.h"
@@ -21,12 +21,6 @@ namespace ocelli {
 namespace {
 
 constexpr int kMaxSubjects = 10'000;
-
-std::optional<int> numberFrom(std::string_view text) {
-  int number = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() ? std::optional(number) : std::nullopt;
-}
 
 /// A subject of the plan and what is there of it.
 struct SubjectWork {
@@ -182,8 +176,8 @@ std::vector<int> sessionsFromText(const std::string& text, int subjects, int mos
     const std::string_view part = left.substr(0, comma);
     left.remove_prefix(std::min(comma + 1, left.size()));
     const size_t times = part.find('x');
-    const std::optional<int> count = numberFrom(part.substr(0, times));
-    const std::optional<int> each = times == part.npos ? subjects : numberFrom(part.substr(times + 1));
+    const std::optional<int> count = numberFromText<int>(part.substr(0, times));
+    const std::optional<int> each = times == part.npos ? subjects : numberFromText<int>(part.substr(times + 1));
     if (!count || !each || *count < 1 || *count > most || *each < 1 || *each > kMaxSubjects) {
       throw InputError(fmt::format("\"{}\" does not say how many sessions for how many subjects, or the protocol has "
                                    "but {} sessions",

@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "oc_core/ambient/ambient_error.h"
-#include "oc_core/ambient/ray_ambient.h"
 #include "oc_core/ambient/three_frusta.h"
 #include "oc_core/base/error.h"
 #include "oc_core/render/rasterize_graph.h"
@@ -71,34 +70,6 @@ TEST(HorizonAmbient, isThatOfAPitDerivedByHand) {
       ambientByHorizon(points, planeImageOf(camera, mesh), {.radius = 10, .attenuates = false}, {64, 400});
   // The rim is found to within a pixel of 0.0125 units: 0.02 of the cone's share of the disc.
   EXPECT_THAT(light.light, Each(FloatNear(0.25f / (0.25f + 0.16f), 0.03f)));
-}
-
-TEST(HorizonAmbient, agreesWithRaysOnAHeightField) {
-  // Waves that the view looks straight into, none of them hidden.
-  Mesh mesh;
-  constexpr int kSide = 200;
-  const auto height = [](float x, float y) { return 0.12f * std::sin(6 * x) * std::cos(5 * y); };
-  for (int j = 0; j < kSide; ++j) {
-    for (int i = 0; i < kSide; ++i) {
-      const auto corner = [&](int a, int b) {
-        const float x = 4 * (static_cast<float>(a) / kSide - 0.5f);
-        const float y = 4 * (static_cast<float>(b) / kSide - 0.5f);
-        return glm::vec3(x, y, height(x, y));
-      };
-      test::addQuad(mesh, corner(i, j), corner(i + 1, j), corner(i + 1, j + 1), corner(i, j + 1));
-    }
-  }
-  const PinholeCamera camera(View{}, 180, 120);
-  const PinholeCamera wide = withBorder(camera, 60);
-  const AmbientOptions options{.radius = 0.7};
-  const std::vector<AmbientPoint> points = test::pointsOf(camera, mesh);
-  const std::vector<float> truth = ambientByRays(points, RayScene(mesh), options, {.count = 256});
-  const AmbientError error =
-      ambientError(ambientByHorizon(points, planeImageOf(wide, mesh), options, kFine).light, truth);
-  EXPECT_LT(error.rmse, 0.02) << "of which 0.01 are the rays'";
-  EXPECT_LT(std::abs(error.signedMean), 0.01);
-  // The usual numbers of directions and steps.
-  EXPECT_LT(ambientError(ambientByHorizon(points, planeImageOf(wide, mesh), options).light, truth).rmse, 0.035);
 }
 
 TEST(HorizonAmbient, agreesWithEverySampleOfTheImage) {

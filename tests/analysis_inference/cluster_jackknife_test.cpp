@@ -7,57 +7,10 @@
 #include <functional>
 
 #include "analysis/base/distributions.h"
-#include "analysis/inference/accelerated_failure_time.h"
-#include "analysis/inference/cox.h"
-#include "oc_core/base/random_numbers.h"
+#include "tests/analysis_inference/clustered_searches.h"
 
 namespace ocelli::test {
 namespace {
-
-using Fit = std::function<Estimable<Estimate>(const SurvivalData&)>;
-
-/// Of the first covariate, on the scale of logarithms.
-Estimable<Estimate> coxTerm(const SurvivalData& data) {
-  const auto fit = fitCox(data);
-  return fit ? Estimable<Estimate>(fit->terms[0].logHazardRatio) : Estimable<Estimate>::impossible(fit.reason());
-}
-Estimable<Estimate> logNormalTerm(const SurvivalData& data) {
-  const auto fit = fitLogNormal(data);
-  return fit ? Estimable<Estimate>(fit->terms[0].logTimeRatio) : Estimable<Estimate>::impossible(fit.reason());
-}
-
-/// Standard deviations in log seconds.
-struct Spread {
-  double ofSubjects = 0.25, ofSubjectViews = 0.15, ofCases = 0.35, ofCaseViews = 0, ofTrials = 0.45;
-};
-
-/// Searches without an effect of the view, up to 60 s; each subject has each case in both views. Cases with an odd
-/// number move.
-SurvivalData searches(int subjects, int cases, const Spread& spread, RandomNumbers& random) {
-  SurvivalData data;
-  data.covariates = {{"view", {}}};
-  data.fewClusters = true;
-  std::vector<std::array<double, 2>> ofCases(static_cast<size_t>(cases));
-  for (std::array<double, 2>& each : ofCases) {
-    each = {spread.ofCases * random.normal(), spread.ofCaseViews * random.normal()};
-  }
-  for (int subject = 0; subject < subjects; ++subject) {
-    const double ofSubject = spread.ofSubjects * random.normal();
-    const double ofSubjectView = spread.ofSubjectViews * random.normal();
-    for (int each = 0; each < cases; ++each) {
-      for (const double view : {-0.5, 0.5}) {
-        const auto [ofCase, ofCaseView] = ofCases[static_cast<size_t>(each)];
-        const double seconds =
-            std::exp(3 + ofSubject + ofCase + (ofSubjectView + ofCaseView) * view + spread.ofTrials * random.normal());
-        data.times.push_back({std::min(seconds, 60.0), seconds < 60});
-        data.covariates[0].values.push_back(view);
-        data.clusters.push_back(subject);
-        data.items.push_back(each);
-      }
-    }
-  }
-  return data;
-}
 
 void addMoving(SurvivalData& data) {
   data.covariates.push_back({"moving", {}});
@@ -197,27 +150,6 @@ TEST(ClusterJackknife, WhatOneCaseAloneTellsHasNoError) {
   }
   EXPECT_TRUE(std::isnan(cox->wald.pValue));
   EXPECT_TRUE(std::isnan(logNormal->intercept.standardError));
-}
-
-/// Studies of 8 subjects and 10 cases without an effect of the view in which there seems to be one.
-double shareRejected(const Fit& fit, double ofCaseViews) {
-  constexpr int kStudies = 4000;  // the standard error of 3 % is 0.27 %
-  int rejected = 0;
-  for (int study = 0; study < kStudies; ++study) {
-    RandomNumbers random(7, static_cast<uint64_t>(study));
-    rejected += fit(searches(8, 10, {.ofCaseViews = ofCaseViews}, random))->pValue < 0.05 ? 1 : 0;
-  }
-  return static_cast<double>(rejected) / kStudies;
-}
-
-TEST(ClusterJackknife, TrueNullsAreRejectedInThreeToSevenPercent) {
-  for (const double ofCaseViews : {0.0, 0.8}) {
-    for (const auto& [what, fit] : {std::pair("Cox", Fit(coxTerm)), std::pair("log-normal", Fit(logNormalTerm))}) {
-      const double share = shareRejected(fit, ofCaseViews);
-      EXPECT_GE(share, 0.03) << what << ", " << ofCaseViews;
-      EXPECT_LE(share, 0.07) << what << ", " << ofCaseViews;
-    }
-  }
 }
 
 }  // namespace

@@ -33,12 +33,17 @@ THIRD_PARTIES = {
     "glib": "PkgConfig::umockdev",
     "meshoptimizer.h": "meshoptimizer::meshoptimizer",
     "embree3/": "embree",
+    "openvdb/": "OpenVDB::openvdb",
     "Imf": "PkgConfig::OpenEXR",
     "Imath": "PkgConfig::OpenEXR",
     "Iex": "PkgConfig::OpenEXR",
     "OpenEXR/": "PkgConfig::OpenEXR",
     "cairo": "PkgConfig::cairo",
     "stb/": "PkgConfig::stb",
+    "gdcm": "GDCM::gdcm",
+    "teem/": "Teem::teem",
+    "nifti2_io.h": "NIFTI::nifti2",
+    "pugixml.hpp": "PkgConfig::pugixml",
     "zstd": "zstd::libzstd_shared",
     "CLI/": "CLI11::CLI11",
     "fmt/": "fmt::fmt",
@@ -61,7 +66,6 @@ THIRD_PARTIES = {
     "GL/osmesa.h": None,
     "glad/": None,
     # Peers of benchmarks, which most machines lack.
-    "openvdb/": None,
     "vtk": None,
 }
 # Made by ocelli_embed_shaders() in the build tree, for .cpp files.

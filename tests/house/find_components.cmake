@@ -1,7 +1,7 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
-# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE, WITH_REMOTE: whether there is a component "opengl", "mpi",
-# "live". DOCUMENTATION: docs/install.md.
+# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE, WITH_REMOTE, WITH_VOLUME_IMPORT: whether there is a
+# component "opengl", "mpi", "live", "serving", "volumes". DOCUMENTATION: docs/install.md.
 
 # Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
 # `failed`.
@@ -64,7 +64,7 @@ foreach(component IN LISTS OCELLI_COMPONENTS)
   file(STRINGS "${DOCUMENTATION}" row REGEX "^. `${component}` .")
   foreach(target IN LISTS OCELLI_${component}_PACKAGES)
     set(package ${OCELLI_PACKAGE_${target}})
-    list(REMOVE_ITEM package PKG_CONFIG)
+    list(REMOVE_ITEM package PKG_CONFIG LIBRARY)
     list(GET package 0 package)
     string(REGEX REPLACE ">=.*" "" package "${package}")
     string(FIND "${row}" "${package}" at)
@@ -166,6 +166,12 @@ if(WITH_REMOTE)
     LACKS assimp::assimp SQLiteCpp ${windows} ${usb} ${statistics})
 else()
   must_fail_saying("There is no component \"serving\"" "find_package(Ocelli REQUIRED COMPONENTS serving)")
+endif()
+if(WITH_VOLUME_IMPORT)
+  find_needs(volumes TARGETS Ocelli::core Ocelli::volume_import PACKAGES Eigen3 Boost assimp glfw3 SQLiteCpp
+    LACKS assimp::assimp SQLiteCpp ${windows} ${usb} ${statistics})
+else()
+  must_fail_saying("There is no component \"volumes\"" "find_package(Ocelli REQUIRED COMPONENTS volumes)")
 endif()
 if(WITH_OPENGL)
   find_needs(opengl TARGETS Ocelli::viewer Ocelli::study_screen Ocelli::gl PACKAGES Eigen3 Boost assimp

@@ -114,7 +114,7 @@ TEST_F(FakeReader, MissingProgramSaysWhatToDo) {
 }
 
 TEST(SceneReaderProgram, StandsInLibexecAboveTheProgram) {
-  const fs::path program = sceneReaderProgram();
+  const fs::path program = findReaderProgram(sceneReader());
   EXPECT_EQ(program.filename(), "ocelli-read-scene");
   EXPECT_EQ(program.parent_path().filename(), "ocelli");
   EXPECT_EQ(access(program.c_str(), X_OK), 0);
@@ -122,7 +122,8 @@ TEST(SceneReaderProgram, StandsInLibexecAboveTheProgram) {
 
 TEST(SceneReaderProgram, EndsWhereItsParentIsNoMore) {
   // The first process of all is the parent of none that a test starts.
-  const std::string command = "'" + sceneReaderProgram().string() + "' 1 plain /no/such/file 2>&1 3>/dev/null";
+  const std::string command =
+      "'" + findReaderProgram(sceneReader()).string() + "' 1 plain /no/such/file 2>&1 3>/dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), kReaderFailed);
 }
 
@@ -138,11 +139,11 @@ TEST(ReadingLimits, GrowWithTheFilesUpToTheMachine) {
 TEST(ReadingLimits, ComeFromTheEnvironment) {
   const Variable memory("OCELLI_SCENE_MEMORY_GIB", "2.5");
   const Variable seconds("OCELLI_SCENE_SECONDS", "7");
-  EXPECT_EQ(readingLimits().memoryBytes(1 << 30), static_cast<uint64_t>(2.5 * kGibibyte));
-  EXPECT_EQ(readingLimits().processorSeconds(1 << 30), 7);
+  EXPECT_EQ(readingLimits(sceneReader()).memoryBytes(1 << 30), static_cast<uint64_t>(2.5 * kGibibyte));
+  EXPECT_EQ(readingLimits(sceneReader()).processorSeconds(1 << 30), 7);
   for (const char* bad : {"much", "-1", "0", "nan", "1e99", "3 GiB"}) {
     const Variable wrong("OCELLI_SCENE_SECONDS", bad);
-    EXPECT_THAT([] { readingLimits(); },
+    EXPECT_THAT([] { readingLimits(sceneReader()); },
                 ThrowsMessage<InputError>(AllOf(HasSubstr("OCELLI_SCENE_SECONDS"), HasSubstr(bad))))
         << bad;
   }

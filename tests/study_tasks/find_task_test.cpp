@@ -167,7 +167,7 @@ TEST(FindTask, placesAreDrawnFromBandsOfDistanceAlikeForAllViewsAndEachOnce) {
   std::set<std::string> ofA;
   std::vector<int> near;
   std::vector<int> far;
-  for (uint64_t seed = 1; seed <= 60; ++seed) {
+  for (uint64_t seed = 1; seed <= 20; ++seed) {
     const auto cellOf = [&](int index) {
       const TrialPlan plan = test::planOf("find", index, TrialView::kReference, seed);
       const auto run = block->start(plan, kFindScreen);

@@ -3,7 +3,7 @@
 
 #include <filesystem>
 
-#include "oc_core/scene/import/reading_budget.h"
+#include "oc_core/base/reading_budget.h"
 #include "oc_core/scene/scene_record.h"
 
 namespace ocelli {

@@ -3,7 +3,7 @@
 
 #include <memory>
 
-#include "oc_core/scene/import/reading_budget.h"
+#include "oc_core/base/reading_budget.h"
 
 namespace Assimp {
 class IOSystem;

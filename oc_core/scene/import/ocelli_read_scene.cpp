@@ -4,55 +4,20 @@
 
 #include <assimp/DefaultLogger.hpp>
 #include <assimp/LogStream.hpp>
-#include <cerrno>
 #include <cstdio>
 #include <cstdlib>
 #include <cstring>
 #include <exception>
 #include <span>
 #include <string>
-#include <vector>
 
 #include "oc_core/base/child_process.h"
 #include "oc_core/base/error.h"
 #include "oc_core/scene/import/assimp_scene.h"
+#include "oc_core/scene/scene_reader.h"
 
 namespace ocelli {
 namespace {
-
-/// Collects small pieces, and writes large ones as they are.
-class ResultWriter {
- public:
-  void write(std::span<const std::byte> bytes) {
-    if (buffer_.size() + bytes.size() > kBufferBytes) {
-      flush();
-    }
-    if (bytes.size() > kBufferBytes) {
-      writeAll(bytes);
-    } else {
-      buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-    }
-  }
-  void flush() {
-    writeAll(buffer_);
-    buffer_.clear();
-  }
-
- private:
-  static constexpr size_t kBufferBytes = 1 << 16;
-
-  static void writeAll(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-      const ssize_t written = ::write(kChildResultDescriptor, bytes.data(), bytes.size());
-      if (written < 0 && errno != EINTR) {
-        throw WorkError(std::string("cannot hand back the scene (") + std::strerror(errno) + ")", "", "");
-      }
-      bytes = bytes.subspan(written > 0 ? static_cast<size_t>(written) : 0);
-    }
-  }
-
-  std::vector<std::byte> buffer_;
-};
 
 /// The last line is shown where Assimp crashes.
 class LogToStandardError : public Assimp::LogStream {
@@ -61,11 +26,11 @@ class LogToStandardError : public Assimp::LogStream {
 };
 
 void readScene(const std::string& path, bool withTextures) {
-  ReadingBudget budget(readingLimits());
+  ReadingBudget budget(readingLimits(sceneReader()));
   Assimp::DefaultLogger::create("", Assimp::Logger::NORMAL, 0);
   // The logger owns it.
   Assimp::DefaultLogger::get()->attachStream(new LogToStandardError, Assimp::Logger::Err | Assimp::Logger::Warn);
-  ResultWriter result;
+  ReaderOutput result;
   const ByteSink sink = [&](std::span<const std::byte> bytes) { result.write(bytes); };
   SceneRecord record;
   std::string failure;

@@ -1,0 +1,161 @@
+#include "oc_core/volume/import/dicom_slices.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <map>
+
+#include "oc_core/base/error.h"
+#include "oc_core/volume/import/voxel_output.h"
+
+namespace ocelli {
+namespace {
+
+/// Positions are decimal numbers, which scanners round to hundredths of a mm or so. A slice that is so far, as a share
+/// of the distance of slices, from where it should be, would not be seen; one that is missing is twenty times as far.
+constexpr double kMaxMisplaced = 0.05;
+/// Of directions, which are rounded to six digits or so.
+constexpr double kMaxTurned = 1e-4;
+
+std::string describe(const std::string& uid, const std::vector<const DicomSlice*>& slices) {
+  const DicomSlice& first = *slices.front();
+  std::string text =
+      fmt::format("series {}: {} slices of {} x {}", first.seriesNumber.empty() ? "?" : first.seriesNumber,
+                  slices.size(), first.columns, first.rows);
+  if (!first.seriesDescription.empty()) {
+    text += fmt::format(", \"{}\"", first.seriesDescription);
+  }
+  return text + ", UID " + uid;
+}
+
+[[noreturn]] void failSlice(const std::string& what, const DicomSlice& slice, const std::string& next) {
+  throw InputError(what, slice.file.string(), next);
+}
+
+void checkAlike(const std::vector<DicomSlice>& slices) {
+  const DicomSlice& first = slices.front();
+  const std::string name = first.file.filename().string();
+  for (const DicomSlice& slice : slices) {
+    if (slice.columns != first.columns || slice.rows != first.rows) {
+      failSlice(fmt::format("this slice has {} x {} pixels, and {} has {} x {}", slice.columns, slice.rows, name,
+                            first.columns, first.rows),
+                slice, "remove the slices of another kind, such as scouts, from the folder");
+    }
+    if (glm::distance(slice.alongColumns, first.alongColumns) > kMaxTurned ||
+        glm::distance(slice.alongRows, first.alongRows) > kMaxTurned) {
+      failSlice(fmt::format("this slice is turned against {}", name), slice,
+                "remove the slices of another kind, such as scouts, from the folder");
+    }
+    const double spacingOff = std::max(std::abs(slice.columnSpacing / first.columnSpacing - 1),
+                                       std::abs(slice.rowSpacing / first.rowSpacing - 1));
+    if (spacingOff > kMaxTurned) {
+      failSlice(fmt::format("the pixels of this slice are not as far apart as those of {}", name), slice,
+                "remove the slices of another kind from the folder");
+    }
+  }
+}
+
+double heightOf(const DicomSlice& slice, const glm::dvec3& normal) {
+  return glm::dot(slice.position, normal);
+}
+
+/// The distance that most neighbours have: the middle of all.
+double usualStep(const std::vector<DicomSlice>& slices, const glm::dvec3& normal) {
+  std::vector<double> steps;
+  for (size_t at = 1; at < slices.size(); ++at) {
+    steps.push_back(heightOf(slices[at], normal) - heightOf(slices[at - 1], normal));
+  }
+  const auto middle = steps.begin() + static_cast<ptrdiff_t>(steps.size() / 2);
+  std::nth_element(steps.begin(), middle, steps.end());
+  return *middle;
+}
+
+void checkSteps(const std::vector<DicomSlice>& slices, const glm::dvec3& normal, const std::string& where) {
+  const double usual = usualStep(slices, normal);
+  for (size_t at = 1; at < slices.size(); ++at) {
+    const double step = heightOf(slices[at], normal) - heightOf(slices[at - 1], normal);
+    const std::string before = slices[at - 1].file.filename().string();
+    const std::string after = slices[at].file.filename().string();
+    if (step <= kMaxMisplaced * usual || step <= 0) {
+      throw InputError(fmt::format("the slices {} and {} stand in one place, at {:g} mm along their normal", before,
+                                   after, heightOf(slices[at], normal)),
+                       where, "give a folder with one time, one echo and one reconstruction of the volume");
+    }
+    if (const double count = step / usual;
+        count > 2 - 2 * kMaxMisplaced && std::abs(count - std::round(count)) < 2 * kMaxMisplaced) {
+      throw InputError(
+          fmt::format("{:.0f} slice{} missing between {} and {}, which are {:g} mm apart, not {:g} mm",
+                      std::round(count) - 1, std::round(count) == 2 ? " is" : "s are", before, after, step, usual),
+          where, "copy or export the folder again, with all slices");
+    }
+    if (std::abs(step / usual - 1) > 2 * kMaxMisplaced) {
+      throw InputError(
+          fmt::format("the slices {} and {} are {:g} mm apart, and most others {:g} mm", before, after, step, usual),
+          where, "resample the volume to equal distances, or remove the slices of the other distance");
+    }
+  }
+}
+
+}  // namespace
+
+std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, const std::string& series,
+                                     const std::string& where) {
+  std::map<std::string, std::vector<const DicomSlice*>> all;
+  for (const DicomSlice& slice : slices) {
+    all[slice.seriesUid].push_back(&slice);
+  }
+  std::vector<const std::vector<const DicomSlice*>*> chosen;
+  std::string list;
+  for (const auto& [uid, members] : all) {
+    list += (list.empty() ? "" : "\n") + describe(uid, members);
+    if (series.empty() || series == uid || series == members.front()->seriesNumber) {
+      chosen.push_back(&members);
+    }
+  }
+  if (chosen.size() != 1) {
+    throw InputError(chosen.empty() ? fmt::format("there is no series \"{}\" among the {} here", series, all.size())
+                                    : fmt::format("there are {} series of slices", chosen.size()),
+                     where, "choose one with --series NUMBER or --series UID, or give a folder with one", list);
+  }
+  std::vector<DicomSlice> one;
+  for (const DicomSlice* slice : *chosen.front()) {
+    one.push_back(*slice);
+  }
+  return one;
+}
+
+void arrangeSlices(std::vector<DicomSlice>& slices, VolumeRecord& record, const std::string& where) {
+  checkAlike(slices);
+  const glm::dvec3 normal = glm::normalize(glm::cross(slices.front().alongColumns, slices.front().alongRows));
+  std::stable_sort(slices.begin(), slices.end(),
+                   [&](const DicomSlice& a, const DicomSlice& b) { return heightOf(a, normal) < heightOf(b, normal); });
+  if (slices.size() < 2) {
+    throw InputError("there is but one slice", where, "give a folder with all slices of a volume");
+  }
+  checkSteps(slices, normal, where);
+  const DicomSlice& first = slices.front();
+  const auto last = static_cast<double>(slices.size() - 1);
+  // Where the gantry was tilted, this is not along the normal.
+  const glm::dvec3 step = (slices.back().position - first.position) / last;
+  for (size_t at = 0; at < slices.size(); ++at) {
+    const glm::dvec3 expected = first.position + static_cast<double>(at) * step;
+    if (glm::distance(slices[at].position, expected) > kMaxMisplaced * glm::length(step) + 1e-9) {
+      failSlice(fmt::format("this slice is {:g} mm from where a volume of slices {:g} mm apart would have it",
+                            glm::distance(slices[at].position, expected), glm::length(step)),
+                slices[at], "resample the volume to equal distances, or remove the slices of another kind");
+    }
+  }
+  checkVolumeSize({first.columns, first.rows, slices.size()}, 1, where);
+  VolumeGrid& grid = record.grid;
+  grid.size = {first.columns, first.rows, static_cast<int>(slices.size())};
+  grid.worldFromIndex =
+      glm::dmat4(glm::dvec4(first.alongColumns * first.columnSpacing, 0),
+                 glm::dvec4(first.alongRows * first.rowSpacing, 0), glm::dvec4(step, 0), glm::dvec4(first.position, 1));
+  grid.unit = "mm";
+  grid.isAnatomical = true;
+  record.facts = {first.modality, first.valueUnit, "DICOM"};
+}
+
+}  // namespace ocelli

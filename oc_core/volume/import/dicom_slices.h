@@ -1,0 +1,44 @@
+// Slices of a volume in DICOM files: what they say of themselves, which of them make one volume, and its grid. Their
+// frame is LPS, in mm.
+#pragma once
+
+#include <filesystem>
+#include <glm/vec3.hpp>
+#include <string>
+#include <vector>
+
+#include "oc_core/volume/volume_record.h"
+
+namespace ocelli {
+
+/// An image of a file: a file may have several frames.
+struct DicomSlice {
+  std::filesystem::path file;
+  unsigned frame = 0;  ///< of the file
+  std::string seriesUid;
+  std::string seriesNumber;
+  std::string seriesDescription;
+  std::string modality;
+  std::string valueUnit;
+  int columns = 0;
+  int rows = 0;
+  glm::dvec3 position{0};      ///< of the centre of its first pixel
+  glm::dvec3 alongColumns{0};  ///< from a pixel to the next one of its row, of length 1
+  glm::dvec3 alongRows{0};     ///< from a row to the next
+  double columnSpacing = 1;
+  double rowSpacing = 1;
+  double slope = 1;  ///< of what a pixel means
+  double intercept = 0;
+};
+
+/// The slices of one series: the one that `series` names by its UID or its number; all, where there is but one. Throws
+/// InputError that lists the series where it names none, or where there are several and it is empty.
+std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, const std::string& series,
+                                     const std::string& where);
+
+/// Sorts the slices along their normal, the way it points, and sets the grid and the facts of the record. Throws
+/// InputError where they make no volume: sizes or orientations differ, slices are missing, stand in one place, or are
+/// unequally far apart.
+void arrangeSlices(std::vector<DicomSlice>& slices, VolumeRecord& record, const std::string& where);
+
+}  // namespace ocelli

@@ -1,0 +1,36 @@
+// The files of volumes that are read: a row a format. `ocelli-read-volume` (import/) has a reader for each.
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace ocelli {
+
+struct VolumeFormat {
+  std::string_view name;                      ///< "NRRD"
+  std::span<const std::string_view> endings;  ///< of file names, in lower case, with the point: ".nrrd"
+};
+
+std::span<const VolumeFormat> volumeFormats();
+inline constexpr std::string_view kDicomFormat = "DICOM";
+
+/// The format of a file by the ending of its name, in any case; DICOM also by its first bytes, and for a folder that
+/// has such a file. Null where it is none of these. A folder of many files is asked for a few only.
+const VolumeFormat* volumeFormatOf(const std::filesystem::path& path);
+/// The same of a file's name alone.
+const VolumeFormat* volumeFormatOfName(const std::filesystem::path& path);
+
+/// Whether a file begins as DICOM files do: 128 bytes of anything, then "DICM".
+bool isDicomFile(const std::filesystem::path& path);
+
+/// The volume files of a folder, in the order of their names, where numbers count as numbers: "t2.nrrd" stands before
+/// "t10.nrrd". Those of DICOM are none of them: a folder of these is one volume.
+std::vector<std::filesystem::path> volumeFilesIn(const std::filesystem::path& folder);
+
+/// What is read, for messages: "NRRD (.nrrd, .nhdr), MetaImage (.mha, .mhd), ...".
+std::string volumeFormatList();
+
+}  // namespace ocelli

@@ -1,0 +1,224 @@
+#include "oc_core/volume/volume_levels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+#include <type_traits>
+#include <utility>
+#include <vector>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/volume/volume_scan.h"
+
+namespace ocelli {
+namespace {
+
+constexpr const char* kLevelStage = "making a coarser volume";
+
+glm::ivec3 levelSize(const glm::ivec3& size, int factor) {
+  return (size - 1) / factor + 1;
+}
+
+/// A volume like the whole, of these voxels.
+template <class Voxel>
+ScalarVolume levelOf(const ScalarVolume& whole, int factor, std::vector<Voxel> voxels) {
+  const auto owned = std::make_shared<const std::vector<Voxel>>(std::move(voxels));
+  ScalarVolume level(levelGrid(whole.grid(), factor), whole.type(), std::as_bytes(std::span(*owned)), owned,
+                     whole.scale(), whole.offset());
+  level.setFacts(whole.facts());
+  return level;
+}
+
+template <class Voxel>
+Voxel meanOf(double sum, size_t count) {
+  const double mean = sum / static_cast<double>(count);
+  if constexpr (std::is_floating_point_v<Voxel>) {
+    return static_cast<Voxel>(mean);
+  } else {
+    return static_cast<Voxel>(std::llround(mean));
+  }
+}
+
+/// Sums over the rows that one row of a level stands for.
+template <class Voxel>
+class RowSums {
+ public:
+  RowSums(size_t width, size_t levelWidth, size_t factor) : width_(width), factor_(factor), sums_(levelWidth) {}
+
+  void clear() {
+    std::ranges::fill(sums_, 0.0);
+    rows_ = 0;
+  }
+
+  void add(const Voxel* row) {
+    for (size_t a = 0; a < sums_.size(); ++a) {
+      const size_t end = std::min((a + 1) * factor_, width_);
+      double sum = 0;
+      for (size_t i = a * factor_; i < end; ++i) {
+        sum += static_cast<double>(row[i]);
+      }
+      sums_[a] += sum;
+    }
+    ++rows_;
+  }
+
+  void addZeros(size_t rows) { rows_ += rows; }
+
+  void writeMeans(std::span<Voxel> level) const {
+    for (size_t a = 0; a < sums_.size(); ++a) {
+      level[a] = meanOf<Voxel>(sums_[a], rows_ * (std::min((a + 1) * factor_, width_) - a * factor_));
+    }
+  }
+
+ private:
+  size_t width_;
+  size_t factor_;
+  std::vector<double> sums_;
+  size_t rows_ = 0;
+};
+
+/// Calls `row(c, b, voxels of the level's row)` for each row of a level, on all threads. While slice c of the level is
+/// made, the slices `slicesOf(c)` of the whole may be read; all of them are, where `readsAll`.
+template <class Voxel, class SlicesOf, class MakeRow>
+ScalarVolume makeLevel(const ScalarVolume& whole, int factor, bool readsAll, const Progress& progress,
+                       const SlicesOf& slicesOf, const MakeRow& makeRow) {
+  const glm::ivec3 size = levelSize(whole.grid().size, factor);
+  const auto width = static_cast<size_t>(size.x);
+  const auto height = static_cast<size_t>(size.y);
+  const auto depth = static_cast<size_t>(size.z);
+  std::vector<Voxel> voxels(width * height * depth);
+  // What is in memory already, all at once.
+  const size_t atOnce = whole.store() == nullptr ? depth : 1;
+  for (size_t begin = 0; begin < depth; begin += atOnce) {
+    report(progress, kLevelStage, static_cast<double>(begin) / static_cast<double>(depth));
+    const auto [firstSlice, lastSlice] = slicesOf(begin);
+    const SlicesInMemory slices(whole, firstSlice, lastSlice, readsAll);
+    parallelFor(atOnce * height, 16, [&](size_t from, size_t to) {
+      makeRow(std::pair(begin * height + from, begin * height + to),
+              [&](size_t row) { return std::span(voxels).subspan(row * width, width); });
+    });
+  }
+  return levelOf(whole, factor, std::move(voxels));
+}
+
+}  // namespace
+
+int levelFactor(const glm::ivec3& size, size_t maxVoxels) {
+  OC_CHECK(maxVoxels > 0, "a level has voxels");
+  const auto voxels = [&](int factor) {
+    const glm::ivec3 level = levelSize(size, factor);
+    return size_t(level.x) * size_t(level.y) * size_t(level.z);
+  };
+  int factor = 1;
+  while (voxels(factor) > maxVoxels) {
+    ++factor;
+  }
+  return factor;
+}
+
+VolumeGrid levelGrid(const VolumeGrid& whole, int factor) {
+  VolumeGrid grid = whole;
+  grid.size = levelSize(whole.size, factor);
+  glm::dmat4 wholeFromLevel(factor);
+  wholeFromLevel[3] = glm::dvec4(glm::dvec3(0.5 * (factor - 1)), 1);
+  grid.worldFromIndex = whole.worldFromIndex * wholeFromLevel;
+  return grid;
+}
+
+ScalarVolume averagedLevel(const ScalarVolume& whole, int factor, const Progress& progress) {
+  OC_CHECK(factor >= 1, "a level is not finer than the whole");
+  const auto step = static_cast<size_t>(factor);
+  const auto width = static_cast<size_t>(whole.grid().size.x);
+  const auto height = static_cast<size_t>(whole.grid().size.y);
+  const auto depth = static_cast<size_t>(whole.grid().size.z);
+  const size_t levelHeight = (height - 1) / step + 1;
+  return visitVoxels(whole, [&](const auto* first) {
+    using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
+    return makeLevel<Voxel>(
+        whole, factor, true, progress, [&](size_t c) { return std::pair(c * step, std::min((c + 1) * step, depth)); },
+        [&](std::pair<size_t, size_t> rows, const auto& rowOf) {
+          RowSums<Voxel> sums(width, (width - 1) / step + 1, step);
+          for (size_t row = rows.first; row < rows.second; ++row) {
+            const size_t beginJ = row % levelHeight * step;
+            const size_t endJ = std::min(beginJ + step, height);
+            const size_t beginK = row / levelHeight * step;
+            sums.clear();
+            for (size_t k = beginK; k < std::min(beginK + step, depth); ++k) {
+              if (areRowsKnownZero(whole, k, beginJ, endJ)) {
+                sums.addZeros(endJ - beginJ);
+                continue;
+              }
+              for (size_t j = beginJ; j < endJ; ++j) {
+                sums.add(first + (k * height + j) * width);
+              }
+            }
+            sums.writeMeans(rowOf(row));
+          }
+        });
+  });
+}
+
+ScalarVolume sampledLevel(const ScalarVolume& whole, int factor, const Progress& progress) {
+  OC_CHECK(factor >= 1, "a level is not finer than the whole");
+  const auto step = static_cast<size_t>(factor);
+  const auto width = static_cast<size_t>(whole.grid().size.x);
+  const auto height = static_cast<size_t>(whole.grid().size.y);
+  const auto depth = static_cast<size_t>(whole.grid().size.z);
+  const size_t levelHeight = (height - 1) / step + 1;
+  const auto middle = [&](size_t index, size_t count) { return std::min(index * step + (step - 1) / 2, count - 1); };
+  return visitVoxels(whole, [&](const auto* first) {
+    using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
+    return makeLevel<Voxel>(
+        whole, factor, false, progress, [&](size_t c) { return std::pair(middle(c, depth), middle(c, depth) + 1); },
+        [&](std::pair<size_t, size_t> rows, const auto& rowOf) {
+          const auto sliceOf = [&](size_t row) { return middle(row / levelHeight, depth); };
+          const auto lineOf = [&](size_t row) { return middle(row % levelHeight, height); };
+          for (size_t row = rows.first; row < rows.second && whole.store() != nullptr; ++row) {
+            const size_t begin = (sliceOf(row) * height + lineOf(row)) * width * sizeof(Voxel);
+            if (!areRowsKnownZero(whole, sliceOf(row), lineOf(row), lineOf(row) + 1)) {
+              whole.store()->willRead(begin, begin + width * sizeof(Voxel));
+            }
+          }
+          for (size_t row = rows.first; row < rows.second; ++row) {
+            const size_t k = sliceOf(row);
+            const size_t j = lineOf(row);
+            if (areRowsKnownZero(whole, k, j, j + 1)) {
+              continue;
+            }
+            const Voxel* from = first + (k * height + j) * width;
+            const std::span<Voxel> to = rowOf(row);
+            for (size_t a = 0; a < to.size(); ++a) {
+              to[a] = from[middle(a, width)];
+            }
+          }
+        });
+  });
+}
+
+VolumeLevel levelFor(std::shared_ptr<const ScalarVolume> whole, const LevelOptions& options, const Progress& progress) {
+  if (whole->voxels().size() <= options.maxWholeBytes) {
+    return {std::move(whole)};
+  }
+  const size_t toRead = whole->store() == nullptr ? whole->voxels().size() : whole->store()->bytesToRead();
+  const bool isSampled = toRead > options.maxBytesToRead;
+  const size_t maxBytes = isSampled ? options.maxSampledBytes : options.maxBytes;
+  const int factor = levelFactor(whole->grid().size, std::max<size_t>(maxBytes / bytesOf(whole->type()), 1));
+  return {std::make_shared<const ScalarVolume>(isSampled ? sampledLevel(*whole, factor, progress)
+                                                         : averagedLevel(*whole, factor, progress)),
+          factor, isSampled};
+}
+
+std::string describeLevel(const VolumeLevel& level, const VolumeGrid& whole) {
+  if (level.factor == 1) {
+    return "";
+  }
+  const glm::ivec3& to = level.volume->grid().size;
+  return fmt::format("a volume of {} x {} x {} voxels is shown by {} x {} x {}, each {} {} x {} x {} of them",
+                     whole.size.x, whole.size.y, whole.size.z, to.x, to.y, to.z,
+                     level.isSampled ? "one of" : "the mean of", level.factor, level.factor, level.factor);
+}
+
+}  // namespace ocelli

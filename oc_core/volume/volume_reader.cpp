@@ -1,0 +1,141 @@
+#include "oc_core/volume/volume_reader.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/scratch_file.h"
+#include "oc_core/volume/mapped_voxels.h"
+#include "oc_core/volume/volume_formats.h"
+#include "oc_core/volume/volume_record.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+
+void checkVolumePath(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (!fs::exists(status)) {
+    throw InputError("there is no such file", path.string(),
+                     "check the path; built-in volumes are written builtin:volume,name=NAME (see `ocelli scene list`)");
+  }
+  if (!isVolumeFile(path)) {
+    throw InputError("this is no volume that can be read", path.string(),
+                     "give a file, or a folder with files, of one of these formats: " + volumeFormatList());
+  }
+}
+
+/// Of all that may be read.
+uint64_t bytesBelow(const fs::path& path) {
+  std::error_code error;
+  if (!fs::is_directory(path, error)) {
+    const uintmax_t bytes = fs::file_size(path, error);
+    return error ? 0 : bytes;
+  }
+  uint64_t sum = 0;
+  for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    const uintmax_t bytes = at->is_regular_file(ignored) ? at->file_size(ignored) : 0;
+    sum += ignored ? 0 : bytes;
+  }
+  return sum;
+}
+
+VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const Progress& progress) {
+  const fs::path folder = fs::temp_directory_path();
+  const ScratchFile scratch(folder);
+  const ReaderResult result =
+      runReaderProgram(volumeReader(), {scratch.link().string(), folder.string(), options.series, path.string()}, path,
+                       bytesBelow(path), [&] { report(progress, "loading the volume", 0); });
+  const VolumeRecord record = volumeFromRecord(result.record.bytes(), result.program);
+  VolumeFile file{{}, record.times, record.warnings};
+  const fs::path holder = record.file.empty() ? scratch.link() : fs::path(record.file);
+  for (const uint64_t begin : record.begins) {
+    file.volumes.push_back(
+        mapVolume(record.grid, record.type, {holder, begin, record.volumeBytes()}, record.scale, record.offset));
+    file.volumes.back().setFacts(record.facts);
+  }
+  return file;
+}
+
+/// Whether both can stand for one thing at two times.
+bool areAlike(const ScalarVolume& a, const ScalarVolume& b) {
+  return a.grid().size == b.grid().size && a.grid().worldFromIndex == b.grid().worldFromIndex && a.type() == b.type() &&
+         a.grid().isAnatomical == b.grid().isAnatomical && a.grid().unit == b.grid().unit;
+}
+
+VolumeFile readNumbered(const std::vector<fs::path>& paths, const VolumeFileOptions& options,
+                        const Progress& progress) {
+  VolumeFile all;
+  for (size_t at = 0; at < paths.size(); ++at) {
+    report(progress, "loading the volumes", static_cast<double>(at) / static_cast<double>(paths.size()));
+    VolumeFile one = readOne(paths[at], options, {});
+    if (one.volumes.size() != 1) {
+      throw InputError("a folder of volumes has a file with several", paths[at].string(),
+                       "give this file alone, or a folder of files with one volume each");
+    }
+    if (at > 0 && !areAlike(all.volumes.front(), one.volumes.front())) {
+      throw InputError(fmt::format("its grid or its type differs from that of {}", paths.front().filename().string()),
+                       paths[at].string(), "give a folder whose files are one thing at several times, or one file");
+    }
+    all.volumes.push_back(std::move(one.volumes.front()));
+    all.times.push_back(static_cast<double>(at));
+    for (std::string& warning : one.warnings) {
+      if (at == 0) {
+        all.warnings.push_back(std::move(warning));
+      }
+    }
+  }
+  if (all.volumes.size() > 1) {
+    all.warnings.push_back(
+        fmt::format("{} files are taken for one volume at times 0, 1, 2, ... s, in the order of "
+                    "their names",
+                    all.volumes.size()));
+  } else {
+    all.times.clear();
+  }
+  return all;
+}
+
+}  // namespace
+
+const ReaderProgram& volumeReader() {
+  static constexpr ReaderProgram kReader{
+      .name = "ocelli-read-volume",
+      .files = "volume files",
+      .library = "the reader",
+      .installed = OCELLI_VOLUME_READER_INSTALLED,
+      .programVariable = "OCELLI_VOLUME_READER",
+      .memoryVariable = "OCELLI_VOLUME_MEMORY_GIB",
+      .secondsVariable = "OCELLI_VOLUME_SECONDS",
+      .convert = "convert it to NRRD without compression",
+      .afterCrash = "the file may be damaged: export it again, if need be in another format such as NRRD",
+      .reduce = "convert the volume to NRRD without compression",
+      .missing = "the program ocelli-read-volume is missing, which reads volume files",
+      .ifMissing =
+          "install libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev and build Ocelli with "
+          "OCELLI_WITH_VOLUME_IMPORT=ON, or let the environment variable OCELLI_VOLUME_READER name the program"};
+  return kReader;
+}
+
+bool isVolumeFile(const fs::path& path) {
+  return volumeFormatOf(path) != nullptr;
+}
+
+VolumeFile readVolumeFile(const fs::path& path, const VolumeFileOptions& options, const Progress& progress) {
+  checkVolumePath(path);
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored)) {
+    const std::vector<fs::path> files = volumeFilesIn(path);
+    if (!files.empty()) {
+      return readNumbered(files, options, progress);
+    }
+  }
+  return readOne(path, options, progress);
+}
+
+}  // namespace ocelli
