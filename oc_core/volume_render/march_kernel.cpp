@@ -371,10 +371,9 @@ HWY_ATTR void March<Field>::lookUp() {
     const OpticalTable::Entry& e = setup_->entries[which_[i]];
     const Quad share = setQuad(shares_[i]);
     const Quad integral = loadQuad(e.integral.data());
-    const Quad first = loadQuad(e.at.data());
-    const Quad change = loadQuad(e.change.data());
-    const Quad middle = multiplyAddQuads(setQuad(0.5f * shares_[i]), change, first);
-    const Quad at = multiplyAddQuads(share, change, first);
+    const Quad half = loadQuad(e.halfChange.data());
+    const Quad middle = multiplyAddQuads(share, half, loadQuad(e.at.data()));
+    const Quad at = multiplyAddQuads(share, half, middle);
     const Quad rest = multiplyAddQuads(share, middle, loadQuad(e.rest.data()));
     const Quad difference = addQuads(subtractQuads(integral, before.integral), subtractQuads(rest, before.rest));
     const Quad sum = multiplyQuads(addQuads(at, before.at), setQuad(byMean_[i]));
@@ -404,7 +403,7 @@ HWY_ATTR void March<Field>::lookUpMoments() {
   for (size_t i = 0; i < count_; ++i) {
     const auto entry = static_cast<size_t>(which_[i]);
     const OpticalTable::Entry& e = setup_->entries[entry];
-    const float part = shares_[i] * (e.at[0] + 0.5f * shares_[i] * e.change[0]);
+    const float part = shares_[i] * (e.at[0] + shares_[i] * e.halfChange[0]);
     const float moment = setup_->moments[entry][0];
     const float rest = setup_->moments[entry][1] + (entries_[i + 1] - 0.5f * shares_[i]) * part;
     moments_[i] = ((moment - before) + (rest - beforeRest)) * byChange_[i];
