@@ -1,6 +1,7 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <memory>
 #include <optional>
 #include <system_error>
 
@@ -9,6 +10,7 @@
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/volume_options.h"
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
@@ -19,6 +21,7 @@
 #include "oc_core/evaluation/evaluation_page.h"
 #include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/evaluation/evaluation_work.h"
+#include "oc_core/volume_ocri/volume_first_hits.h"
 
 namespace ocelli {
 namespace {
@@ -27,6 +30,8 @@ namespace fs = std::filesystem;
 
 struct EvaluateChoice {
   SceneChoice scene;
+  VolumeChoice volume;
+  std::optional<double> opacity;
   std::vector<std::string> cameras{"di", "ddoc"};
   std::string cell = "8in";
   std::string cellShape = "cube";
@@ -88,6 +93,34 @@ EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
   options.offsetDirections = choice.offsetDirections;
   options.runs = choice.runs;
   return options;
+}
+
+/// What is measured against.
+struct EvaluateTruth {
+  Mesh mesh;
+  std::unique_ptr<const VolumeFirstHits> volume;
+  std::unique_ptr<const EvaluatedScene> scene;
+  std::string parts;  ///< of a volume
+  std::string key;    ///< tells it from any other scene, with options and `more`
+};
+
+EvaluateTruth truthOf(const EvaluateChoice& choice, const EvaluationOptions& options, const std::string& more,
+                      const Progress& progress, const CommandContext& context) {
+  EvaluateTruth truth;
+  if (takesVolume(choice.scene)) {
+    truth.volume = std::make_unique<const VolumeFirstHits>(
+        loadVolume(choice.scene, choice.volume, context),
+        VolumeRenderOptions{.depthOpacity = choice.opacity.value_or(kFirstHitOpacity)});
+    truth.scene = std::make_unique<const TargetScene>(truth.volume->evaluated());
+    truth.parts = truth.volume->description();
+    truth.key = evaluationKey(truth.volume->identity(), options, more);
+    return truth;
+  }
+  refuseVolumeOptions(choice.volume);
+  refuseVolumeOption(choice.opacity.has_value(), "--opacity");
+  truth.mesh = loadScene(choice.scene.source, choice.scene.options, progress);
+  truth.key = evaluationKey(truth.mesh, options, more);
+  return truth;
 }
 
 /// Where the results of `ocelli evaluate` go. Each place is checked before the work begins, where this `writes`.
@@ -181,7 +214,7 @@ std::string truthImageName() {
 
 void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const EvaluationOptions& options,
                   const std::vector<RepresentationFigures>& rows, const std::vector<EvaluateImages>& images,
-                  size_t sceneTriangles, const CommandContext& context) {
+                  const EvaluatePage& scene, const CommandContext& context) {
   const bool complete = rows.size() == choice.cameras.size();
   const std::string json = evaluationJson(choice.scene.source, options, rows, complete);
   context.print(outputs.jsonToStandardOutput() ? json : evaluationTable(rows));
@@ -198,7 +231,9 @@ void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const Ev
     writeFile(choice.sequencesCsv, sequencesCsv(options, rows));
   }
   if (outputs.hasPage()) {
-    const EvaluatePage page{choice.scene.source, OCELLI_VERSION, sceneTriangles, truthImageName(), images, complete};
+    const EvaluatePage page{choice.scene.source, OCELLI_VERSION, scene.sceneTriangles,
+                            truthImageName(),    images,         complete,
+                            scene.sceneParts};
     writeFile(outputs.pageFile(), evaluatePage(page, options, rows));
     context.note("wrote " + outputs.pageFile().string());
   }
@@ -221,17 +256,20 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   };
   std::vector<RepresentationFigures> rows;
   std::vector<EvaluateImages> images;
-  size_t sceneTriangles = 0;
+  EvaluatePage page;  // what it says of the scene
   std::optional<EvaluationWork> work;
   try {
-    const Mesh mesh = loadScene(choice.scene.source, choice.scene.options, progress);
-    sceneTriangles = mesh.triangles.size();
+    const EvaluateTruth truth = truthOf(
+        choice, options, fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp()), progress, context);
+    page.sceneTriangles = truth.mesh.triangles.size();
+    page.sceneParts = truth.parts;
     if (const auto file = outputs.workFile(); file && ranks.isFirst()) {
-      work.emplace(*file, evaluationKey(mesh, options,
-                                        fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp())));
+      work.emplace(*file, truth.key);
       resume(*work, *file, choice.resume, context);
     }
-    Evaluator evaluator(mesh, options);
+    const auto made = truth.scene != nullptr ? std::make_unique<Evaluator>(*truth.scene, options)
+                                             : std::make_unique<Evaluator>(truth.mesh, options);
+    Evaluator& evaluator = *made;
     if (outputs.hasPage() && ranks.isFirst()) {
       writePng(outputs.inPage(truthImageName()), evaluator.exampleImage());
     }
@@ -264,7 +302,7 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
     }
   } catch (const Interrupted&) {
     if (!rows.empty() && ranks.isFirst()) {
-      writeOutputs(choice, outputs, options, rows, images, sceneTriangles, context);
+      writeOutputs(choice, outputs, options, rows, images, page, context);
     }
     throw WorkError(fmt::format("interrupted with {} of {} representations done", rows.size(), cameras.size()),
                     work ? outputs.workFile()->string() : choice.scene.source,
@@ -274,7 +312,7 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   if (!ranks.isFirst()) {
     return;
   }
-  writeOutputs(choice, outputs, options, rows, images, sceneTriangles, context);
+  writeOutputs(choice, outputs, options, rows, images, page, context);
   if (work) {
     work->remove();
   }
@@ -287,6 +325,8 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
       "evaluate", "Measure what reference images lack over a cell of viewpoints, and their cost");
   const auto choice = std::make_shared<EvaluateChoice>();
   addSceneOptions(command, choice->scene, context);
+  addVolumeOptions(command, choice->volume);
+  addOpacityOption(command, choice->opacity);
   command.add_option("--cameras", choice->cameras, "Cameras to compare: names or JSON files")
       ->delimiter(',')
       ->type_name("NAME,...");
@@ -336,6 +376,7 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
   context.finishShared(command,
                        "  ocelli evaluate builtin:statues\n"
                        "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
+                       "  ocelli evaluate builtin:volume,name=skull --opacity 0.5 --cameras di,ddoc,ldi-3\n"
                        "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
                        [choice, context] { runEvaluate(*choice, context); });
 }

@@ -10,6 +10,7 @@
 #include "cli/values.h"
 #include "cli/viewed_scene.h"
 #include "cli/viewers_option.h"
+#include "cli/volume_options.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/compositing/shared_renderer.h"
@@ -23,6 +24,7 @@
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/ocri/viewers.h"
 #include "oc_core/scene/ply_file.h"
+#include "oc_core/volume_ocri/volume_first_hits.h"
 
 namespace ocelli {
 namespace {
@@ -31,6 +33,8 @@ constexpr ImageSize kBuildSize{720, 480};
 
 struct BuildChoice {
   SceneChoice scene;
+  VolumeChoice volume;
+  std::optional<double> opacity;
   std::string camera = "ddoc";
   ViewersChoice viewers;
   std::string size;
@@ -151,10 +155,42 @@ ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& 
   return mergeViewers(std::move(viewers)).images;
 }
 
+/// Of a volume, whose surface is what rays hit first.
+ReferenceImages imagesOfVolume(const BuildChoice& choice, const std::vector<View>& views, const ImageSize& size,
+                               const CommandContext& context) {
+  if (choice.construction == "raster" || choice.construction == "gl") {
+    throw InputError("reference images of volumes are constructed by rays", "--construction " + choice.construction,
+                     "use auto or rays, or take the mesh of a surface with --iso VALUE");
+  }
+  if (namesConstructor(choice.camera)) {
+    throw InputError(
+        "graph and curved ray cameras build no reference images of volumes", "--camera " + choice.camera,
+        "draw the volume along their rays with ocelli render, or take the mesh of a surface with --iso VALUE");
+  }
+  const CameraChoice camera = cameraChoice(choice.camera);
+  if (context.ranks().size() > 1) {
+    context.note("volumes are not divided among ranks: the first one draws");
+    if (!context.ranks().isFirst()) {
+      return {};
+    }
+  }
+  const VolumeFirstHits volume(loadVolume(choice.scene, choice.volume, context),
+                               {.depthOpacity = choice.opacity.value_or(kFirstHitOpacity)});
+  std::vector<ReferenceImages> viewers;
+  for (const View& view : views) {
+    viewers.push_back(buildReferenceImages(camera, PinholeCamera(view, size.width, size.height), volume.renderer(),
+                                           context.progress()));
+  }
+  context.note("constructed by rays: " + volume.description());
+  return mergeViewers(std::move(viewers)).images;
+}
+
 void addBuild(CLI::App& ocri, const CommandContext& context) {
   CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
   const auto choice = std::make_shared<BuildChoice>();
   addSceneOptions(command, choice->scene, context);
+  addVolumeOptions(command, choice->volume);
+  addOpacityOption(command, choice->opacity);
   addMotionOptions(command, choice->scene);
   addAnyCameraOption(command, choice->camera);
   addViewersOptions(command, choice->viewers);
@@ -180,6 +216,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
       "  ocelli ocri build builtin:statues -o statues.exr\n"
       "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
       "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
+      "  ocelli ocri build builtin:volume,name=skull --camera ldi-3 --opacity 0.5 -o skull.exr\n"
       "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
       "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
       [choice, context] {
@@ -190,6 +227,16 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
         const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
         const std::vector<View> views = viewsOf(choice->viewers);
+        if (takesVolume(choice->scene)) {
+          const ReferenceImages images = imagesOfVolume(*choice, views, size, context);
+          if (writes) {
+            writeReferenceImages(choice->output, images);
+            context.note("wrote " + choice->output + ": " + describe(images));
+          }
+          return;
+        }
+        refuseVolumeOptions(choice->volume);
+        refuseVolumeOption(choice->opacity.has_value(), "--opacity");
         const bool constructed = namesConstructor(choice->camera);
         if (constructed && views.size() != 1) {
           throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",

@@ -10,6 +10,8 @@
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/viewed_scene.h"
+#include "cli/volume_options.h"
+#include "cli/volume_render.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/constructor/camera_constructors.h"
@@ -24,11 +26,14 @@ namespace ocelli {
 namespace {
 
 constexpr ImageSize kRenderSize{720, 480};
+constexpr const char* kRasterMethod = "raster";
 
 struct RenderChoice {
   SceneChoice scene;
+  VolumeChoice volume;
+  VolumeRenderChoice volumeRender;
   std::string camera = "di";
-  std::string method = "raster";
+  std::string method;  ///< empty where the user said none
   std::string gl = "auto";
   std::string view;
   std::string size;
@@ -50,7 +55,7 @@ std::optional<Technique> techniqueOf(const std::string& method) {
 
 FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh,
                     const CommandContext& context) {
-  if (choice.method == "raster") {
+  if (choice.method.empty() || choice.method == kRasterMethod) {
     return rasterize(camera, mesh);
   }
   if (choice.method == "raycast") {
@@ -92,11 +97,21 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   checkSecondOutput(choice.identity, "--identity", choice.output);
   const ImageSize size = cameraImageSize(choice.camera, choice.size, kRenderSize);
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  if (takesVolume(choice.scene)) {
+    refuseForVolumes(choice.antialias != "none", "--antialias", "has no antialiasing", "draw it in a larger --size");
+    refuseForVolumes(!choice.identity.empty(), "--identity", "has no objects", "leave it out");
+    return renderVolumePicture({choice.scene, choice.volume, choice.volumeRender, choice.camera, choice.method,
+                                choice.gl, choice.output, reference},
+                               context);
+  }
+  refuseVolumeOptions(choice.volume);
+  refuseVolumeRenderOptions(choice.volumeRender);
   if (choice.antialias != "none") {
     if (!choice.identity.empty()) {
       throw InputError("averages tell of no single object", "--identity", "leave it out, or draw without --antialias");
     }
-    return renderAntialiased({choice.scene, choice.camera, choice.method, choice.antialias, choice.output, reference},
+    return renderAntialiased({choice.scene, choice.camera, choice.method.empty() ? kRasterMethod : choice.method,
+                              choice.antialias, choice.output, reference},
                              context);
   }
   if (namesConstructor(choice.camera)) {
@@ -138,13 +153,16 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
   const auto choice = std::make_shared<RenderChoice>();
   addSceneOptions(command, choice->scene, context);
   addMotionOptions(command, choice->scene);
+  addVolumeOptions(command, choice->volume);
+  addVolumeRenderOptions(command, choice->volumeRender);
   addAnyCameraOption(command, choice->camera);
   command
       .add_option(
           "--method", choice->method,
           "How: fill projected triangles, splat samples of them, meet each with the rays around it, follow the rays "
-          "(the reference), or draw on the GPU with OpenGL")
-      ->check(CLI::IsMember({"raster", "points", "hybrid", "raycast", "gl"}))
+          "(the reference), or draw on the GPU with OpenGL; of a volume along the rays, or with OpenGL")
+      ->check(CLI::IsMember({kRasterMethod, "points", "hybrid", "raycast", "gl"}))
+      ->default_str(kRasterMethod)
       ->type_name("NAME");
   addGlOption(command, choice->gl);
   addViewOption(command, choice->view);
@@ -152,7 +170,7 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
   addAntialiasOption(command, choice->antialias);
   addOutputOption(command, choice->output,
                   "Where the image goes: PNG, or EXR with depth and offsets, or of graph and curved ray cameras "
-                  "with depth, world points and objects",
+                  "with depth, world points and objects, or of volumes with opacity, depth and world points",
                   {".png", ".exr"});
   addSecondOutputOption(command, "--identity", choice->identity,
                         "Where an image goes of which object is at each pixel, in false colours", {".png"});
@@ -162,7 +180,8 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
                  "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png\n"
                  "  ocelli render builtin:town --antialias extreme -o town.png\n"
-                 "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png",
+                 "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png\n"
+                 "  ocelli render builtin:volume,name=skull --clip 'z>0' -o skull.png",
                  [choice, context] { render(*choice, context); });
 }
 

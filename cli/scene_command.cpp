@@ -10,11 +10,15 @@
 #include "cli/command.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
+#include "cli/volume_info.h"
+#include "cli/volume_options.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/printable_text.h"
 #include "oc_core/pack/pack_summary.h"
 #include "oc_core/scene/ply_file.h"
+#include "oc_core/volume/builtin_volumes.h"
+#include "oc_core/volume/volume_summary.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
@@ -36,11 +40,29 @@ std::string kindName(BuiltinParameter::Kind kind) {
   return "";
 }
 
+/// A built-in scene or volume, as `scene list` shows it.
+struct ListedSource {
+  std::string name;  ///< what stands behind "builtin:"
+  std::string summary;
+  const std::vector<BuiltinParameter>* parameters;
+};
+
+std::vector<ListedSource> listedSources() {
+  std::vector<ListedSource> sources;
+  for (const BuiltinScene& scene : listBuiltinScenes()) {
+    sources.push_back({scene.name, scene.summary, &scene.parameters});
+  }
+  for (const BuiltinVolumeKind& volume : listBuiltinVolumes()) {
+    sources.push_back({"volume,name=" + volume.name, volume.summary, &volume.parameters});
+  }
+  return sources;
+}
+
 std::string listAsText() {
   std::string text;
-  for (const BuiltinScene& scene : listBuiltinScenes()) {
-    text += fmt::format("builtin:{:<10} {}\n", scene.name, scene.summary);
-    for (const BuiltinParameter& parameter : scene.parameters) {
+  for (const ListedSource& source : listedSources()) {
+    text += fmt::format("builtin:{:<10} {}\n", source.name, source.summary);
+    for (const BuiltinParameter& parameter : *source.parameters) {
       const bool isFile = parameter.kind == BuiltinParameter::Kind::kFile;
       const std::string key = parameter.name + "=" + (isFile ? "FILE" : parameter.otherwise);
       text += fmt::format("    {:<14} {}", key, parameter.summary);
@@ -51,10 +73,10 @@ std::string listAsText() {
 }
 
 std::string listAsJson() {
-  Json scenes = Json::array();
-  for (const BuiltinScene& scene : listBuiltinScenes()) {
+  Json sources = Json::array();
+  for (const ListedSource& source : listedSources()) {
     Json parameters = Json::array();
-    for (const BuiltinParameter& parameter : scene.parameters) {
+    for (const BuiltinParameter& parameter : *source.parameters) {
       Json entry{{"name", parameter.name}, {"kind", kindName(parameter.kind)}, {"summary", parameter.summary}};
       entry["default"] = parameter.otherwise;
       if (parameter.kind != BuiltinParameter::Kind::kFile) {
@@ -63,9 +85,9 @@ std::string listAsJson() {
       }
       parameters.push_back(entry);
     }
-    scenes.push_back({{"name", scene.name}, {"summary", scene.summary}, {"parameters", parameters}});
+    sources.push_back({{"name", source.name}, {"summary", source.summary}, {"parameters", parameters}});
   }
-  return textOfJson(scenes, 2) + "\n";
+  return textOfJson(sources, 2) + "\n";
 }
 
 /// Of the file itself: where it has textures, some are split to bake these to vertices; where it has points, none.
@@ -226,8 +248,20 @@ std::string packInfoAsJson(const PackedScene& scene, const PackSummary& holds) {
   return textOfJson(info, 2) + "\n";
 }
 
+/// What a volume is, voxels that are no numbers and all.
+void printVolumeInfo(const SceneChoice& scene, bool asJson, const CommandContext& context) {
+  const VolumeSceneOptions options = volumeSceneOptionsOf(scene, {});
+  const VolumeSeries series = loadVolumeSeries(scene.source, options.series, context.progress());
+  for (const std::string& warning : series.warnings) {
+    options.warn(warning);
+  }
+  const size_t index = options.seconds ? series.indexAt(*options.seconds) : 0;
+  const VolumeSummary summary = summaryOf(series, index, options.level, context.progress());
+  context.print(asJson ? volumeInfoAsJson(scene.source, summary) : volumeInfoAsText(scene.source, summary));
+}
+
 void addSceneList(CLI::App& parent, const CommandContext& context) {
-  CLI::App& command = *parent.add_subcommand("list", "Show the built-in scenes and their parameters");
+  CLI::App& command = *parent.add_subcommand("list", "Show the built-in scenes and volumes, and their parameters");
   const auto asJson = std::make_shared<bool>(false);
   command.add_flag("--json", *asJson, "Print them as JSON");
   context.finish(command, "  ocelli scene list",
@@ -237,8 +271,8 @@ void addSceneList(CLI::App& parent, const CommandContext& context) {
 void addSceneInfo(CLI::App& parent, const CommandContext& context) {
   CLI::App& command = *parent.add_subcommand("info",
                                              "Count what is in a scene, as everything downstream sees it, and tell how "
-                                             "it moves; of a packed scene, check all of "
-                                             "it");
+                                             "it moves; of a packed scene, check all of it; of a volume, tell its "
+                                             "grid and its values");
   const auto scene = std::make_shared<SceneChoice>();
   const auto asJson = std::make_shared<bool>(false);
   addSceneOptions(command, *scene, context);
@@ -246,6 +280,10 @@ void addSceneInfo(CLI::App& parent, const CommandContext& context) {
   command.add_flag("--json", *asJson, "Print the figures as JSON");
   context.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
                  [scene, asJson, context] {
+                   if (takesVolume(*scene)) {
+                     printVolumeInfo(*scene, *asJson, context);
+                     return;
+                   }
                    if (isPackedScene(scene->source) && !scene->options.motion.seconds) {
                      const PackedScene packed = openPacked(scene->source, scene->options);
                      const PackSummary holds = summaryOf(packed, context.progress());

@@ -27,7 +27,11 @@ std::string listOf(const std::vector<Named>& cameras) {
 
 void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
   choice.options.warn = [context](const std::string& warning) { context.note("warning: " + warning); };
-  command.add_option("SCENE", choice.source, "A scene file (PLY, OBJ, STL, glTF, ...) or builtin:NAME[,key=value...]")
+  command
+      .add_option(
+          "SCENE", choice.source,
+          "A scene file (PLY, OBJ, STL, glTF, ...), a volume (NRRD, MetaImage, VTI, NIfTI, or a folder of DICOM "
+          "slices) or builtin:NAME[,key=value...]")
       ->required();
   command.add_flag_callback(
       "--no-fit", [&choice] { choice.options.fit = false; }, "Leave the scene where it is, not in the unit sphere");
@@ -36,8 +40,10 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
           "--shading",
           [&choice](const std::string& name) {
             choice.options.shading = name == "none" ? Shading::kNone : Shading::kLambert;
+            choice.shadingGiven = true;
           },
-          "A fixed light on the vertex colours, or the colours as they are")
+          "A fixed light on the vertex colours, or the colours as they are; of a volume by default what its transfer "
+          "function says")
       ->check(CLI::IsMember({"lambert", "none"}))
       ->default_str("lambert")
       ->type_name("NAME");
@@ -52,6 +58,20 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
           "Of a file of points: how wide each is, in the units of the file; auto: from its nearest neighbours")
       ->default_str("auto")
       ->type_name("WIDTH|auto");
+  command
+      .add_option("--iso", choice.options.iso,
+                  "Of a volume: take the surface where it has this value, a mesh, in place of the volume")
+      ->check(numberCheck(-1e30, 1e30))
+      ->type_name("VALUE");
+  command
+      .add_option("--transfer", choice.options.transfer,
+                  "Of a volume: the transfer function, which says what its values look like: a preset or a file; by "
+                  "default one that fits the volume")
+      ->type_name("NAME|FILE.json");
+  command
+      .add_option("--series", choice.options.series,
+                  "Of a folder of DICOM files with several series: the one of this number or UID")
+      ->type_name("NUMBER|UID");
 }
 
 void addMotionOptions(CLI::App& command, SceneChoice& choice) {

@@ -1,4 +1,4 @@
-// `ocelli slice`: from a scene, a mesh or a reference image to the slices of a display.
+// `ocelli slice`: from a scene, a mesh, a reference image or a volume to the slices of a display.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,7 @@
 #include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/slicing_options.h"
+#include "cli/volume_slicing_options.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/slicing/exact_slicer.h"
 #include "display_sim/slicing/shared_slicing.h"
@@ -31,6 +32,8 @@ struct SliceChoice {
   SceneChoice scene;
   std::string profile = "perspecta";
   SlicingChoice slicing;
+  VolumeChoice volume;
+  VolumeSlicingChoice volumeSlicing;
   int repeat = 1;
   bool json = false;
   std::string method = "cpu";
@@ -86,7 +89,54 @@ Volume sliceFast(const Mesh& mesh, const DisplayProfile& profile, const SliceOpt
   return slicer->takeVolume();
 }
 
+/// A volume of scalars, straight from its field.
+void runVolume(const SliceChoice& choice, const CommandContext& context) {
+  if (choice.method == "gl" || context.ranks().size() > 1) {
+    throw InputError("volumes are sliced by one program on CPUs alone",
+                     choice.method == "gl" ? "--method gl" : "mpirun", "use --method cpu, without mpirun");
+  }
+  requireGlUsed(choice.gl, false, "--method gl");
+  const SliceOptions options = volumeSliceOptionsOf(choice.slicing);
+  checkWritable(choice.output);
+  const DisplayProfile profile = loadProfile(choice.profile);
+  Times times;
+  std::optional<ShownVolume> shown;
+  times.preparing = millisecondsOf([&] {
+    shown.emplace(loadShownVolume({choice.scene, choice.volume, choice.volumeSlicing}, profile, context));
+  });
+  VolumeSlicer slicer(profile, options);
+  for (int i = 0; i < choice.repeat; ++i) {
+    // With its tables, as where the transfer function moves.
+    times.slicing.push_back(
+        millisecondsOf([&] { slicer.slice(shown->samples(), shown->lightOf(shown->scene().appearance.transfer)); }));
+  }
+  const Volume volume = slicer.takeVolume();
+  writeSvol(choice.output, volume, sliceMetadata(choice.scene, choice.slicing));
+  const size_t lit = volume.litVoxels();
+  const glm::ivec3& size = shown->scene().volume->grid().size;
+  if (choice.json) {
+    const nlohmann::ordered_json json = {{"profile", profile.name},       {"size", {size.x, size.y, size.z}},
+                                         {"slices", volume.slices()},     {"lit_voxels", lit},
+                                         {"slice_ms", times.least()},     {"slice_ms_median", times.median()},
+                                         {"prepare_ms", times.preparing}, {"sampled_bytes", shown->samples().bytes()},
+                                         {"runs", times.slicing.size()},  {"volumes_per_second", 1000 / times.least()},
+                                         {"threads", threadCount()}};
+    context.print(textOfJson(json, 2) + "\n");
+  }
+  if (lit == 0) {
+    context.note("warning: nothing of the volume has light: look at --transfer, --mask, --iso, --clip and --cutaway");
+  }
+  context.note(fmt::format(
+      "wrote {}: {} slices of {}x{}, {} lit voxels from {}x{}x{} in {:.0f} ms, prepared in {:.0f} ms", choice.output,
+      volume.slices(), volume.width(), volume.height(), lit, size.x, size.y, size.z, times.least(), times.preparing));
+}
+
 void run(const SliceChoice& choice, const CommandContext& context) {
+  if (isVolumeSource(choice.scene.source)) {
+    return runVolume(choice, context);
+  }
+  refuseVolumeOptions(choice.volume);
+  refuseVolumeSlicingOptions(choice.volumeSlicing);
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   const SliceOptions options = sliceOptionsOf(choice.slicing);
   if (choice.method == "gl" && needsCpu(options)) {
@@ -145,12 +195,14 @@ void run(const SliceChoice& choice, const CommandContext& context) {
 
 void addSliceCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command =
-      *program.add_subcommand("slice", "Slice a scene, a mesh or a reference image (.exr) for a display");
+      *program.add_subcommand("slice", "Slice a scene, a mesh, a reference image (.exr) or a volume for a display");
   const auto choice = std::make_shared<SliceChoice>();
   addSceneOptions(command, choice->scene, context);
   addMotionOptions(command, choice->scene);
   addProfileOption(command, choice->profile);
   addSlicingOptions(command, choice->slicing);
+  addVolumeOptions(command, choice->volume);
+  addVolumeSlicingOptions(command, choice->volumeSlicing);
   command.add_option("--repeat", choice->repeat, "Slice so often, and tell the shortest time")
       ->check(CLI::Range(1, 100000))
       ->type_name("COUNT");
@@ -162,7 +214,8 @@ void addSliceCommand(CLI::App& program, const CommandContext& context) {
       command,
       "  ocelli slice builtin:teapot -o teapot.svol\n"
       "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
-      "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)",
+      "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)\n"
+      "  ocelli slice builtin:volume,name=skull --transfer ct-bone --seen-opacity 0.5 -o skull.svol",
       [choice, context] { run(*choice, context); });
 }
 

@@ -10,6 +10,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/number_text.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/image/color.h"
 
 namespace ocelli {
 namespace {
@@ -86,6 +87,50 @@ double ratioFromText(const std::string& text, const std::string& option) {
     fail(option, text, "a number or a ratio", "1/25");
   }
   return numbers.size() == 1 ? numbers[0] : numbers[0] / numbers[1];
+}
+
+glm::dvec2 rangeFromText(const std::string& text, const std::string& option) {
+  const std::vector<double> numbers = numbersFromText<double>(text, ':');
+  if (numbers.size() != 2 || numbers[0] > numbers[1]) {
+    fail(option, text, "a range of values, LEAST:GREATEST", "300:2000");
+  }
+  return {numbers[0], numbers[1]};
+}
+
+glm::dvec4 halfSpaceFromText(const std::string& text, const std::string& option) {
+  constexpr std::string_view kAxes = "xyz";
+  const size_t axis = text.empty() ? std::string_view::npos : kAxes.find(text.front());
+  if (axis != std::string_view::npos) {
+    if (text.size() == 1) {
+      throw InputError("\"" + text + "\" is an axis alone: a shell takes < and > for itself", option,
+                       option + " '" + text + ">0.2', between quotes");
+    }
+    const bool isAbove = text[1] == '>';
+    const std::vector<double> numbers = numbersFromText<double>(std::string_view(text).substr(2), ',');
+    if ((isAbove || text[1] == '<') && numbers.size() == 1) {
+      const double sign = isAbove ? 1 : -1;
+      glm::dvec4 halfSpace(0, 0, 0, sign * numbers[0]);
+      halfSpace[static_cast<int>(axis)] = sign;
+      return halfSpace;
+    }
+  }
+  const std::vector<double> numbers = numbersFromText<double>(text, ',');
+  const double length = numbers.size() == 4 ? std::hypot(numbers[0], numbers[1], numbers[2]) : 0;
+  if (!(length > 0) || !std::isfinite(length) || !std::isfinite(numbers[3] / length)) {
+    fail(option, text, "a half space, as 'x>0.2', 'z<0' or a normal and a distance, NX,NY,NZ,D", "'x>0.2'");
+  }
+  return glm::dvec4(numbers[0], numbers[1], numbers[2], numbers[3]) / length;
+}
+
+glm::vec3 colorFromText(const std::string& text, const std::string& option) {
+  uint32_t number = 0;
+  const char* end = text.data() + text.size();
+  const bool isHex =
+      text.size() == 7 && text.front() == '#' && std::from_chars(text.data() + 1, end, number, 16).ptr == end;
+  if (!isHex) {
+    fail(option, text, "a colour, #RRGGBB in hexadecimal digits", "'#202830'");
+  }
+  return linearFromSrgb(glm::vec3(number >> 16, number >> 8 & 255, number & 255) / 255.0f);
 }
 
 std::optional<double> pointWidthFromText(const std::string& text, const std::string& option) {

@@ -3,7 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <optional>
 #include <string>
 
@@ -26,6 +28,14 @@ size_t frameNumber(int64_t number, const std::string& option);
 /// "1/25" or "0.04"; finite.
 double ratioFromText(const std::string& text, const std::string& option);
 
+/// "LEAST:GREATEST", finite, in this order.
+glm::dvec2 rangeFromText(const std::string& text, const std::string& option);
+
+/// "NX,NY,NZ,D", or "x>D" and "x<D" with any of the axes: (n, d), with n of length 1, of the half space where
+/// dot(n, p) >= d.
+glm::dvec4 halfSpaceFromText(const std::string& text, const std::string& option);
+/// "#rrggbb", as sRGB: linear RGB.
+glm::vec3 colorFromText(const std::string& text, const std::string& option);
 /// "auto", which is nothing, or a width above 0.
 std::optional<double> pointWidthFromText(const std::string& text, const std::string& option);
 

@@ -6,9 +6,11 @@
 #include "cli/gl_drawing.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/volume_options.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/shade/effects.h"
 #endif
@@ -18,7 +20,9 @@ namespace {
 
 struct ViewChoice {
   SceneChoice scene;
+  VolumeChoice volume;
   std::string camera = "ddoc";
+  bool cameraGiven = false;
   std::string view;
   std::string size = "720x480";
   std::string profile = "perspecta";
@@ -31,12 +35,31 @@ struct ViewChoice {
 };
 
 #ifdef OCELLI_WITH_OPENGL
+/// `rays` gets what only volumes take.
+std::string cameraOfPanes(const ViewChoice& choice, std::string& rays) {
+  const bool isVolume = isVolumeSource(choice.scene.source);
+  if (isVolume && choice.cameraGiven && namesConstructor(choice.camera)) {
+    rays = choice.camera;
+  } else if (choice.cameraGiven || !takesVolume(choice.scene)) {
+    return choice.camera;
+  }
+  return takesVolume(choice.scene) ? "di" : "ddoc";  // there is nothing that images of a volume alone could miss
+}
+
 ViewerOptions viewerOptions(const ViewChoice& choice) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   ViewerOptions options;
   options.source = choice.scene.source;
   options.sceneOptions = choice.scene.options;
-  options.camera = cameraChoice(choice.camera);
+  if (isVolumeSource(choice.scene.source)) {
+    options.volumeOptions = volumeSceneOptionsOf(choice.scene, choice.volume);
+    if (choice.scene.shadingGiven) {
+      options.volumeIsShaded = choice.scene.options.shading == Shading::kLambert;
+    }
+  } else {
+    refuseVolumeOptions(choice.volume);
+  }
+  options.camera = cameraChoice(cameraOfPanes(choice, options.volumeRays));
   options.reference = readViewOption(choice.view);
   options.width = size.width;
   options.height = size.height;
@@ -82,6 +105,7 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("view", "Look around in a window: scene, rays, reconstruction, display");
   const auto choice = std::make_shared<ViewChoice>();
   addSceneOptions(command, choice->scene, context);
+  addVolumeOptions(command, choice->volume);
   addCameraOption(command, choice->camera);
   addViewOption(command, choice->view);
   addSizeOption(command, choice->size);
@@ -98,9 +122,13 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
   context.finish(command,
                  "  ocelli view builtin:statues\n"
                  "  ocelli view bunny.obj --camera cell --size 1440x960\n"
+                 "  ocelli view scan.nrrd --transfer ct-bone\n"
                  "  ocelli view builtin:mirror --effect reflection --by cell\n"
                  "  ocelli view builtin:room --offscreen tour.json -o frames",
-                 [choice, context] { view(*choice, context); });
+                 [choice, context, camera = command.get_option("--camera")] {
+                   choice->cameraGiven = camera->count() > 0;
+                   view(*choice, context);
+                 });
 }
 
 }  // namespace ocelli

@@ -61,6 +61,8 @@ run render 150 "$here/bin/gl_render_bench" --runs 4 --triangles 150000,1000000,4
 run display 150 "$here/bin/gl_display_bench" --benchmark_out="$out/display.json" --benchmark_out_format=json \
   --benchmark_min_time=0.2
 run rays 90 "$here/bin/gl_rays_bench" --runs 5 --json "$out/rays.json"
+run volumes 60 "$here/bin/gl_volume_bench" --runs 4 --width 1280 --height 720 --json "$out/volumes.json" \
+  --scene "builtin:volume,name=engine" "builtin:volume,name=marschner-lobb,size=256"
 run multiperspective 60 "$here/bin/multiperspective_bench" --runs 4 --json "$out/multiperspective.json"
 run tour 60 "$here/bin/ocelli" view builtin:statues --offscreen "$here/tour.json" --gl egl -o "$out/tour"
 

@@ -13,6 +13,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
   libusb-1.0-0-dev libumockdev-dev umockdev
   libmicrohttpd-dev libwebsockets-dev
   libteem-dev libnifti2-dev libgdcm-dev libpugixml-dev
+  libopenvdb-dev
   libjpeg62-turbo-dev libwebp-dev libjxl-dev
   libgtest-dev libgmock-dev libbenchmark-dev libosmesa6-dev libosmesa6 libegl-dev libegl1
   libgl1-mesa-dri libglfw3-dev libimgui-dev libfontconfig-dev libfribidi-dev fonts-dejavu-core fonts-droid-fallback python3-glad xvfb xauth libxtst6 xdotool
@@ -21,7 +22,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
 case "${1-}" in
   "") ;;
   --developer) packages="$packages clang-16 lld libclang-rt-16-dev llvm-16 clang-format clang-tidy" ;;
-  --benchmarks) packages="$packages libvtk9-dev libopenvdb-dev" ;;
+  --benchmarks) packages="$packages libvtk9-dev" ;;
   *)
     echo "usage: $0 [--developer|--benchmarks]" >&2
     exit 2

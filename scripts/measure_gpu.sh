@@ -16,11 +16,11 @@ trap 'rm -rf "$folder"' EXIT
 packed=$folder/ocelli-gpu
 mkdir -p "$packed/bin" "$packed/lib" "$packed/fallback"
 
-programs="cli/ocelli bench/gl_render_bench bench/gl_display_bench bench/gl_rays_bench
+programs="cli/ocelli bench/gl_render_bench bench/gl_display_bench bench/gl_rays_bench bench/gl_volume_bench
   bench/multiperspective_bench bench/viewer_frames_bench
   tests/gl/gl_arithmetic_test tests/gl/gl_context_test tests/gl/gl_renderer_test tests/gl/gl_bent_ray_test tests/gl/gl_failure_test
   tests/gl_rays/gl_ray_walk_test tests/gl_rays/gl_ray_caster_test tests/gl_rays/gl_reflection_test
-  tests/gl_rays/gl_refraction_test tests/gl_rays/gl_stepped_image_test
+  tests/gl_rays/gl_refraction_test tests/gl_rays/gl_stepped_image_test tests/volume_gl/gl_volume_test
   tests/window/gui_test tests/viewer/viewer_test tests/study_screen/study_screen_test
   tests/display_sim_gl/display_sim_gl_volume_test tests/display_sim_gl/display_sim_gl_slicer_test
   tests/display_sim_gl/display_sim_gl_slicer_scan_test tests/display_sim_gl/display_sim_gl_observer_test"

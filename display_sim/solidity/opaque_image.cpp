@@ -6,12 +6,8 @@
 #include "oc_core/render/rasterize.h"
 
 namespace ocelli {
-namespace {
 
-constexpr int kSamplesASide = 2;
-
-/// That of EyePerspective.
-View viewOf(const ObserverOptions& options) {
+View viewOfObserver(const ObserverOptions& options) {
   View view;
   view.eye = options.eye;
   view.fovVerticalDegrees = options.fovVerticalDegrees;
@@ -21,15 +17,18 @@ View viewOf(const ObserverOptions& options) {
   return view;
 }
 
-}  // namespace
-
 Image<Rgb8> opaqueImage(const Mesh& scene, const ObserverOptions& options) {
-  const PinholeCamera camera(viewOf(options), kSamplesASide * options.width, kSamplesASide * options.height);
-  const Image<glm::vec3> samples = colorImage(rasterize(camera, scene), scene, glm::vec3(0));
-  Image<glm::vec3> light(options.width, options.height, glm::vec3(0));
+  const PinholeCamera camera(viewOfObserver(options), kOpaqueSamplesASide * options.width,
+                             kOpaqueSamplesASide * options.height);
+  return meanOfSamples(colorImage(rasterize(camera, scene), scene, glm::vec3(0)));
+}
+
+Image<Rgb8> meanOfSamples(const Image<glm::vec3>& samples) {
+  Image<glm::vec3> light(samples.width() / kOpaqueSamplesASide, samples.height() / kOpaqueSamplesASide, glm::vec3(0));
   for (int y = 0; y < samples.height(); ++y) {
     for (int x = 0; x < samples.width(); ++x) {
-      light(x / kSamplesASide, y / kSamplesASide) += samples(x, y) / float{kSamplesASide * kSamplesASide};
+      light(x / kOpaqueSamplesASide, y / kOpaqueSamplesASide) +=
+          samples(x, y) / float{kOpaqueSamplesASide * kOpaqueSamplesASide};
     }
   }
   return srgbFromLinear(light);

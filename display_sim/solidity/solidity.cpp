@@ -6,8 +6,6 @@
 
 #include "display_sim/observing/observer.h"
 #include "display_sim/solidity/exposure_fit.h"
-#include "display_sim/solidity/opaque_image.h"
-#include "display_sim/solidity/voxel_visibility.h"
 #include "oc_core/evaluation/flip.h"
 #include "oc_core/evaluation/image_quality.h"
 #include "oc_core/image/image_error.h"
@@ -50,7 +48,7 @@ double SolidityErrors::psnrDecibels() const {
 }
 
 struct SolidityMeter::Impl {
-  Impl(const Mesh& mesh, const SolidityOptions& given) : scene(mesh), options(given), surface(mesh) {
+  Impl(const SolidReference& solid, const SolidityOptions& given) : truth(solid), options(given) {
     OC_CHECK(!options.groups.empty() && !options.groups.front().eyes.empty(), "something is measured from somewhere");
     for (const EyeGroup& group : options.groups) {
       for (const glm::vec3& eye : group.eyes) {
@@ -68,27 +66,29 @@ struct SolidityMeter::Impl {
 
   const Image<Rgb8>& opaqueAt(size_t index) {
     if (opaque[index].empty()) {
-      opaque[index] = opaqueImage(scene, observers[index]);
+      opaque[index] = truth.opaqueImage(observers[index]);
     }
     return opaque[index];
   }
 
-  const Mesh& scene;
+  const SolidReference& truth;
   SolidityOptions options;
-  RayScene surface;
   std::vector<ObserverOptions> observers;  ///< of all groups, one behind the other
   std::vector<Image<Rgb8>> opaque;         ///< made when first asked for
 };
 
 SolidityMeter::SolidityMeter(const Mesh& scene, const SolidityOptions& options)
-    : impl_(std::make_unique<Impl>(scene, options)) {}
+    : surfaces_(solidSurfaces(scene)), impl_(std::make_unique<Impl>(*surfaces_, options)) {}
+
+SolidityMeter::SolidityMeter(const SolidReference& truth, const SolidityOptions& options)
+    : impl_(std::make_unique<Impl>(truth, options)) {}
 
 SolidityMeter::~SolidityMeter() = default;
 
 SolidityFigures SolidityMeter::measure(const std::string& name, const Volume& volume, size_t triangles, Shown shown,
                                        const Progress& progress, const Visitor& visit) {
   OC_CHECK(volume.profile() == impl_->options.profile, "the volume is of another display");
-  const VoxelVisibility visibility(volume, impl_->surface);
+  const std::unique_ptr<HiddenVoxels> voxels = impl_->truth.hiddenVoxels(volume);
   SolidityFigures figures{name, triangles, volume.litVoxels(), 0, {}};
   size_t index = 0;
   for (size_t group = 0; group < impl_->options.groups.size(); ++group) {
@@ -98,7 +98,7 @@ SolidityFigures SolidityMeter::measure(const std::string& name, const Volume& vo
       const ObserverOptions& observer = impl_->observers[index];
       const Image<Rgb8>& opaque = impl_->opaqueAt(index);
       Image<glm::vec3> light = collectLight(volume, observer);
-      Image<glm::vec3> hidden = collectLight(visibility.hiddenFrom(observer.eye), observer);
+      Image<glm::vec3> hidden = collectLight(voxels->hiddenFrom(observer.eye), observer);
       if (shown == Shown::kVisibleOnly) {
         for (size_t i = 0; i < light.size(); ++i) {
           light[i] = glm::max(light[i] - hidden[i], glm::vec3(0));

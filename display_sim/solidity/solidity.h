@@ -12,6 +12,7 @@
 
 #include "display_sim/frames/volume.h"
 #include "display_sim/solidity/eye_groups.h"
+#include "display_sim/solidity/solid_reference.h"
 #include "oc_core/base/progress.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/scene/mesh.h"
@@ -71,6 +72,8 @@ class SolidityMeter {
   /// `scene` must outlive it; it is what the opaque images show, and what hides voxels. Throws InputError for eyes in
   /// the display.
   SolidityMeter(const Mesh& scene, const SolidityOptions& options);
+  /// The same of anything that has an opaque truth, which must outlive it.
+  SolidityMeter(const SolidReference& truth, const SolidityOptions& options);
   ~SolidityMeter();
   SolidityMeter(const SolidityMeter&) = delete;
   SolidityMeter& operator=(const SolidityMeter&) = delete;
@@ -82,6 +85,7 @@ class SolidityMeter {
 
  private:
   struct Impl;
+  std::unique_ptr<SolidReference> surfaces_;  ///< of a mesh
   std::unique_ptr<Impl> impl_;
 };
 

@@ -15,6 +15,7 @@
 
 #include "display_sim/frames/volume.h"
 #include "display_sim/viewer/camera_rays.h"
+#include "display_sim/viewer/loaded_volume.h"
 #include "display_sim/viewer/viewer_state.h"
 #include "oc_core/ocri/representation.h"
 
@@ -23,9 +24,13 @@ namespace ocelli {
 struct LoadedScene {
   std::string source;
   uint64_t revision = 0;  ///< of the request
-  Mesh mesh;
+  Mesh mesh;              ///< of a volume that of its surface, or empty
   Box bounds;
-  PointSceneOptions points{};  ///< with which it was loaded
+  PointSceneOptions points{};                         ///< with which it was loaded
+  std::shared_ptr<const LoadedVolume> volume = {};    ///< null: the scene is none
+  uint64_t volumeRevision = 0;                        ///< of the request of the volume
+  VolumeSceneOptions volumeOptions = {};              ///< with which that was loaded
+  std::optional<double> iso = {};                     ///< the value of the surface that the mesh is
 };
 
 struct BuiltCamera {
@@ -90,6 +95,8 @@ class BackgroundWork {
 
   static Key keyOf(const WorkWanted& wanted, WorkStep step);
   void run();
+  static SlicedVolume sliced(const WorkWanted& wanted, Done& done, const Progress& progress);
+  static LoadedScene loaded(const WorkWanted& wanted, const Done& done, const Progress& progress);
   void makeAll(const WorkWanted& wanted, Done& done);
   /// Makes what has another key than `done`, and hands it on, or its error; nothing where it stands. Throws Superseded
   /// where something else is wanted by now.

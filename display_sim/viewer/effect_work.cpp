@@ -58,90 +58,41 @@ const Image<Rgb8>* EffectPicture::shown(EffectShown::Content content) const {
   return image != nullptr && !image->empty() ? image : nullptr;
 }
 
-EffectWork::EffectWork() : thread_([this] { run(); }) {}
-
-EffectWork::~EffectWork() {
-  {
-    const std::scoped_lock lock(mutex_);
-    stop_ = true;
-  }
-  changed_.notify_all();
-  thread_.join();
-}
-
-void EffectWork::want(const EffectWanted& wanted) {
-  {
-    const std::scoped_lock lock(mutex_);
-    if (wanted_ == wanted) {
-      return;
-    }
-    wanted_ = wanted;
-    fresh_ = true;
-    busy_ = true;
-  }
-  changed_.notify_all();
-}
-
-EffectStatus EffectWork::status() const {
-  const std::scoped_lock lock(mutex_);
-  EffectStatus status = status_;
-  status.busy = busy_;
-  return status;
-}
-
 void EffectWork::waitUntilIdle() {
-  std::unique_lock lock(mutex_);
-  hurry_ = true;
-  if (status_.picture && (!status_.picture->isWhole || !status_.picture->difference) && wanted_.shows) {
-    fresh_ = busy_ = true;  // what was left out
-  }
-  changed_.notify_all();
-  changed_.wait(lock, [this] { return !busy_; });
-  hurry_ = false;
+  wishes_.waitUntilIdle([](const EffectWanted& wanted, const EffectStatus& status) {  // what was left out
+    return status.picture && (!status.picture->isWhole || !status.picture->difference) && wanted.shows;
+  });
 }
 
-void EffectWork::run() {
-  EffectModel model;
-  while (true) {
-    EffectWanted wanted;
-    {
-      std::unique_lock lock(mutex_);
-      busy_ = fresh_;
-      status_.stage.clear();
-      changed_.notify_all();
-      changed_.wait(lock, [&] { return stop_ || fresh_; });
-      if (stop_) {
-        return;
-      }
-      wanted = wanted_;
-      fresh_ = false;
-    }
-    try {
-      makeAll(wanted, model);
-    } catch (const EffectSuperseded&) {  // there is something else to make
-    }
+void EffectWork::make(const EffectWanted& wanted) {
+  try {
+    makeAll(wanted);
+  } catch (const EffectSuperseded&) {  // there is something else to make
   }
+  clearStage();
 }
 
 Progress EffectWork::progressOf(const EffectWanted& wanted) {
   return [this, wanted](std::string_view stage, double fraction) {
-    const std::scoped_lock lock(mutex_);
-    if (stop_ || !wanted_.on || !wanted_.hasSameWay(wanted)) {
+    const bool isOfUse =
+        wishes_.changeWhere([&](const EffectWanted& newest) { return newest.on && newest.hasSameWay(wanted); },
+                            [&](EffectStatus& status) {
+                              status.stage = stage;
+                              status.fraction = fraction;
+                            });
+    if (!isOfUse) {
       throw EffectSuperseded{};
     }
-    status_.stage = stage;
-    status_.fraction = fraction;
   };
 }
 
-void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
+void EffectWork::makeAll(const EffectWanted& wanted) {
   if (!wanted.on) {
-    model.clear();
+    model_.clear();
     last_ = {};
     tried_ = {};
     notBuilt_.reset();
-    const std::scoped_lock lock(mutex_);
-    status_ = {};
+    wishes_.change([](EffectStatus& status) { status = {}; });
     return;
   }
   if (notBuilt_ && notBuilt_->hasSameWay(wanted)) {
@@ -152,8 +103,7 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
   try {
     if (!tried_.hasSameWay(wanted)) {
       secondsPerPixelByWay_ = 0;
-      const std::scoped_lock lock(mutex_);
-      status_.error.clear();
+      wishes_.change([](EffectStatus& status) { status.error.clear(); });
     }
     if (!tried_.hasSameStage(wanted)) {
       secondsPerPixelTraced_ = 0;
@@ -162,24 +112,24 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
     tried_ = wanted;
     if (isNewScene) {  // a picture of another one goes at once
       last_ = {};
-      const std::scoped_lock lock(mutex_);
-      status_.picture = nullptr;
-      status_.home.reset();
-      status_.effect.clear();
+      wishes_.change([](EffectStatus& status) {
+        status.picture = nullptr;
+        status.home.reset();
+        status.effect.clear();
+      });
     }
-    model.build(wanted, progressOf(wanted));
+    model_.build(wanted, progressOf(wanted));
     isBuilt = true;
     notBuilt_.reset();
-    {
-      const std::scoped_lock lock(mutex_);
-      status_.error.clear();
-      status_.stage.clear();
-      status_.sceneRevision = wanted.sceneRevision;
-      status_.effect = model.effect();
-      status_.home = model.home();
-    }
+    wishes_.change([&](EffectStatus& status) {
+      status.error.clear();
+      status.stage.clear();
+      status.sceneRevision = wanted.sceneRevision;
+      status.effect = model_.effect();
+      status.home = model_.home();
+    });
     if (wanted.shows && !wanted.effect.empty()) {
-      drawAll(wanted, model);
+      drawAll(wanted);
     }
   } catch (const std::exception&) {
     error = std::current_exception();
@@ -189,9 +139,11 @@ void EffectWork::makeAll(const EffectWanted& wanted, EffectModel& model) {
     if (!isBuilt) {
       notBuilt_ = wanted;
     }
-    const std::scoped_lock lock(mutex_);
-    status_.picture = nullptr;
-    status_.error = errorMessage(error);
+    const std::string message = errorMessage(error);
+    wishes_.change([&](EffectStatus& status) {
+      status.picture = nullptr;
+      status.error = message;
+    });
   }
 }
 
@@ -206,16 +158,16 @@ double EffectWork::firstScale(const EffectWanted& wanted, bool byWay, bool trace
   return previewScale(secondsOf(wanted.size, byWay, traced));
 }
 
-void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay, bool traced, EffectModel& model) {
+void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay, bool traced) {
   const PinholeCamera camera(picture.wanted.view, size.x, size.y);
   if (byWay && picture.byWay.image.empty()) {
-    picture.byWay = timed([&] { return model.drawByWay(camera); });
+    picture.byWay = timed([&] { return model_.drawByWay(camera); });
     secondsPerPixelByWay_ = picture.byWay.milliseconds / 1000 / pixelCountOf(size);
   }
   if (traced && picture.traced.image.empty()) {
-    model.buildTraced(progressOf(picture.wanted));
+    model_.buildTraced(progressOf(picture.wanted));
     clearStage();
-    picture.traced = timed([&] { return model.drawTraced(camera); });
+    picture.traced = timed([&] { return model_.drawTraced(camera); });
     secondsPerPixelTraced_ = picture.traced.milliseconds / 1000 / pixelCountOf(size);
   }
   if (!picture.byWay.image.empty() && !picture.traced.image.empty() && !picture.difference) {
@@ -223,7 +175,7 @@ void EffectWork::draw(EffectPicture& picture, const glm::ivec2& size, bool byWay
   }
 }
 
-void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
+void EffectWork::drawAll(const EffectWanted& wanted) {
   const bool byWay = wanted.content != EffectShown::Content::kByTracing;
   const bool traced = wanted.content != EffectShown::Content::kByWay;
   EffectPicture picture{wanted, true, 0, {}, {}, {}};
@@ -239,64 +191,50 @@ void EffectWork::drawAll(const EffectWanted& wanted, EffectModel& model) {
   if (!isDrawn) {
     double still = kStillSeconds;
     double scale = firstScale(wanted, byWay, traced);
-    for (; scale < 1 && !someoneWaits(); scale *= 2) {
+    for (; scale < 1 && !wishes_.someoneWaits(); scale *= 2) {
       EffectPicture preview{wanted, false, 0, {}, {}, {}};
-      draw(preview, scaled(wanted.size, scale), byWay, traced, model);
+      draw(preview, scaled(wanted.size, scale), byWay, traced);
       const double next = secondsOf(scaled(wanted.size, 2 * scale), byWay, traced);
       if (isLeftOut(next)) {
         preview.secondsLeftOut = secondsOf(wanted.size, byWay, traced);
       }
       publish(preview);
-      if (!standsStill(wanted, still) || (preview.secondsLeftOut > 0 && isLeftOut(next))) {
+      if (!wishes_.standsStill(wanted, still) || (preview.secondsLeftOut > 0 && isLeftOut(next))) {
         return;
       }
       still = 0;
     }
   }
-  draw(picture, wanted.size, byWay, traced, model);
+  draw(picture, wanted.size, byWay, traced);
   publish(picture);
-  if (picture.difference || !standsStill(wanted, kStillSeconds)) {
+  if (picture.difference || !wishes_.standsStill(wanted, kStillSeconds)) {
     return;
   }
   const bool lacksTraced = picture.traced.image.empty();
   if (secondsOf(wanted.size, !lacksTraced, lacksTraced) <= 0) {  // a small one tells how long it takes
     EffectPicture probe{wanted, false, 0, {}, {}, {}};
-    draw(probe, scaled(wanted.size, previewScale(0)), !lacksTraced, lacksTraced, model);
+    draw(probe, scaled(wanted.size, previewScale(0)), !lacksTraced, lacksTraced);
   }
   const double seconds = secondsOf(wanted.size, !lacksTraced, lacksTraced);
   if (isLeftOut(seconds)) {
     picture.secondsLeftOut = seconds;
   } else {
-    draw(picture, wanted.size, true, true, model);
+    draw(picture, wanted.size, true, true);
   }
   publish(picture);
 }
 
 void EffectWork::clearStage() {
-  const std::scoped_lock lock(mutex_);
-  status_.stage.clear();
-}
-
-bool EffectWork::someoneWaits() const {
-  const std::scoped_lock lock(mutex_);
-  return hurry_;
-}
-
-bool EffectWork::standsStill(const EffectWanted& wanted, double seconds) {
-  std::unique_lock lock(mutex_);
-  changed_.wait_for(lock, std::chrono::duration<double>(seconds),
-                    [&] { return stop_ || hurry_ || !(wanted_ == wanted); });
-  return !stop_ && wanted_ == wanted;
+  wishes_.change([](EffectStatus& status) { status.stage.clear(); });
 }
 
 void EffectWork::publish(const EffectPicture& picture) {
   if (picture.isWhole) {
     last_ = picture;
   }
-  const std::scoped_lock lock(mutex_);
-  if (wanted_.on && wanted_.hasSameScene(picture.wanted)) {
-    status_.picture = std::make_shared<const EffectPicture>(picture);
-  }
+  const auto published = std::make_shared<const EffectPicture>(picture);
+  wishes_.changeWhere([&](const EffectWanted& newest) { return newest.on && newest.hasSameScene(picture.wanted); },
+                      [&](EffectStatus& status) { status.picture = published; });
 }
 
 }  // namespace ocelli

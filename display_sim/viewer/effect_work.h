@@ -8,15 +8,13 @@
 // that is being drawn cannot be broken off.
 #pragma once
 
-#include <condition_variable>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <string>
-#include <thread>
 
 #include "display_sim/viewer/effect_difference.h"
 #include "display_sim/viewer/effect_model.h"
+#include "display_sim/viewer/newest_wish.h"
 #include "oc_core/base/progress.h"
 
 namespace ocelli {
@@ -61,53 +59,40 @@ class EffectWork {
   static constexpr double kStillSeconds = 0.15;
   static constexpr double kMaxPictureSeconds = 3;
 
-  EffectWork();
-  /// Waits for the picture, or the part of a way's building that does not report its progress, that is under way.
-  ~EffectWork();
-  EffectWork(const EffectWork&) = delete;
-  EffectWork& operator=(const EffectWork&) = delete;
+  /// Its end waits for the picture, or the part of a way's building that does not report its progress, that is under
+  /// way.
+  EffectWork() : wishes_([this](const EffectWanted& wanted) { make(wanted); }) {}
 
   /// What failed is not tried again until something of it changes.
-  void want(const EffectWanted& wanted);
-  EffectStatus status() const;
+  void want(const EffectWanted& wanted) { wishes_.want(wanted); }
+  EffectStatus status() const { return wishes_.status(); }
   /// Until nothing is left to do, without small pictures and without waiting for the eye.
   void waitUntilIdle();
 
  private:
-  void run();
-  void makeAll(const EffectWanted& wanted, EffectModel& model);
-  void drawAll(const EffectWanted& wanted, EffectModel& model);
+  void make(const EffectWanted& wanted);
+  void makeAll(const EffectWanted& wanted);
+  void drawAll(const EffectWanted& wanted);
   /// Draws what is missing of the contents that are asked for, in this size.
-  void draw(EffectPicture& picture, const glm::ivec2& size, bool byWay, bool traced, EffectModel& model);
+  void draw(EffectPicture& picture, const glm::ivec2& size, bool byWay, bool traced);
   Progress progressOf(const EffectWanted& wanted);
   /// How wide the first picture is, as a share of a whole one.
   double firstScale(const EffectWanted& wanted, bool byWay, bool traced) const;
   /// What pictures of this size take; 0 where that is not known.
   double secondsOf(const glm::ivec2& size, bool byWay, bool traced) const;
   /// Whether they are left out, as they take too long.
-  bool isLeftOut(double seconds) const { return seconds > kMaxPictureSeconds && !someoneWaits(); }
+  bool isLeftOut(double seconds) const { return seconds > kMaxPictureSeconds && !wishes_.someoneWaits(); }
   void clearStage();
-  bool someoneWaits() const;
-  /// Whether the same is still wanted after so many seconds, or at once where someone waits.
-  bool standsStill(const EffectWanted& wanted, double seconds);
   void publish(const EffectPicture& picture);
 
-  mutable std::mutex mutex_;  ///< guards what follows
-  std::condition_variable changed_;
-  EffectWanted wanted_;
-  bool fresh_ = false;  ///< wanted_ has not been looked at
-  bool busy_ = false;
-  bool hurry_ = false;  ///< someone waits
-  bool stop_ = false;
-  EffectStatus status_;
-
   // Of the thread alone.
+  EffectModel model_;
   EffectPicture last_;                    ///< the last one that was whole
   EffectWanted tried_;                    ///< what was made last, or failed
   std::optional<EffectWanted> notBuilt_;  ///< what failed
   double secondsPerPixelByWay_ = 0;       ///< 0: not known
   double secondsPerPixelTraced_ = 0;
-  std::thread thread_;
+  NewestWish<EffectWanted, EffectStatus> wishes_;
 };
 
 }  // namespace ocelli

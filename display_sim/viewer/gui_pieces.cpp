@@ -4,6 +4,8 @@
 
 #include <array>
 
+#include "oc_core/image/color.h"
+
 namespace ocelli {
 
 void beginFixedWindow(const char* name, const WindowRect& rect, GuiColor background, int moreFlags) {
@@ -40,6 +42,11 @@ bool inputText(const char* label, std::string& text) {
   const bool entered = ImGui::InputText(label, buffer.data(), buffer.size(), ImGuiInputTextFlags_EnterReturnsTrue);
   text = buffer.data();
   return entered;
+}
+
+glm::vec3 encodedColor(const glm::dvec3& linear) {
+  const glm::vec3 color(linear);
+  return {srgbFromLinear(color.r), srgbFromLinear(color.g), srgbFromLinear(color.b)};
 }
 
 void noteText(const std::string& text) {

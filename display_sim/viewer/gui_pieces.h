@@ -27,6 +27,9 @@ bool comboOf(const char* label, Enum& value, int count) {
 /// A field for text; true where Enter was pressed in it.
 bool inputText(const char* label, std::string& text);
 
+/// sRGB values from 0 to 1 of a linear colour.
+glm::vec3 encodedColor(const glm::dvec3& linear);
+
 /// Text that wraps, dim.
 void noteText(const std::string& text);
 /// A heading of a section, with room above.

@@ -1,7 +1,5 @@
 #include "display_sim/viewer/lens_keys.h"
 
-#include <algorithm>
-
 #include "display_sim/viewer/lens_choice.h"
 
 namespace ocelli {
@@ -11,14 +9,12 @@ constexpr double kStepPixels = 8;  // of the reference image
 constexpr double kFinePixels = 1;
 constexpr double kZoomFactor = 1.1;
 constexpr double kWidthFactor = 1.15;
-constexpr LensKeyOutcome kUsed{true, ""};
-constexpr LensKeyOutcome kElsewhere{false, ""};
 
 /// Edits the chosen lens, unless it is locked.
 template <class Edit>
-LensKeyOutcome editChosen(ViewerState& state, const Edit& edit) {
+PaneKeyOutcome editChosen(ViewerState& state, const Edit& edit) {
   if (!state.lenses.chosen) {
-    return kElsewhere;
+    return kKeyMeansElsewhere;
   }
   const size_t lens = *state.lenses.chosen;
   if (isLocked(state, lens)) {
@@ -26,27 +22,27 @@ LensKeyOutcome editChosen(ViewerState& state, const Edit& edit) {
   }
   edit(state.work.camera.gpc, lens);
   lensesChanged(state);
-  return kUsed;
+  return kKeyUsed;
 }
 
 template <int kRight, int kDown>
-LensKeyOutcome move(ViewerState& state, double pixels) {
+PaneKeyOutcome move(ViewerState& state, double pixels) {
   return editChosen(state, [&](GpcLayout& layout, size_t lens) {
     const glm::dvec2 size = lensImageSize(state);
     moveLens(layout, lens, glm::dvec2(layout.regions[lens].center) + pixels * glm::dvec2(kRight, kDown) / size, size);
   });
 }
 template <int kRight, int kDown>
-LensKeyOutcome step(ViewerState& state) {
+PaneKeyOutcome step(ViewerState& state) {
   return move<kRight, kDown>(state, kStepPixels);
 }
 template <int kRight, int kDown>
-LensKeyOutcome fineStep(ViewerState& state) {
+PaneKeyOutcome fineStep(ViewerState& state) {
   return move<kRight, kDown>(state, kFinePixels);
 }
 
 template <int kWider, int kTaller>
-LensKeyOutcome grow(ViewerState& state) {
+PaneKeyOutcome grow(ViewerState& state) {
   return editChosen(state, [&](GpcLayout& layout, size_t lens) {
     const glm::dvec2 size = lensImageSize(state);
     sizeLens(layout, lens, glm::dvec2(layout.regions[lens].extent) + kStepPixels * glm::dvec2(kWider, kTaller) / size,
@@ -54,66 +50,66 @@ LensKeyOutcome grow(ViewerState& state) {
   });
 }
 
-LensKeyOutcome zoomIn(ViewerState& state) {
+PaneKeyOutcome zoomIn(ViewerState& state) {
   return editChosen(state, [](GpcLayout& layout, size_t lens) {
     zoomLens(layout, lens, static_cast<double>(layout.regions[lens].zoom) * kZoomFactor);
   });
 }
-LensKeyOutcome zoomOut(ViewerState& state) {
+PaneKeyOutcome zoomOut(ViewerState& state) {
   return editChosen(state, [](GpcLayout& layout, size_t lens) {
     zoomLens(layout, lens, static_cast<double>(layout.regions[lens].zoom) / kZoomFactor);
   });
 }
-LensKeyOutcome widen(ViewerState& state) {
+PaneKeyOutcome widen(ViewerState& state) {
   return editChosen(state, [](GpcLayout& layout, size_t lens) {
     widenLens(layout, lens, static_cast<double>(layout.regions[lens].transitionWidth) * kWidthFactor);
   });
 }
-LensKeyOutcome narrow(ViewerState& state) {
+PaneKeyOutcome narrow(ViewerState& state) {
   return editChosen(state, [](GpcLayout& layout, size_t lens) {
     widenLens(layout, lens, static_cast<double>(layout.regions[lens].transitionWidth) / kWidthFactor);
   });
 }
 
-LensKeyOutcome add(ViewerState& state) {
+PaneKeyOutcome add(ViewerState& state) {
   return {true, addLensSomewhere(state) ? "" : "there is no room for another lens"};
 }
 
-LensKeyOutcome removeChosen(ViewerState& state) {
+PaneKeyOutcome removeChosen(ViewerState& state) {
   if (state.lenses.chosen && !isLocked(state, *state.lenses.chosen)) {
     removeLensOf(state, *state.lenses.chosen);
-    return kUsed;
+    return kKeyUsed;
   }
   return editChosen(state, [](GpcLayout&, size_t) {});
 }
 
-LensKeyOutcome toggleLock(ViewerState& state) {
+PaneKeyOutcome toggleLock(ViewerState& state) {
   if (!state.lenses.chosen) {
-    return kElsewhere;
+    return kKeyMeansElsewhere;
   }
   lockLens(state, *state.lenses.chosen, !isLocked(state, *state.lenses.chosen));
-  return kUsed;
+  return kKeyUsed;
 }
 
-LensKeyOutcome toggleRates(ViewerState& state) {
+PaneKeyOutcome toggleRates(ViewerState& state) {
   state.lenses.rates = !state.lenses.rates;
-  return kUsed;
+  return kKeyUsed;
 }
 
-LensKeyOutcome letGo(ViewerState& state) {
+PaneKeyOutcome letGo(ViewerState& state) {
   const bool held = state.lenses.chosen.has_value();
   state.lenses.chosen.reset();
   return {held, ""};
 }
 
 /// One after the other, and then out of the pane, so that keys alone get everywhere.
-LensKeyOutcome chooseNext(ViewerState& state) {
+PaneKeyOutcome chooseNext(ViewerState& state) {
   std::optional<size_t>& chosen = state.lenses.chosen;
   const size_t next = chosen ? *chosen + 1 : 0;
   chosen = next < state.work.camera.gpc.regions.size() ? std::optional(next) : std::nullopt;
   return {chosen.has_value(), ""};
 }
-LensKeyOutcome choosePrevious(ViewerState& state) {
+PaneKeyOutcome choosePrevious(ViewerState& state) {
   std::optional<size_t>& chosen = state.lenses.chosen;
   const size_t beyond = chosen.value_or(state.work.camera.gpc.regions.size());
   chosen = beyond > 0 ? std::optional(beyond - 1) : std::nullopt;
@@ -122,8 +118,8 @@ LensKeyOutcome choosePrevious(ViewerState& state) {
 
 }  // namespace
 
-const std::vector<LensKey>& lensKeys() {
-  static const std::vector<LensKey> keys{
+const std::vector<PaneKey>& lensKeys() {
+  static const std::vector<PaneKey> keys{
       {Key::kTab, chooseNext, "Tab  Shift + Tab", "next, previous lens; then the next pane"},
       {Key::kTab, choosePrevious, "", "", true},
       {Key::kLeft, step<-1, 0>, "Arrows", "move the chosen lens; Ctrl: by a pixel"},
@@ -166,15 +162,8 @@ const std::vector<PointerBinding>& lensPointerBindings() {
   return bindings;
 }
 
-LensKeyOutcome applyLensKey(ViewerState& state, const KeyEvent& event) {
-  if (state.active != Pane::kLenses || !hasLenses(state) || !event.pressed || event.modifiers.alt || state.help) {
-    return kElsewhere;
-  }
-  const auto& keys = lensKeys();
-  const auto found = std::find_if(keys.begin(), keys.end(), [&](const LensKey& each) {
-    return each.key == event.key && each.shift == event.modifiers.shift && each.control == event.modifiers.control;
-  });
-  return found == keys.end() ? kElsewhere : found->apply(state);
+PaneKeyOutcome applyLensKey(ViewerState& state, const KeyEvent& event) {
+  return hasLenses(state) ? applyPaneKey(lensKeys(), Pane::kLenses, state, event) : kKeyMeansElsewhere;
 }
 
 }  // namespace ocelli

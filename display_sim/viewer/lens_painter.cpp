@@ -44,7 +44,7 @@ FragmentImage LensPainter::drawn(const LensWanted& wanted, const GpcCamera& came
   OC_CHECK(false, "every method draws");
 }
 
-Image<Rgb8> LensPainter::paint(const LensWanted& wanted, const glm::ivec2& size) {
+Image<Rgb8> LensPainter::paint(const LensWanted& wanted, const glm::ivec2& size, const Progress&) {
   const GpcCamera camera(PinholeCamera(wanted.view, size.x, size.y), wanted.layout);
   Image<Rgb8> picture = srgbFromLinear(colorImage(drawn(wanted, camera), wanted.scene->mesh, glm::vec3(0)));
   if (!wanted.rates) {

@@ -3,6 +3,7 @@
 // move, and the acceleration structure of rays.
 #pragma once
 
+#include <array>
 #include <memory>
 #include <optional>
 
@@ -23,6 +24,7 @@ struct LensWanted {
   LensesShown::Method method = LensesShown::Method::kRaster;
   bool rates = false;
 
+  bool canBePainted() const { return shows && scene != nullptr; }
   bool operator==(const LensWanted&) const = default;
 };
 
@@ -31,8 +33,11 @@ RateRange rateRangeOf(const GpcLayout& layout);
 
 class LensPainter {
  public:
-  /// In another size than is wanted: a preview. Throws InputError for views that are none.
-  Image<Rgb8> paint(const LensWanted& wanted, const glm::ivec2& size);
+  static constexpr std::array kScales{1.0, 0.5, 0.25};
+  static constexpr bool kStartsSmall = false;
+
+  /// In another size than is wanted: a preview. Throws InputError for views that are none. Tells no progress.
+  Image<Rgb8> paint(const LensWanted& wanted, const glm::ivec2& size, const Progress& progress = {});
 
  private:
   FragmentImage drawn(const LensWanted& wanted, const GpcCamera& camera);

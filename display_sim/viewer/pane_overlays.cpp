@@ -9,7 +9,9 @@
 #include "display_sim/viewer/effect_overlays.h"
 #include "display_sim/viewer/gui_pieces.h"
 #include "display_sim/viewer/lens_overlays.h"
+#include "display_sim/viewer/transfer_overlays.h"
 #include "display_sim/viewer/viewer_colors.h"
+#include "display_sim/viewer/volume_notes.h"
 
 namespace ocelli {
 namespace {
@@ -120,6 +122,10 @@ std::string detailOf(const PanelDrawing& drawing, Pane pane) {
       return effectDetail(state, facts.effect);
     case Pane::kLenses:
       return lensDetail(state, facts.lenses);
+    case Pane::kVolume:
+      return volumeDetail(state, facts.volume);
+    case Pane::kTransfer:
+      return transferDetail(state);
   }
   return {};
 }
@@ -235,6 +241,8 @@ std::vector<LegendEntry> legendOf(const PanelDrawing& drawing, Pane pane) {
     case Pane::kDisplay:
     case Pane::kEffect:
     case Pane::kLenses:
+    case Pane::kVolume:
+    case Pane::kTransfer:
       return {};
   }
   return {};
@@ -252,6 +260,30 @@ void drawReconstructionCaption(const PanelDrawing& drawing, const PaneLayout& la
   }
 }
 
+/// Of panes that are told in words what they show, or why nothing, from the longest to the shortest form.
+std::optional<std::vector<std::string>> notesOf(const PanelDrawing& drawing, Pane pane) {
+  const ViewerState& state = drawing.state;
+  const ViewerFacts& facts = drawing.facts;
+  if (pane == Pane::kVolume || pane == Pane::kTransfer) {
+    if (!state.volume.on) {
+      return {{"the scene is no volume", "no volume"}};
+    }
+    return pane == Pane::kVolume ? volumeNotes(facts) : transferNotes(state);
+  }
+  if (!hasMesh(state) && pane != Pane::kDisplay) {
+    return {{"this pane shows triangles, and a volume has none: choose the value of a surface in the panel, or give "
+             "--iso VALUE",
+             "needs a surface: --iso"}};
+  }
+  if (pane == Pane::kEffect) {
+    return effectNotes(state, facts.effect, facts.showTimes);
+  }
+  if (pane == Pane::kLenses) {
+    return lensNotes(state, facts.lenses, facts.showTimes);
+  }
+  return std::nullopt;
+}
+
 void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
   const ViewerFacts& facts = drawing.facts;
   const std::string& failure = facts.failures[static_cast<size_t>(layout.pane)];
@@ -259,16 +291,10 @@ void drawNotes(const PanelDrawing& drawing, const PaneLayout& layout) {
     drawNote(layout.image, failure, drawing.scale);
     return;
   }
-  if (layout.pane == Pane::kEffect) {
-    drawNote(layout.image,
-             noteThatFits(layout.image, effectNotes(drawing.state, facts.effect, facts.showTimes), drawing.scale),
-             drawing.scale);
-    return;
-  }
-  if (layout.pane == Pane::kLenses) {
-    drawNote(layout.image,
-             noteThatFits(layout.image, lensNotes(drawing.state, facts.lenses, facts.showTimes), drawing.scale),
-             drawing.scale);
+  if (const auto notes = notesOf(drawing, layout.pane)) {
+    if (!notes->empty()) {
+      drawNote(layout.image, noteThatFits(layout.image, *notes, drawing.scale), drawing.scale);
+    }
     return;
   }
   const bool empty = layout.pane == Pane::kScene     ? !facts.data->scene
@@ -321,6 +347,9 @@ void drawPaneOverlays(const PanelDrawing& drawing) {
     }
     if (layout.pane == Pane::kLenses) {
       drawLensOutlines(drawing, layout.image);
+    }
+    if (layout.pane == Pane::kTransfer) {
+      drawTransferPlot(drawing, layout.image);
     }
     drawLegend(layout.pane, room, legendOf(drawing, layout.pane), drawing.scale);
     drawNotes(drawing, layout);

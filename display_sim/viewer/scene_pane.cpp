@@ -40,7 +40,7 @@ bool ScenePane::draw(const ViewerState& state, const ViewerData& data, const std
   const DepthRange range = depthRange(camera, drawn);
   if (state.scene.samples && data.cameraMesh) {
     meshes.drawVertices(*data.cameraMesh, camera, range, lineScale);
-  } else {
+  } else if (data.sceneMesh) {
     meshes.draw(*data.sceneMesh, camera, range);
   }
   constexpr float kSeenThrough = 0.3f;

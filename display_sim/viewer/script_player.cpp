@@ -187,6 +187,27 @@ void ScriptPlayer::perform(const SaveCameraStep& step) {
   tell(path);
 }
 
+void ScriptPlayer::perform(const TransferStep& step) {
+  viewer_.chooseTransfer(step.nameOrFile);
+  showFrames();
+}
+
+void ScriptPlayer::perform(const IsoStep& step) {
+  viewer_.chooseIso(step.value);
+  showFrames();
+}
+
+void ScriptPlayer::perform(const SaveVolumePictureStep& step) {
+  viewer_.waitForPictures();
+  write(step.file, viewer_.volumePicture());
+}
+
+void ScriptPlayer::perform(const SaveTransferStep& step) {
+  const std::filesystem::path path = pathOf(step.file);
+  viewer_.saveTransferTo(path);
+  tell(path);
+}
+
 std::filesystem::path ScriptPlayer::pathOf(const std::string& file) const {
   std::filesystem::path path = folder_ / file;
   std::error_code ignored;

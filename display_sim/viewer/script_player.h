@@ -19,7 +19,7 @@ class ScriptPlayer {
 
   /// Throws InputError where the first scene cannot be loaded or a step closes the viewer before the last one,
   /// WorkError where an image cannot be written or the viewer does not come to rest, GlError. InputError where the
-  /// effect pane, or that of the lenses, has nothing to save. All else that goes wrong shows in the window, as it would
+  /// effect pane, or that of the lenses or of a volume, has nothing to save. All else that goes wrong shows in the window, as it would
   /// for a person.
   void play(const ViewerScript& script);
   void play(const ScriptStep& step);
@@ -49,6 +49,10 @@ class ScriptPlayer {
   void perform(const SaveEffectStep& step);
   void perform(const SaveLensPictureStep& step);
   void perform(const SaveCameraStep& step);
+  void perform(const TransferStep& step);
+  void perform(const IsoStep& step);
+  void perform(const SaveVolumePictureStep& step);
+  void perform(const SaveTransferStep& step);
   /// Where a file goes; its folder is made.
   std::filesystem::path pathOf(const std::string& file) const;
   void tell(const std::filesystem::path& path) const;

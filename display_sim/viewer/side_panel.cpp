@@ -66,9 +66,12 @@ void SidePanel::draw(const PanelDrawing& drawing) {
   // Scrolls by itself where the window is low; flattened, so that keys get to what is in it.
   ImGui::BeginChild("contents", {0, 0}, false, ImGuiWindowFlags_NavFlattened);
   drawScene(drawing);
+  if (drawing.state.volume.on) {
+    volumeForm_.draw(drawing, valueWidth(drawing.scale));
+  }
   drawCamera(drawing);
   drawDisplay(drawing);
-  if (drawing.state.effect.on) {
+  if (isOffered(drawing.state, Pane::kEffect)) {
     drawEffectForm(drawing, valueWidth(drawing.scale));
   }
   drawShown(drawing);
@@ -91,7 +94,12 @@ void SidePanel::drawScene(const PanelDrawing& drawing) {
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("A file, or builtin:NAME[,key=value...]; Enter opens it");
   }
-  noteText(facts.data->scene ? grouped(facts.data->scene->mesh.triangles.size()) + " triangles" : "nothing loaded yet");
+  const auto& scene = facts.data->scene;
+  if (!scene) {
+    noteText("nothing loaded yet");
+  } else if (hasMesh(drawing.state)) {
+    noteText(grouped(scene->mesh.triangles.size()) + " triangles");
+  }
 }
 
 void SidePanel::drawCamera(const PanelDrawing& drawing) {
@@ -99,9 +107,11 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
   const ViewerFacts& facts = drawing.facts;
   sectionTitle("Camera");
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (ImGui::BeginCombo("##camera", state.work.camera.name.c_str(), ImGuiComboFlags_HeightLarge)) {
+  const std::string& rays = state.volume.rays;
+  if (ImGui::BeginCombo("##camera", (rays.empty() ? state.work.camera.name : rays).c_str(),
+                        ImGuiComboFlags_HeightLarge)) {
     for (const CameraName& camera : offeredCameras()) {
-      if (ImGui::Selectable(camera.name, state.work.camera.name == camera.name)) {
+      if (ImGui::Selectable(camera.name, rays.empty() && state.work.camera.name == camera.name)) {
         chooseCamera(state, camera.name);
       }
       if (ImGui::IsItemHovered()) {
@@ -110,7 +120,7 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
     }
     ImGui::EndCombo();
   }
-  noteText(descriptionOf(state.work.camera.name));
+  noteText(rays.empty() ? descriptionOf(state.work.camera.name) : "of the volume alone");
   if (drawCameraForm(state.work.camera, valueWidth(drawing.scale))) {
     cameraChanged(state);
   }
@@ -155,7 +165,7 @@ void SidePanel::drawDisplay(const PanelDrawing& drawing) {
     ImGui::EndCombo();
   }
   int sliced = drawing.state.work.sliceScene ? 1 : 0;
-  if (ImGui::Combo("slices of", &sliced, "camera's mesh\0scene itself\0")) {
+  if (hasMesh(drawing.state) && ImGui::Combo("slices of", &sliced, "camera's mesh\0scene itself\0")) {
     drawing.wishes.actions.push_back(ViewerAction::kToggleSliced);
   }
   auto exponent = static_cast<float>(std::log2(display.speed));
@@ -186,6 +196,10 @@ void SidePanel::drawDisplay(const PanelDrawing& drawing) {
 
 void SidePanel::drawShown(const PanelDrawing& drawing) {
   ViewerState& state = drawing.state;
+  if (!hasMesh(state)) {
+    drawButtons(drawing);
+    return;
+  }
   sectionTitle("Panes show");
   SceneShown& scene = state.scene;
   const float column = 104 * drawing.scale;
@@ -211,6 +225,10 @@ void SidePanel::drawShown(const PanelDrawing& drawing) {
   comboOf("image", state.reference.quantity, 3);
   comboOf("eye sees", state.reconstruction.content, 5);
   ImGui::PopItemWidth();
+  drawButtons(drawing);
+}
+
+void SidePanel::drawButtons(const PanelDrawing& drawing) {
   if (ImGui::Button("Help (H)")) {
     drawing.wishes.actions.push_back(ViewerAction::kHelp);
   }

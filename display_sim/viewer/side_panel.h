@@ -3,6 +3,7 @@
 
 #include "display_sim/viewer/lens_form.h"
 #include "display_sim/viewer/viewer_facts.h"
+#include "display_sim/viewer/volume_form.h"
 
 namespace ocelli {
 
@@ -12,6 +13,11 @@ class SidePanel {
   void draw(const PanelDrawing& drawing);
   /// The next frame gives the keyboard to the panel.
   void focus() { wantsFocus_ = true; }
+  /// The same, to the numbers of the chosen point of the transfer function.
+  void focusPoint() {
+    focus();
+    volumeForm_.focusPoint();
+  }
 
  private:
   void drawScene(const PanelDrawing& drawing);
@@ -19,9 +25,11 @@ class SidePanel {
   void drawImageSize(const PanelDrawing& drawing);
   static void drawDisplay(const PanelDrawing& drawing);
   static void drawShown(const PanelDrawing& drawing);
+  static void drawButtons(const PanelDrawing& drawing);
 
   bool wantsFocus_ = false;
   LensForm lensForm_;
+  VolumeForm volumeForm_;
   std::string source_;       ///< as it is being typed
   std::string knownSource_;  ///< of the state when that was typed
   glm::ivec2 size_{0};       ///< as it is being typed

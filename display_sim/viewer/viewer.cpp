@@ -12,6 +12,7 @@
 #include "display_sim/viewer/lens_choice.h"
 #include "display_sim/viewer/lens_file.h"
 #include "display_sim/viewer/pane_overlays.h"
+#include "display_sim/viewer/transfer_choice.h"
 #include "display_sim/viewer/viewer_colors.h"
 #include "display_sim/viewer/window_overlays.h"
 #include "oc_core/base/error.h"
@@ -34,6 +35,9 @@ Viewer::Viewer(GlContext& context, const ViewerOptions& options)
                          options.height, options.profile)),
       profile_(loadProfile(options.profile)),
       gui_(context, 1) {
+  state_.work.volumeOptions = options.volumeOptions;
+  state_.work.volumeIsShaded = options.volumeIsShaded;
+  state_.volume.rays = options.volumeRays;
   const GlScope scope(context);
   drawing_ = std::make_unique<Drawing>(context);
   facts_.renderer = context.info().renderer;
@@ -108,6 +112,22 @@ const Image<Rgb8>& Viewer::lensPicture() const {
   return picture->image;
 }
 
+const Image<Rgb8>& Viewer::volumePicture() const {
+  const auto& picture = facts_.volume.picture;
+  if (!picture) {
+    throw InputError("the volume pane shows no picture", "the viewer",
+                     facts_.volume.error.empty() ? "open a volume and show pane 7" : facts_.volume.error);
+  }
+  return picture->image;
+}
+
+void Viewer::saveTransferTo(const std::filesystem::path& path) {
+  OutputFile file(path);
+  file.write(transferFileText(state_));
+  file.commit();
+  state_.volume.transfer->markSaved();
+}
+
 std::string Viewer::lensFile() const {
   if (!hasLenses(state_)) {
     throw InputError("camera \"" + state_.work.camera.name + "\" has no lenses", "the viewer",
@@ -118,6 +138,24 @@ std::string Viewer::lensFile() const {
 
 void Viewer::choose(const std::string& camera) {
   attempt([&] { chooseCamera(state_, camera); });
+}
+
+void Viewer::chooseTransfer(const std::string& nameOrFile) {
+  attempt([&] { ocelli::chooseTransfer(state_, loadedVolume_.get(), nameOrFile); });
+}
+
+void Viewer::chooseIso(std::optional<double> value) {
+  ocelli::chooseIso(state_, value);
+}
+
+void Viewer::quit() {
+  const bool isSaved = !state_.volume.transfer || state_.volume.transfer->isSaved();
+  if (isSaved || saidUnsaved_) {
+    wantsClose_ = true;
+    return;
+  }
+  saidUnsaved_ = true;
+  say("the transfer function is not saved: Ctrl + S saves it; close once more to lose it", false);
 }
 
 void Viewer::perform(ViewerAction action) {
@@ -131,12 +169,20 @@ void Viewer::perform(ViewerAction action) {
       saveView();
     } else if (action == ViewerAction::kSaveLenses) {
       saveLenses();
+    } else if (action == ViewerAction::kSaveTransfer) {
+      saveTransfer();
+    } else if (action == ViewerAction::kTypeTransferNumbers) {
+      if (state_.volume.transfer && state_.volume.transfer->chosen()) {
+        state_.panel = true;
+        panelHasKeys_ = true;
+        panel_.focusPoint();
+      }
     } else if (action == ViewerAction::kFocusPanel) {
       state_.panel = true;
       panelHasKeys_ = true;
       panel_.focus();
     } else if (action == ViewerAction::kQuit) {
-      wantsClose_ = true;
+      quit();
     }
   });
 }
@@ -172,6 +218,13 @@ void Viewer::saveLenses() {
   say("wrote " + path.string() + ": give it to --camera, or drop it here", false);
 }
 
+void Viewer::saveTransfer() {
+  const std::string text = transferFileText(state_);  // throws where there is none, before a file is made
+  const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli-transfer", ".json");
+  saveTransferTo(path);
+  say("wrote " + path.string() + ": give it to --transfer, or drop it here", false);
+}
+
 void Viewer::saveScreenshot() {
   const std::filesystem::path path = makeFreeFile(options_.folder, "ocelli", ".png");
   writePng(path, screenshot());
@@ -187,8 +240,12 @@ void Viewer::take(const WorkResult& result) {
     if (result.step == WorkStep::kScene) {  // what was there stays
       state_.work.source = loadedSource_;
       state_.work.sceneOptions.points = loadedPoints_;
+      state_.work.sceneOptions.iso = loadedIso_;
+      state_.work.volumeOptions = loadedVolumeOptions_;
+      state_.work.sceneOptions.transfer = loadedVolumeOptions_.transfer;
       state_.work.sceneRevision = loadedRevision_;
       state_.effect = effectBefore_;
+      showKindOf(state_, loadedSource_);
     }
   }
   try {
@@ -200,6 +257,17 @@ void Viewer::take(const WorkResult& result) {
     loadedSource_ = result.scene->source;
     loadedPoints_ = result.scene->points;
     loadedRevision_ = result.scene->revision;
+    loadedIso_ = result.scene->iso;
+    loadedVolumeOptions_ = result.scene->volumeOptions;
+    if (result.scene->volume != loadedVolume_) {
+      loadedVolume_ = result.scene->volume;
+      saidUnsaved_ = false;
+      if (loadedVolume_) {
+        takeVolume(state_, *loadedVolume_);
+      } else {
+        state_.volume.transfer.reset();
+      }
+    }
   }
 }
 
@@ -217,6 +285,9 @@ void Viewer::update(double seconds) {
   if (!lensPointer_.isDragging()) {  // which what the others build would slow down
     followLenses(state_, false);
   }
+  if (layout().find(Pane::kDisplay) != nullptr) {
+    displayFollowsVolume(state_);
+  }
   work_.want(state_.work);
   while (const std::optional<WorkResult> result = work_.take()) {
     take(*result);
@@ -226,6 +297,8 @@ void Viewer::update(double seconds) {
   takeEffect();
   lenses_.want(lensWanted());
   facts_.lenses = lenses_.status();
+  volumes_.want(volumeWanted());
+  facts_.volume = volumes_.status();
   if (data_.camera && static_cast<size_t>(state_.reference.image) >= data_.camera->representation.images.size()) {
     state_.reference.image = 0;
   }
@@ -303,18 +376,42 @@ LensWanted Viewer::lensWanted() const {
   return wanted;
 }
 
+VolumeWanted Viewer::volumeWanted() const {
+  VolumeWanted wanted;
+  const ViewerLayout where = layout();
+  const PaneLayout* pane = where.find(Pane::kVolume);
+  wanted.shows = pane != nullptr && window_.width > 0 && data_.scene && data_.scene->volume && state_.volume.transfer;
+  if (!wanted.shows) {
+    return wanted;
+  }
+  wanted.scene = data_.scene;
+  wanted.view = state_.reconstruction.view;
+  wanted.size = picturePlace(state_, pixelsOf(pane->image)).size;
+  wanted.camera = state_.work.camera;
+  wanted.cameraRevision = state_.work.cameraRevision;
+  wanted.appearance = state_.volume.transfer->appearance();
+  wanted.rays = state_.volume.rays;
+  wanted.kept = state_.volume.kept;
+  return wanted;
+}
+
 void Viewer::waitUntilMade() {
   followLenses(state_, true);
+  if (layout().find(Pane::kDisplay) != nullptr) {
+    displayFollowsVolume(state_);
+  }
   work_.want(state_.work);
   work_.waitUntilIdle();
   effects_.waitUntilIdle();
   lenses_.waitUntilIdle();
+  volumes_.waitUntilIdle();
 }
 
 void Viewer::waitForPictures() {
   do {
     effects_.waitUntilIdle();
     lenses_.waitUntilIdle();
+    volumes_.waitUntilIdle();
     update(0);
   } while (isDrawing());
 }
@@ -367,6 +464,11 @@ bool Viewer::drawAnew(const PaneLayout& pane) {
       return drawing_->effect.draw(state_, facts_.effect, size);
     case Pane::kLenses:
       return drawing_->lenses.draw(state_, facts_.lenses, size);
+    case Pane::kVolume:
+      return drawing_->volume.draw(state_, facts_.volume, size);
+    case Pane::kTransfer:
+      drawing_->transfer.begin(size.x, size.y, rgb(kPaneColor));
+      return true;
   }
   OC_CHECK(false, "every pane is drawn");
 }
@@ -429,6 +531,10 @@ const PaneTarget& Viewer::Drawing::targetOf(Pane pane) const {
       return effect.target();
     case Pane::kLenses:
       return lenses.target();
+    case Pane::kVolume:
+      return volume.target();
+    case Pane::kTransfer:
+      return transfer;
   }
   OC_CHECK(false, "every pane has its image");
 }
@@ -458,6 +564,12 @@ void Viewer::drawGui() {
   }
   if (!wishes.camera.empty()) {
     choose(wishes.camera);
+  }
+  if (!wishes.transfer.empty()) {
+    chooseTransfer(wishes.transfer);
+  }
+  if (wishes.changesIso) {
+    chooseIso(wishes.iso);
   }
   if (wishes.dismissMessage) {
     say("", false);

@@ -18,6 +18,8 @@
 #include "display_sim/viewer/reference_pane.h"
 #include "display_sim/viewer/scene_pane.h"
 #include "display_sim/viewer/side_panel.h"
+#include "display_sim/viewer/transfer_pointer.h"
+#include "display_sim/viewer/volume_work.h"
 #include "oc_core/window/gui_layer.h"
 
 namespace ocelli {
@@ -25,6 +27,9 @@ namespace ocelli {
 struct ViewerOptions {
   std::string source;
   SceneOptions sceneOptions;
+  VolumeSceneOptions volumeOptions = {};      ///< of a scene that is a volume, beside those of every scene
+  std::optional<bool> volumeIsShaded = {};    ///< nothing: as its transfer function says
+  std::string volumeRays = {};                ///< as VolumeShown::rays
   CameraChoice camera;
   View reference;
   int width = kDefaultWidth;  ///< of the reference image
@@ -60,7 +65,7 @@ class Viewer {
   /// Asked to by a key or a CloseEvent.
   bool wantsClose() const { return wantsClose_; }
   /// Whether another frame would look different: something moves, waits or is being made. A picture of the effect may
-  /// come at any time while facts().effect is busy.
+  /// come at any time while facts().effect is busy, and so may one of lenses or of a volume.
   bool isMoving() const;
   /// Whether events still wait for a frame.
   bool hasWaitingEvents() const { return gui_.hasWaitingEvents(); }
@@ -68,10 +73,11 @@ class Viewer {
   bool isSettling() const;
   /// Until nothing is being made any more. Update and draw afterwards.
   void waitUntilMade();
-  /// Until the pictures of the effect and of the lenses are whole, where their panes show. Draw afterwards.
+  /// Until the pictures of the effect, of the lenses and of the volume are whole, where their panes show. Draw
+  /// afterwards.
   void waitForPictures();
-  /// Whether pictures of the effect or of the lenses are being drawn.
-  bool isDrawing() const { return facts_.effect.busy || facts_.lenses.busy; }
+  /// Whether pictures of the effect, of the lenses or of the volume are being drawn.
+  bool isDrawing() const { return facts_.effect.busy || facts_.lenses.busy || facts_.volume.busy; }
   /// Whether something is being made.
   bool isMaking() const { return facts_.work.busy || isDrawing() || state_.lenses.changedAt; }
 
@@ -81,6 +87,10 @@ class Viewer {
   /// Opens the effect pane; `way` may be empty, for the camera.
   void chooseEffect(const std::string& effect, const std::string& way);
   void chooseEffectContent(EffectShown::Content content) { state_.effect.content = content; }
+  /// A preset of a transfer function, or a file.
+  void chooseTransfer(const std::string& nameOrFile);
+  /// The surface of a volume that the panes of meshes show.
+  void chooseIso(std::optional<double> value);
 
   /// What the effect pane shows, as large as there, without texts over it. Throws InputError where it shows nothing.
   const Image<Rgb8>& effectPicture() const;
@@ -88,6 +98,10 @@ class Viewer {
   const Image<Rgb8>& lensPicture() const;
   /// The camera file of its lenses. Throws InputError where there are none.
   std::string lensFile() const;
+  /// What the volume pane shows, as large as there, without texts over it. Throws InputError where it shows nothing.
+  const Image<Rgb8>& volumePicture() const;
+  /// The file of the transfer function, which counts as saved then. Throws InputError where the scene is no volume.
+  void saveTransferTo(const std::filesystem::path& path);
 
  private:
   /// What draws, made under one GlScope.
@@ -100,6 +114,8 @@ class Viewer {
           display(context),
           effect(context),
           lenses(context),
+          volume(context),
+          transfer(context),
           image(context) {}
 
     const PaneTarget& targetOf(Pane pane) const;
@@ -111,6 +127,8 @@ class Viewer {
     DisplayPane display;
     EffectPane effect;
     LensPane lenses;
+    VolumePane volume;
+    PaneTarget transfer;  ///< empty: panels draw over it
     PaneTarget image;
   };
   struct Drag {
@@ -133,7 +151,10 @@ class Viewer {
   void wantEffect();
   void takeEffect();
   LensWanted lensWanted() const;
+  VolumeWanted volumeWanted() const;
   void saveLenses();
+  void saveTransfer();
+  void quit();
   void saveScreenshot();
   void saveView();
   void pickPixel();
@@ -156,7 +177,9 @@ class Viewer {
   BackgroundWork work_;
   EffectWork effects_;
   LensWork lenses_;
+  VolumeWork volumes_;
   LensPointer lensPointer_;
+  TransferPointer transferPointer_;
   EffectWanted lastWanted_;
   EffectShown effectBefore_;        ///< while another scene is being loaded
   std::optional<View> eyeAtStart_;  ///< which goes to the view of the effect, unless it has moved
@@ -167,7 +190,10 @@ class Viewer {
   ViewerFacts facts_;
   uint64_t loadedRevision_ = 0;  ///< of the scene that shows; 0: none yet
   std::string loadedSource_;
-  PointSceneOptions loadedPoints_;  ///< of that scene
+  PointSceneOptions loadedPoints_;                    ///< of that scene
+  std::shared_ptr<const LoadedVolume> loadedVolume_;  ///< that the transfer function is of; null: none
+  VolumeSceneOptions loadedVolumeOptions_;
+  std::optional<double> loadedIso_;
   bool panelHasKeys_ = false;       ///< after F6
   bool leavesPanel_ = false;        ///< in the next frame
   ResizeEvent window_;
@@ -177,6 +203,7 @@ class Viewer {
   double messageSeconds_ = 0;  ///< left to show it; errors stay
   bool wantsScreenshot_ = false;
   bool wantsClose_ = false;
+  bool saidUnsaved_ = false;  ///< that closing loses something
 };
 
 }  // namespace ocelli

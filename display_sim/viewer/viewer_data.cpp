@@ -11,7 +11,9 @@ void ViewerData::take(GlContext& context, const WorkResult& result) {
     camera = nullptr;
     rays = nullptr;
     volume = nullptr;
-    sceneMesh.emplace(context, result.scene->mesh);
+    if (!result.scene->mesh.triangles.empty()) {
+      sceneMesh.emplace(context, result.scene->mesh);
+    }
     scene = result.scene;
   }
   if (result.camera) {

@@ -10,6 +10,7 @@
 #include "display_sim/viewer/scene_lines.h"
 #include "display_sim/viewer/viewer_keys.h"
 #include "display_sim/viewer/viewer_layout.h"
+#include "display_sim/viewer/volume_work.h"
 
 namespace ocelli {
 
@@ -27,6 +28,7 @@ struct ViewerFacts {
   std::string displayProblem;
   EffectStatus effect;
   LensStatus lenses;
+  VolumeStatus volume;
   std::array<std::string, kPaneCount> failures;  ///< why OpenGL could not draw a pane; empty where it could
   std::string message;
   bool messageIsError = false;
@@ -36,7 +38,10 @@ struct ViewerFacts {
 struct PanelWishes {
   std::vector<ViewerAction> actions;
   std::string open;    ///< a scene; empty for none
-  std::string camera;  ///< the file of one; empty for none
+  std::string camera;    ///< the file of one; empty for none
+  std::string transfer;  ///< a preset of a transfer function, or a file; empty for none
+  bool changesIso = false;
+  std::optional<double> iso;  ///< of a volume's surface, where that changes
   bool dismissMessage = false;
 };
 

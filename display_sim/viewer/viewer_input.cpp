@@ -4,6 +4,8 @@
 #include <cmath>
 
 #include "display_sim/viewer/lens_keys.h"
+#include "display_sim/viewer/transfer_choice.h"
+#include "display_sim/viewer/transfer_keys.h"
 #include "display_sim/viewer/viewer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
@@ -39,7 +41,7 @@ void Viewer::handle(const InputEvent& event) {
       attempt([&] { openDropped(drop->files.front()); });
     }
   } else if (std::holds_alternative<CloseEvent>(event)) {
-    wantsClose_ = true;
+    quit();
   }
 }
 
@@ -57,12 +59,14 @@ void Viewer::handleKey(const KeyEvent& event) {
     return;
   }
   if (!panelHasKeys_) {
-    const LensKeyOutcome outcome = applyLensKey(state_, event);
-    if (*outcome.note != '\0') {
-      say(outcome.note, false);
-    }
-    if (outcome.used) {
-      return;
+    for (const auto apply : {applyLensKey, applyTransferKey}) {
+      const PaneKeyOutcome outcome = apply(state_, event);
+      if (*outcome.note != '\0') {
+        say(outcome.note, false);
+      }
+      if (outcome.used) {
+        return;
+      }
     }
   }
   const std::optional<ViewerAction> action = actionOf(event);
@@ -75,6 +79,7 @@ void Viewer::handleButton(const PointerButtonEvent& event) {
   const ViewerLayout where = layout();
   if (!event.pressed) {
     drag_.reset();
+    transferPointer_.release(state_);
     if (const PaneLayout* lenses = where.find(Pane::kLenses); lenses == nullptr) {
       lensPointer_.cancel();
     } else if (const char* note = lensPointer_.release(state_, lensFrame(state_, lenses->image, lengthScale()));
@@ -93,6 +98,12 @@ void Viewer::handleButton(const PointerButtonEvent& event) {
       lensPointer_.press(state_, lensFrame(state_, pane->image, lengthScale()), pointer_)) {
     return;
   }
+  if (pane->pane == Pane::kTransfer) {
+    if (event.button == PointerButton::kLeft) {
+      say(transferPointer_.press(state_, transferFrame(state_, pane->image, lengthScale()), pointer_), false);
+    }
+    return;
+  }
   drag_ = Drag{pane->pane, event.button == PointerButton::kLeft && !event.modifiers.shift};
 }
 
@@ -107,6 +118,10 @@ void Viewer::handleMove(const glm::vec2& to) {
   const ViewerLayout where = layout();
   if (const PaneLayout* lenses = where.find(Pane::kLenses);
       lenses != nullptr && lensPointer_.move(state_, lensFrame(state_, lenses->image, lengthScale()), pointer_)) {
+    return;
+  }
+  if (const PaneLayout* transfer = where.find(Pane::kTransfer); transfer != nullptr && transferPointer_.isHeld()) {
+    transferPointer_.move(state_, transferFrame(state_, transfer->image, lengthScale()), pointer_);
     return;
   }
   const PaneLayout* pane = drag_ ? where.find(drag_->pane) : nullptr;
@@ -148,6 +163,10 @@ void Viewer::handleScroll(const ScrollEvent& event) {
       LensPointer::scroll(state_, lensFrame(state_, pane->image, lengthScale()), pointer_, event.up)) {
     return;
   }
+  if (pane->pane == Pane::kTransfer) {
+    TransferPointer::scroll(state_, transferFrame(state_, pane->image, lengthScale()), pointer_, event.up);
+    return;
+  }
   zoomPane(state_, pane->pane, factor);
   if (pane->pane == Pane::kScene) {  // towards the pointer
     const WindowRect& area = pane->image;
@@ -168,6 +187,9 @@ void Viewer::openDropped(const std::string& file) {
     state_.effect.rolesFile = file;
     ++state_.effect.rolesRead;
     say("roles of " + file, false);
+  } else if (json.contains("points")) {
+    ocelli::chooseTransfer(state_, loadedVolume_.get(), file);
+    say("transfer function of " + file, false);
   } else if (json.contains("camera")) {
     chooseCamera(state_, file);
     say("camera of " + file, false);

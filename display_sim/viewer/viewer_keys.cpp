@@ -21,6 +21,7 @@ constexpr const char* kCameraGroup = "Camera";
 constexpr const char* kShow = "What panes show";
 constexpr const char* kDisplayGroup = "Display";
 constexpr const char* kEffectGroup = "Effect: reflections and others";
+constexpr const char* kVolumeGroup = "Volume: its transfer function";
 constexpr const char* kWindow = "Window and files";
 
 ReferenceShown::Quantity next(ReferenceShown::Quantity quantity) {
@@ -111,12 +112,14 @@ const std::vector<KeyBinding>& keyBindings() {
 
       {Key::kTab, kNextPane, kPanesGroup, "Tab  Shift + Tab", "next, previous pane"},
       {Key::kTab, kPreviousPane, kPanesGroup, "", "", true},
-      {Key::k1, kMaximise1, kPanesGroup, "1  2  3  4  5  6", "one pane alone; 5: effect, 6: lenses"},
+      {Key::k1, kMaximise1, kPanesGroup, "1  2 ... 8", "one pane alone; 5: effect, 6: lenses, 7: volume"},
       {Key::k2, kMaximise2, kPanesGroup, "", ""},
       {Key::k3, kMaximise3, kPanesGroup, "", ""},
       {Key::k4, kMaximise4, kPanesGroup, "", ""},
       {Key::k5, kMaximise5, kPanesGroup, "", ""},
       {Key::k6, kMaximise6, kPanesGroup, "", ""},
+      {Key::k7, kMaximise7, kPanesGroup, "", ""},
+      {Key::k8, kMaximise8, kPanesGroup, "", ""},
       {Key::k0, kShowAll, kPanesGroup, "0", "all panes"},
 
       {Key::kC, kNextCamera, kCameraGroup, "C  Shift + C", "next, previous camera"},
@@ -153,6 +156,12 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kY, kPreviousEffect, kEffectGroup, "", "", true},
       {Key::kO, kToggleEffect, kEffectGroup, "O", "the effect pane on, off"},
 
+      {Key::kZ, kUndoTransfer, kVolumeGroup, "Ctrl + Z  Y", "undo, redo a change of the transfer function", false, true},
+      {Key::kY, kRedoTransfer, kVolumeGroup, "", "", false, true},
+      {Key::kZ, kRedoTransfer, kVolumeGroup, "", "", true, true},
+      {Key::kEnter, kTypeTransferNumbers, kVolumeGroup, "Enter", "type the numbers of a point"},
+      {Key::kS, kSaveTransfer, kVolumeGroup, "Ctrl + S", "save the transfer function, for --transfer", false, true},
+
       {Key::kH, kHelp, kWindow, "H  F1", "this help"},
       {Key::kF1, kHelp, kWindow, "", ""},
       {Key::kG, kTogglePanel, kWindow, "G", "panel on the left"},
@@ -180,7 +189,7 @@ const std::vector<PointerBinding>& pointerBindings() {
       {"Right or Shift drag", "move sideways"},
       {"Wheel", "nearer, farther away"},
       {"Over the image", "read a sample, see its ray"},
-      {"Drop a file", "open it: scene, view, camera or roles"},
+      {"Drop a file", "open it: scene, view, camera, roles or transfer function"},
   };
   return bindings;
 }
@@ -217,6 +226,12 @@ bool applyAction(ViewerState& state, ViewerAction action) {
       return true;
     case kMaximise6:
       openLensPane(state);
+      return true;
+    case kMaximise7:
+      maximise(state, Pane::kVolume);
+      return true;
+    case kMaximise8:
+      maximise(state, Pane::kTransfer);
       return true;
     case kShowAll:
       state.maximised.reset();
@@ -318,6 +333,16 @@ bool applyAction(ViewerState& state, ViewerAction action) {
     case kPreviousEffect:
       chooseNextEffect(state, -1);
       return true;
+    case kUndoTransfer:
+      if (state.volume.transfer) {
+        state.volume.transfer->undo();
+      }
+      return true;
+    case kRedoTransfer:
+      if (state.volume.transfer) {
+        state.volume.transfer->redo();
+      }
+      return true;
     case kHelp:
       toggle(state.help);
       return true;
@@ -342,6 +367,8 @@ bool applyAction(ViewerState& state, ViewerAction action) {
     case kScreenshot:
     case kSaveView:
     case kSaveLenses:
+    case kTypeTransferNumbers:
+    case kSaveTransfer:
     case kQuit:
       return false;
   }

@@ -13,13 +13,15 @@ namespace ocelli {
 enum class ViewerAction {
   // clang-format off
   kTurnLeft, kTurnRight, kTurnUp, kTurnDown, kMoveLeft, kMoveRight, kMoveUp, kMoveDown, kZoomIn, kZoomOut, kResetView,
-  kNextPane, kPreviousPane, kMaximise1, kMaximise2, kMaximise3, kMaximise4, kMaximise5, kMaximise6, kShowAll,
+  kNextPane, kPreviousPane, kMaximise1, kMaximise2, kMaximise3, kMaximise4, kMaximise5, kMaximise6, kMaximise7, kMaximise8,
+  kShowAll,
   kNextCamera, kPreviousCamera, kWiderCell, kNarrowerCell, kReferenceToEye,
   kToggleRays, kToggleStraightRays, kToggleFrustum, kToggleCell, kToggleSamples, kToggleCloseUp,
   kNextQuantity, kNextImage,
   kNextContent, kToggleBlink,
   kRunOrStop, kSlower, kFaster, kStepBack, kStepForward, kToggleFollow, kNextProfile, kToggleSliced,
   kToggleEffect, kSwitchToTraced, kSwitchToDifference, kNextWay, kPreviousWay, kNextEffect, kPreviousEffect,
+  kUndoTransfer, kRedoTransfer, kTypeTransferNumbers, kSaveTransfer,
   kHelp, kTogglePanel, kFocusPanel, kScreenshot, kSaveView, kSaveLenses, kEscape, kQuit,
   // clang-format on
 };
@@ -44,7 +46,8 @@ struct PointerBinding {
 };
 const std::vector<PointerBinding>& pointerBindings();
 
-/// Does what is a matter of the state alone; false for the others: screenshot, view, lenses, panel focus, quit. Throws
+/// Does what is a matter of the state alone; false for the others: screenshot, view, lenses, transfer
+/// function, panel focus, its numbers, quit. Throws
 /// InputError as the functions of viewer_state.h do.
 bool applyAction(ViewerState& state, ViewerAction action);
 

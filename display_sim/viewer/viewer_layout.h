@@ -1,5 +1,5 @@
-// Where things are in the window: a panel on the left, four panes in two rows, a fifth one beside the lower two where
-// it is on, a bar below. Screen coordinates.
+// Where things are in the window: a panel on the left, panes in two rows, that of a transfer function along the whole
+// width below them, a bar at the bottom. Screen coordinates.
 #pragma once
 
 #include <vector>

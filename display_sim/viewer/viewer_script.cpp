@@ -16,6 +16,7 @@ constexpr double kMinScale = 0.5;
 constexpr double kMaxScale = 4;
 constexpr double kMaxSeconds = 600;
 constexpr double kMaxScroll = 100;
+constexpr double kMaxIso = 1e30;
 
 glm::dvec2 readPair(JsonFields& fields, const std::string& name, double least, double most) {
   const nlohmann::json& value = fields.value(name);
@@ -129,6 +130,13 @@ ScriptStep readShow(JsonFields& fields) {
   fields.fail("show", "must be one of: " + known);
 }
 
+ScriptStep readIso(JsonFields& fields) {
+  if (fields.value("iso").is_null()) {
+    return IsoStep{};
+  }
+  return IsoStep{fields.number("iso", -kMaxIso, kMaxIso)};
+}
+
 ScriptStep readWait(JsonFields& fields) {
   if (fields.text("wait") != "idle") {
     fields.fail("wait", "must be \"idle\"");
@@ -187,6 +195,12 @@ const std::map<std::string, StepReader>& stepReaders() {
        [](JsonFields& fields, const auto&) { return SaveEffectStep{readFileName(fields, "save_effect")}; }},
       {"save_lenses",
        [](JsonFields& fields, const auto&) { return SaveLensPictureStep{readFileName(fields, "save_lenses")}; }},
+      {"transfer", [](JsonFields& fields, const auto&) { return TransferStep{readName(fields, "transfer")}; }},
+      {"iso", [](JsonFields& fields, const auto&) { return readIso(fields); }},
+      {"save_volume",
+       [](JsonFields& fields, const auto&) { return SaveVolumePictureStep{readFileName(fields, "save_volume")}; }},
+      {"save_transfer",
+       [](JsonFields& fields, const auto&) { return SaveTransferStep{readFileName(fields, "save_transfer", ".json")}; }},
       {"save_camera",
        [](JsonFields& fields, const auto&) { return SaveCameraStep{readFileName(fields, "save_camera", ".json")}; }},
   };

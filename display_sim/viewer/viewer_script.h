@@ -7,6 +7,7 @@
 
 #include <filesystem>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -77,8 +78,8 @@ struct EffectStep {
 struct ShowStep {
   EffectShown::Content content = EffectShown::Content::kByWay;
 };
-/// An image of the window, with the pictures of the effect and of the lenses as they are once they are whole; a PNG
-/// file.
+/// An image of the window, with the pictures of the effect, of the lenses and of the volume as they are once they are
+/// whole; a PNG file.
 struct SaveStep {
   std::string file;
 };
@@ -97,9 +98,27 @@ struct SaveCameraStep {
   std::string file;
 };
 
+/// A preset of a transfer function, or a file, for the volume.
+struct TransferStep {
+  std::string nameOrFile;
+};
+/// The value of the surface of a volume that the panes of meshes show; nothing: none.
+struct IsoStep {
+  std::optional<double> value;
+};
+/// The picture of the volume pane by itself; a PNG file.
+struct SaveVolumePictureStep {
+  std::string file;
+};
+/// The transfer function as it is; a JSON file.
+struct SaveTransferStep {
+  std::string file;
+};
+
 using ScriptStep = std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep,
                                 ScrollStep, ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep,
-                                SaveEffectStep, SaveLensPictureStep, SaveCameraStep>;
+                                SaveEffectStep, SaveLensPictureStep, SaveCameraStep, TransferStep, IsoStep,
+                                SaveVolumePictureStep, SaveTransferStep>;
 
 struct ViewerScript {
   int width = 1280;

@@ -6,6 +6,7 @@
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/viewer/view_motion.h"
 #include "oc_core/base/check.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/ocri/representation_kind.h"
 
 namespace ocelli {
@@ -67,7 +68,9 @@ std::string_view named(std::initializer_list<std::string_view> names, Enum value
 }  // namespace
 
 std::string_view titleOf(Pane pane) {
-  return named({"Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses"}, pane);
+  return named({"Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses", "Volume",
+                "Transfer function"},
+               pane);
 }
 
 std::string_view nameOf(ReferenceShown::Quantity quantity) {
@@ -90,8 +93,27 @@ bool hasLenses(const ViewerState& state) {
   return static_cast<bool>(state.work.camera.kind->layout);
 }
 
+bool hasMesh(const ViewerState& state) {
+  return !state.volume.on || state.work.sceneOptions.iso;
+}
+
 bool isOffered(const ViewerState& state, Pane pane) {
-  return pane == Pane::kEffect ? state.effect.on : pane == Pane::kLenses ? hasLenses(state) : true;
+  switch (pane) {
+    case Pane::kVolume:
+    case Pane::kTransfer:
+      return state.volume.on;
+    case Pane::kEffect:
+      return hasMesh(state) && state.effect.on;
+    case Pane::kLenses:
+      return hasMesh(state) && hasLenses(state);
+    case Pane::kScene:
+    case Pane::kReference:
+    case Pane::kReconstruction:
+      return hasMesh(state);
+    case Pane::kDisplay:  // volumes are sliced themselves
+      return true;
+  }
+  OC_CHECK(false, "every pane has a place or none");
 }
 
 ViewerState viewerState(const std::string& source, const SceneOptions& options, const CameraChoice& camera,
@@ -105,13 +127,18 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
   state.work.height = height;
   state.work.profile = profile;
   state.work.lastRevision = 1;
-  state.work.sceneRevision = state.work.cameraRevision = state.work.displayRevision = 1;
+  state.work.sceneRevision = state.work.cameraRevision = state.work.displayRevision = state.work.volumeRevision = 1;
   for (const Pane pane : kPanes) {
     resetPane(state, pane);
   }
   // On the edge of the view cell, where something is missing.
   const float half = hasLenses(state) ? 0 : camera.cellSideRadii / 2;
   state.reconstruction.view = movedEye(reference, {-half, half, 0});
+  showKindOf(state, source);
+  if (!hasMesh(state)) {  // nothing is missing in a volume
+    state.reconstruction.view = reference;
+    state.work.sliceScene = true;
+  }
   return state;
 }
 
@@ -120,16 +147,50 @@ void leavePane(ViewerState& state, Pane pane) {
     state.maximised.reset();
   }
   if (state.active == pane) {
-    state.active = Pane::kReconstruction;
+    state.active = hasMesh(state) ? Pane::kReconstruction : Pane::kVolume;
+  }
+}
+
+void showKindOf(ViewerState& state, const std::string& source) {
+  state.volume.on = isVolumeSource(source);
+  for (const Pane pane : kPanes) {
+    if (!isOffered(state, pane)) {
+      leavePane(state, pane);
+    }
   }
 }
 
 void openScene(ViewerState& state, const std::string& source) {
   if (source != state.work.source) {
     state.work.sceneOptions.points = {};
+    state.work.sceneOptions.iso.reset();
+    state.work.sceneOptions.transfer.clear();
+    state.work.volumeOptions = {};
+    state.work.volumeIsShaded.reset();
   }
   state.work.source = source;
-  state.work.sceneRevision = ++state.work.lastRevision;
+  state.work.sceneRevision = state.work.volumeRevision = ++state.work.lastRevision;
+  showKindOf(state, source);
+}
+
+void displayFollowsVolume(ViewerState& state) {
+  if (!state.volume.transfer) {
+    return;
+  }
+  const std::shared_ptr<const VolumeAppearance>& appearance = state.volume.transfer->appearance();
+  if (state.work.appearance != appearance || state.work.kept != state.volume.kept) {
+    state.work.appearance = appearance;
+    state.work.kept = state.volume.kept;
+    displayChanged(state);
+  }
+}
+
+void chooseIso(ViewerState& state, std::optional<double> value) {
+  if (state.work.sceneOptions.iso != value) {
+    state.work.sceneOptions.iso = value;
+    state.work.sceneRevision = ++state.work.lastRevision;
+    showKindOf(state, state.work.source);
+  }
 }
 
 void cameraChanged(ViewerState& state) {
@@ -142,6 +203,11 @@ void displayChanged(ViewerState& state) {
 }
 
 void chooseCamera(ViewerState& state, const std::string& nameOrFile) {
+  if (state.volume.on && namesConstructor(nameOrFile)) {
+    state.volume.rays = nameOrFile;
+    return;
+  }
+  state.volume.rays.clear();
   state.work.camera = cameraChoice(nameOrFile, cellOf(state.work.camera));
   state.reference.image = 0;
   state.lenses.chosen.reset();
@@ -200,9 +266,13 @@ void orbitPane(ViewerState& state, Pane pane, double right, double up) {
     case Pane::kReference:
       panPane(state, pane, right / kPi, up / kPi);
       return;
+    case Pane::kTransfer:
+      panPane(state, pane, right / kPi, up / kPi);
+      return;
     case Pane::kReconstruction:
     case Pane::kEffect:
     case Pane::kLenses:
+    case Pane::kVolume:
       state.reconstruction.view = orbited(state.reconstruction.view, right, up);
       return;
     case Pane::kDisplay:
@@ -222,9 +292,13 @@ void panPane(ViewerState& state, Pane pane, double right, double up) {
       state.reference.center = glm::clamp(state.reference.center + step, glm::vec2(0), glm::vec2(1));
       return;
     }
+    case Pane::kTransfer:
+      state.volume.axis = pannedAxis(state.volume.axis, state.volume.values, right);
+      return;
     case Pane::kReconstruction:
     case Pane::kEffect:
     case Pane::kLenses:
+    case Pane::kVolume:
       state.reconstruction.view = panned(state.reconstruction.view, right, up);
       return;
     case Pane::kDisplay:  // an observer looks at the middle of the display
@@ -241,9 +315,13 @@ void zoomPane(ViewerState& state, Pane pane, double factor) {
     case Pane::kReference:
       state.reference.zoom = std::clamp(state.reference.zoom * factor, 1.0, kMaxReferenceZoom);
       return;
+    case Pane::kTransfer:
+      state.volume.axis = zoomedAxis(state.volume.axis, state.volume.values, state.volume.axis.valueAt(0.5), factor);
+      return;
     case Pane::kReconstruction:
     case Pane::kEffect:
     case Pane::kLenses:
+    case Pane::kVolume:
       state.reconstruction.view = zoomed(state.reconstruction.view, 1 / factor);
       return;
     case Pane::kDisplay:
@@ -262,8 +340,12 @@ void resetPane(ViewerState& state, Pane pane) {
       state.reference.center = glm::vec2(0.5f);
       state.reference.zoom = 1;
       return;
+    case Pane::kTransfer:
+      state.volume.axis = state.volume.values;
+      return;
     case Pane::kReconstruction:
     case Pane::kLenses:
+    case Pane::kVolume:
       state.reconstruction.view = state.work.reference;
       return;
     case Pane::kEffect:

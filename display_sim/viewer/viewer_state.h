@@ -10,17 +10,18 @@
 #include <string_view>
 #include <vector>
 
+#include "display_sim/viewer/volume_shown.h"
 #include "oc_core/camera/view.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
 
-enum class Pane { kScene, kReference, kReconstruction, kDisplay, kEffect, kLenses };
-inline constexpr size_t kPaneCount = 6;
-inline constexpr std::array kPanes{Pane::kScene,   Pane::kReference, Pane::kReconstruction,
-                                   Pane::kDisplay, Pane::kEffect,    Pane::kLenses};
-/// "Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses".
+enum class Pane { kScene, kReference, kReconstruction, kDisplay, kEffect, kLenses, kVolume, kTransfer };
+inline constexpr size_t kPaneCount = 8;
+inline constexpr std::array kPanes{Pane::kScene,  Pane::kReference, Pane::kReconstruction, Pane::kDisplay,
+                                   Pane::kEffect, Pane::kLenses,    Pane::kVolume,         Pane::kTransfer};
+/// "Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses", "Volume", "Transfer function".
 std::string_view titleOf(Pane pane);
 
 /// What has to be made. Code that changes a part of it must give that part the next revision.
@@ -28,7 +29,10 @@ struct WorkWanted {
   uint64_t lastRevision = 0;
   std::string source;
   SceneOptions sceneOptions;
+  VolumeSceneOptions volumeOptions;  ///< of a scene that is a volume; `fit` and `warn` are those of sceneOptions
+  std::optional<bool> volumeIsShaded;  ///< nothing: as its transfer function says
   uint64_t sceneRevision = 0;
+  uint64_t volumeRevision = 0;  ///< of the volume, where the scene is one: its surface alone changes the scene's
 
   CameraChoice camera;
   View reference;
@@ -38,6 +42,9 @@ struct WorkWanted {
 
   std::string profile = "perspecta";
   bool sliceScene = false;  ///< the scene itself, instead of what stands for it
+  /// Of a volume that is sliced itself; null: its own.
+  std::shared_ptr<const VolumeAppearance> appearance;
+  std::array<glm::dvec2, 3> kept = VolumeShown::kWhole;  ///< as in VolumeShown
   uint64_t displayRevision = 0;
 };
 
@@ -124,6 +131,7 @@ struct ViewerState {
   DisplayShown display;
   EffectShown effect;
   LensesShown lenses;
+  VolumeShown volume;
   /// Where Home brings the user's eye in the effect pane: the view of the effect, once that is known.
   std::optional<View> effectHome;
 
@@ -141,16 +149,24 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
 
 /// Whether the camera has regions of detail, which are edited as lenses.
 bool hasLenses(const ViewerState& state);
+/// Whether there are triangles, which most panes show: of a volume those of a surface in it, where one is asked for.
+bool hasMesh(const ViewerState& state);
 /// Whether a pane has a place among the others.
 bool isOffered(const ViewerState& state, Pane pane);
 /// Where it is alone or active, others show and one of them is.
 void leavePane(ViewerState& state, Pane pane);
 
 /// Shows another scene, or the same one anew. The views stay as they are, and so do the options of the scene, except
-/// those of its points: their width is in the units of one file.
+/// those of its points, whose width is in the units of one file, and of a volume.
 void openScene(ViewerState& state, const std::string& source);
-/// By its name, or a file; a view cell that was set stays so, unless a file sets one. Throws InputError as
-/// cameraChoice() does.
+/// The panes of what `source` is: a volume, or a mesh.
+void showKindOf(ViewerState& state, const std::string& source);
+/// The display shows what the transfer function and the clipping of a volume are now.
+void displayFollowsVolume(ViewerState& state);
+/// The surface of a volume at this value is the mesh that the other panes show; nothing: none is.
+void chooseIso(ViewerState& state, std::optional<double> value);
+/// By its name, or a file; a view cell that was set stays so, unless a file sets one. Of a volume also a constructor of
+/// graph or curved ray cameras (VolumeShown::rays). Throws InputError as cameraChoice() does.
 void chooseCamera(ViewerState& state, const std::string& nameOrFile);
 /// After a change of parameters of `state.work.camera`, or of what is sliced for the display.
 void cameraChanged(ViewerState& state);
@@ -173,7 +189,7 @@ inline constexpr int kMaxImageSide = 8192;
 
 /// Turns, moves or zooms what a pane shows; `right` and `up` as the eye goes. Angles in radians, distances in heights
 /// of the pane. In the image, both move it. The reconstruction, the effect and the lenses are seen by one eye, the
-/// user's.
+/// user's, and so is a volume; the transfer function's pane moves along the values.
 void orbitPane(ViewerState& state, Pane pane, double right, double up);
 void panPane(ViewerState& state, Pane pane, double right, double up);
 /// Above 1 nearer.

@@ -8,6 +8,8 @@
 
 #include "display_sim/viewer/gui_pieces.h"
 #include "display_sim/viewer/lens_keys.h"
+#include "display_sim/viewer/transfer_keys.h"
+#include "display_sim/viewer/transfer_pointer.h"
 
 namespace ocelli {
 namespace {
@@ -24,8 +26,11 @@ std::string figures(const ViewerFacts& facts, float room) {
   if (facts.frameMilliseconds > 0) {
     add(fmt::format("{:.1f} ms a frame", facts.frameMilliseconds));
   }
-  if (facts.data->scene) {
+  if (facts.data->scene && !facts.data->scene->mesh.triangles.empty()) {
     add("scene " + grouped(facts.data->scene->mesh.triangles.size()) + " triangles");
+  }
+  if (facts.data->scene && facts.data->scene->volume) {
+    add(grouped(facts.data->scene->volume->scene.volume->grid().voxelCount()) + " voxels");
   }
   if (const auto& camera = facts.data->camera) {
     add(camera->choice.name + " " + grouped(camera->representation.mesh.triangles.size()) + " triangles, " +
@@ -74,12 +79,13 @@ void drawKeyHelp(const std::string& group, float keyWidth) {
   ImGui::EndTable();
 }
 
-void drawLensHelp(float keyWidth) {
-  beginHelpGroup("In the pane of lenses (6), before all else", keyWidth);
-  for (const PointerBinding& binding : lensPointerBindings()) {
+void drawPaneHelp(const char* title, const std::vector<PointerBinding>& pointer, const std::vector<PaneKey>& keys,
+                  float keyWidth) {
+  beginHelpGroup(title, keyWidth);
+  for (const PointerBinding& binding : pointer) {
     helpRow(binding.what, binding.text);
   }
-  for (const LensKey& each : lensKeys()) {
+  for (const PaneKey& each : keys) {
     if (*each.keys != '\0') {
       helpRow(each.keys, each.text);
     }
@@ -150,7 +156,11 @@ void drawHelp(const PanelDrawing& drawing) {
     ImGui::TableNextColumn();
     drawPointerHelp(keyWidth);
     if (hasLenses(drawing.state)) {
-      drawLensHelp(keyWidth);
+      drawPaneHelp("In the pane of lenses (6), before all else", lensPointerBindings(), lensKeys(), keyWidth);
+    }
+    if (drawing.state.volume.on) {
+      drawPaneHelp("In the pane of the transfer function (8), before all else", transferPointerBindings(),
+                   transferKeys(), keyWidth);
     }
     for (size_t i = 0; i < inFirst; ++i) {
       drawKeyHelp(groups[i], keyWidth);

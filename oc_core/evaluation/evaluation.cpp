@@ -1,7 +1,5 @@
 #include "oc_core/evaluation/evaluation.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 #include <atomic>
 #include <chrono>
@@ -11,10 +9,8 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/evaluation/error_image.h"
 #include "oc_core/evaluation/truth_frames.h"
-#include "oc_core/ocri/union_mesh.h"
 #include "oc_core/ranks/packed_bytes.h"
 #include "oc_core/ranks/shared_tasks.h"
-#include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
 namespace {
@@ -83,17 +79,25 @@ std::vector<float> defaultOffsets() {
 }
 
 struct Evaluator::Impl {
-  Impl(const Mesh& mesh, const EvaluationOptions& given)
-      : scene(mesh),
+  Impl(const EvaluatedScene& evaluated, const EvaluationOptions& given)
+      : scene(evaluated),
         options(given),
         viewpoints(given),
-        truth(mesh, camerasOf(viewpoints.views, given.width, given.height)),
-        surface(mesh) {
+        truth([this](const PinholeCamera& camera) { return scene.frame(camera); },
+              camerasOf(viewpoints.views, given.width, given.height)) {
     for (const View& view : viewpoints.views) {
-      requireOutside(
-          scene, view.eye,
-          fmt::format("viewpoint ({:.3g}, {:.3g}, {:.3g}) of the view cell", view.eye.x, view.eye.y, view.eye.z));
+      scene.requireViewpoint(view.eye);
     }
+  }
+  /// Takes what it is told to keep.
+  Impl(std::unique_ptr<const EvaluatedScene> evaluated, const EvaluationOptions& given) : Impl(*evaluated, given) {
+    kept = std::move(evaluated);
+  }
+
+  FrameComparison comparisonWith(const PinholeCamera& camera, const ViewFrame& shown, const ViewFrame& frame) const {
+    return compareViewFrames(camera, shown, frame, [this](const glm::vec3& point, float reach) {
+      return scene.hasSurfaceNear(point, reach);
+    });
   }
 
   const PinholeCamera& reference() const { return truth.camera(viewpoints.reference.first); }
@@ -158,7 +162,7 @@ struct Evaluator::Impl {
       report(progress_, name_, static_cast<double>(ranks * done_++) / static_cast<double>(errors_.size()));
       const std::shared_ptr<const ViewFrame> truth = impl_.truth.frame(i);
       const ViewFrame frame = renderFrame(impl_.truth.camera(i), mesh_);
-      FrameErrors errors = countErrors(compareViewFrames(impl_.truth.camera(i), *truth, frame, impl_.surface), frame);
+      FrameErrors errors = countErrors(impl_.comparisonWith(impl_.truth.camera(i), *truth, frame), frame);
       if (images) {
         addImageErrors(errors, *truth, frame);
       }
@@ -176,7 +180,7 @@ struct Evaluator::Impl {
   /// The ratios need the depth image, whether or not it is among what is measured.
   const MissingSamples& missingFromDepthImage() {
     if (!depthImage) {
-      const Mesh mesh = unionMesh({buildDepthImage(reference(), scene)});
+      const Mesh mesh = scene.depthImageMesh(reference());
       const size_t first = viewpoints.edges.first;
       MissingSamples missing;
       for (const MissingSamples& each : atEach<MissingSamples>(viewpoints.edges.last - first, [&](size_t k) {
@@ -190,16 +194,19 @@ struct Evaluator::Impl {
     return *depthImage;
   }
 
-  const Mesh& scene;
+  std::unique_ptr<const EvaluatedScene> kept;
+  const EvaluatedScene& scene;
   EvaluationOptions options;
   std::unique_ptr<Ranks> alone = serialRanks();
   Viewpoints viewpoints;
   TruthFrames truth;
-  RayScene surface;
   std::optional<MissingSamples> depthImage;
 };
 
 Evaluator::Evaluator(const Mesh& scene, const EvaluationOptions& options)
+    : impl_(std::make_unique<Impl>(std::make_unique<const MeshScene>(scene), options)) {}
+
+Evaluator::Evaluator(const EvaluatedScene& scene, const EvaluationOptions& options)
     : impl_(std::make_unique<Impl>(scene, options)) {}
 
 Evaluator::~Evaluator() = default;
@@ -208,9 +215,7 @@ RepresentationFigures Evaluator::measure(const CameraChoice& choice, const Progr
                                          const MeshVisitor& visit) {
   return measure(
       choice.name,
-      [&](RepresentationTimes& times) {
-        return buildRepresentation(choice, impl_->reference(), impl_->scene, progress, &times);
-      },
+      [&](RepresentationTimes& times) { return impl_->scene.represent(choice, impl_->reference(), progress, &times); },
       progress, visit);
 }
 
@@ -265,14 +270,14 @@ View Evaluator::exampleView() const {
 }
 
 Image<Rgb8> Evaluator::exampleImage() const {
-  return renderFrame({exampleView(), impl_->options.width, impl_->options.height}, impl_->scene).image;
+  return impl_->scene.frame({exampleView(), impl_->options.width, impl_->options.height}).image;
 }
 
 Evaluator::Example Evaluator::example(const Mesh& mesh) const {
   const PinholeCamera camera(exampleView(), impl_->options.width, impl_->options.height);
-  const ViewFrame truth = renderFrame(camera, impl_->scene);
+  const ViewFrame truth = impl_->scene.frame(camera);
   const ViewFrame frame = renderFrame(camera, mesh);
-  return {frame.image, errorImage(truth, compareViewFrames(camera, truth, frame, impl_->surface))};
+  return {frame.image, errorImage(truth, impl_->comparisonWith(camera, truth, frame))};
 }
 
 std::vector<RepresentationFigures> evaluate(const Mesh& mesh, const std::vector<CameraChoice>& choices,

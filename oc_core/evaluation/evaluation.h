@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/evaluation/evaluated_scene.h"
 #include "oc_core/evaluation/frame_errors.h"
 #include "oc_core/evaluation/stored_size.h"
 #include "oc_core/ocri/representation.h"
@@ -71,6 +72,8 @@ class Evaluator {
   /// `scene` must outlive it. Throws InputError where a viewpoint of the cell lies inside an object of the scene, or
   /// has no view.
   Evaluator(const Mesh& scene, const EvaluationOptions& options);
+  /// The same of any scene.
+  Evaluator(const EvaluatedScene& scene, const EvaluationOptions& options);
   ~Evaluator();
   Evaluator(const Evaluator&) = delete;
   Evaluator& operator=(const Evaluator&) = delete;

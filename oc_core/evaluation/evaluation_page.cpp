@@ -305,11 +305,12 @@ std::string evaluatePage(const EvaluatePage& page, const EvaluationOptions& opti
   html +=
       fmt::format("<header>\n<h1>What stands for a scene, and what it misses</h1>\n<p><code>{}</code></p>\n", scene);
   html += fmt::format(
-      "<p class=\"soft\">{} triangles; reference images of {} x {} pixels; a view cell that is a {} of {:g} in ({:g} "
+      "<p class=\"soft\">{}; reference images of {} x {} pixels; a view cell that is a {} of {:g} in ({:g} "
       "display radii) around ({:g}, {:g}, {:g}); seed {}; made by ocelli {}.</p>\n",
-      groupedDigits(page.sceneTriangles), options.width, options.height, cellShapeName(options.cell.shape),
-      std::round(sideInches * 1000) / 1000, options.cell.sideRadii, options.view.eye.x, options.view.eye.y,
-      options.view.eye.z, options.seed, htmlFromText(page.version));
+      page.sceneParts.empty() ? groupedDigits(page.sceneTriangles) + " triangles" : htmlFromText(page.sceneParts),
+      options.width, options.height, cellShapeName(options.cell.shape), std::round(sideInches * 1000) / 1000,
+      options.cell.sideRadii, options.view.eye.x, options.view.eye.y, options.view.eye.z, options.seed,
+      htmlFromText(page.version));
   if (!page.complete) {
     html +=
         "<p class=\"warning\">This evaluation was interrupted: rows are missing. The same command goes on with "

@@ -21,6 +21,7 @@ struct EvaluatePage {
   std::string truthImage;
   std::vector<EvaluateImages> images;  ///< one for each row of figures
   bool complete = true;
+  std::string sceneParts{};  ///< what the scene consists of, where that is no triangles
 };
 
 /// File names for the images of a representation. `identity` is its name, or tells it from others of the same name.

@@ -128,6 +128,19 @@ RepresentationFigures readFigures(const nlohmann::json& json, const std::string&
   return figures;
 }
 
+/// Of a hash of the scene.
+std::string keyOf(Hash& hash, const EvaluationOptions& options, const std::string& more) {
+  const glm::vec3& direction = options.cell.segmentDirection;
+  hash.add(fmt::format("{} {}x{} {} {} {},{},{} {} {} {} {} {} {} {} ", jsonText(options.view), options.width,
+                       options.height, options.cell.sideRadii, cellShapeName(options.cell.shape), direction.x,
+                       direction.y, direction.z, options.edgeViews, options.interiorViews, options.seed,
+                       options.compareImages, options.offsetDirections, options.runs,
+                       static_cast<bool>(options.slice)));
+  hash.add(options.offsets);
+  hash.add(more);
+  return hash.text();
+}
+
 }  // namespace
 
 std::string textHash(const std::string& text) {
@@ -141,15 +154,13 @@ std::string evaluationKey(const Mesh& scene, const EvaluationOptions& options, c
   hash.add(scene.positions);
   hash.add(scene.colors);
   hash.add(scene.triangles);
-  const glm::vec3& direction = options.cell.segmentDirection;
-  hash.add(fmt::format("{} {}x{} {} {} {},{},{} {} {} {} {} {} {} {} ", jsonText(options.view), options.width,
-                       options.height, options.cell.sideRadii, cellShapeName(options.cell.shape), direction.x,
-                       direction.y, direction.z, options.edgeViews, options.interiorViews, options.seed,
-                       options.compareImages, options.offsetDirections, options.runs,
-                       static_cast<bool>(options.slice)));
-  hash.add(options.offsets);
-  hash.add(more);
-  return hash.text();
+  return keyOf(hash, options, more);
+}
+
+std::string evaluationKey(const std::string& scene, const EvaluationOptions& options, const std::string& more) {
+  Hash hash;
+  hash.add(scene);
+  return keyOf(hash, options, more);
 }
 
 EvaluationWork::EvaluationWork(std::filesystem::path path, std::string key)

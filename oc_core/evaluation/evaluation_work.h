@@ -17,6 +17,8 @@ namespace ocelli {
 /// The key of a scene and options: a hash of every vertex and triangle, and of every option. `more` is text that counts
 /// too (the version of the program, the display that is sliced for).
 std::string evaluationKey(const Mesh& scene, const EvaluationOptions& options, const std::string& more);
+/// The same of any scene, by a text that no other scene has.
+std::string evaluationKey(const std::string& scene, const EvaluationOptions& options, const std::string& more);
 /// A hash of the text, as hexadecimal digits.
 std::string textHash(const std::string& text);
 

@@ -4,8 +4,12 @@
 
 namespace ocelli {
 
+SurfaceSearch searchOf(const RayScene& scene) {
+  return [&scene](const glm::vec3& point, float reach) { return scene.hasSurfaceNear(point, reach); };
+}
+
 Image<uint8_t> falseSkins(const PinholeCamera& camera, const Image<glm::vec4>& truth, const Image<glm::vec4>& frame,
-                          const RayScene& scene) {
+                          const SurfaceSearch& hasSurfaceNear) {
   OC_CHECK(frame.width() == truth.width() && frame.height() == truth.height(), "truth and frame have the same size");
   Image<uint8_t> skins(frame.width(), frame.height(), 0);
   parallelFor(static_cast<size_t>(frame.height()), 4, [&](size_t begin, size_t end) {
@@ -16,12 +20,17 @@ Image<uint8_t> falseSkins(const PinholeCamera& camera, const Image<glm::vec4>& t
           const glm::vec3 point(frame(x, y));
           const float reach = nearReach(camera, point);
           // Samples of the truth are points of the surface.
-          skins(x, y) = hasSampleNear(truth, x, y, point, reach) || scene.hasSurfaceNear(point, reach) ? 0 : 1;
+          skins(x, y) = hasSampleNear(truth, x, y, point, reach) || hasSurfaceNear(point, reach) ? 0 : 1;
         }
       }
     }
   });
   return skins;
+}
+
+Image<uint8_t> falseSkins(const PinholeCamera& camera, const Image<glm::vec4>& truth, const Image<glm::vec4>& frame,
+                          const RayScene& scene) {
+  return falseSkins(camera, truth, frame, searchOf(scene));
 }
 
 Image<uint8_t> wrongFronts(const PinholeCamera& camera, const Image<glm::vec4>& truth, const Image<glm::vec4>& frame,

@@ -9,13 +9,22 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "oc_core/ocri/coverage.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {
 
-/// 1 at each pixel of `frame` whose sample is false. `truth` shows the mesh of `scene`, and saves most of the searches.
+/// Whether a point of the scene's surface lies within `reach` of a point. Safe to call from many threads.
+using SurfaceSearch = std::function<bool(const glm::vec3& point, float reach)>;
+/// The scene must outlive it.
+SurfaceSearch searchOf(const RayScene& scene);
+
+/// 1 at each pixel of `frame` whose sample is false. `truth` shows the scene, and saves most of the searches.
+Image<uint8_t> falseSkins(const PinholeCamera& camera, const Image<glm::vec4>& truth, const Image<glm::vec4>& frame,
+                          const SurfaceSearch& hasSurfaceNear);
+/// The same of a mesh.
 Image<uint8_t> falseSkins(const PinholeCamera& camera, const Image<glm::vec4>& truth, const Image<glm::vec4>& frame,
                           const RayScene& scene);
 

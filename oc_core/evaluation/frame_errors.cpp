@@ -1,6 +1,7 @@
 #include "oc_core/evaluation/frame_errors.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "oc_core/evaluation/flip.h"
 #include "oc_core/evaluation/image_quality.h"
@@ -14,12 +15,30 @@ ViewFrame renderFrame(const PinholeCamera& camera, const Mesh& mesh) {
   return {positionImage(fragments, mesh), srgbFromLinear(colorImage(fragments, mesh, glm::vec3(0)))};
 }
 
+ViewFrame renderFrame(const PinholeCamera& camera, const RayTarget& target) {
+  const HitImage hits = castRays(camera, target);
+  Image<glm::vec4> points(hits.width(), hits.height(), glm::vec4(0));
+  Image<glm::vec3> colors(hits.width(), hits.height(), glm::vec3(0));
+  for (size_t i = 0; i < hits.size(); ++i) {
+    if (hits[i]) {
+      points[i] = glm::vec4(hits[i]->position, 1);
+      colors[i] = hits[i]->color;
+    }
+  }
+  return {std::move(points), srgbFromLinear(colors)};
+}
+
 FrameComparison compareViewFrames(const PinholeCamera& camera, const ViewFrame& truth, const ViewFrame& frame,
                                   const RayScene& scene) {
+  return compareViewFrames(camera, truth, frame, searchOf(scene));
+}
+
+FrameComparison compareViewFrames(const PinholeCamera& camera, const ViewFrame& truth, const ViewFrame& frame,
+                                  const SurfaceSearch& hasSurfaceNear) {
   FrameComparison comparison;
   comparison.states = compareFrames(camera, truth.points, frame.points);
   comparison.wrongFronts = wrongFronts(camera, truth.points, frame.points, comparison.states);
-  comparison.falseSkins = falseSkins(camera, truth.points, frame.points, scene);
+  comparison.falseSkins = falseSkins(camera, truth.points, frame.points, hasSurfaceNear);
   return comparison;
 }
 

@@ -13,6 +13,8 @@ struct ViewFrame {
 };
 
 ViewFrame renderFrame(const PinholeCamera& camera, const Mesh& mesh);
+/// The same of what is no mesh.
+ViewFrame renderFrame(const PinholeCamera& camera, const RayTarget& target);
 
 /// The maps of coverage.h and false_surfaces.h.
 struct FrameComparison {
@@ -24,6 +26,9 @@ struct FrameComparison {
 /// `scene` holds the mesh that `truth` shows.
 FrameComparison compareViewFrames(const PinholeCamera& camera, const ViewFrame& truth, const ViewFrame& frame,
                                   const RayScene& scene);
+/// The same of any scene (false_surfaces.h).
+FrameComparison compareViewFrames(const PinholeCamera& camera, const ViewFrame& truth, const ViewFrame& frame,
+                                  const SurfaceSearch& hasSurfaceNear);
 
 /// Sums over viewpoints; the ratios and means of them weigh samples, or viewpoints, alike.
 struct FrameErrors : MissingSamples {

@@ -1,6 +1,7 @@
 // What the scene shows from many viewpoints: rendered when first asked for, and kept as long as there is room.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -14,8 +15,12 @@ class TruthFrames {
   /// Frames that would take more memory than this together are rendered anew each time.
   static constexpr size_t kMaxBytes = size_t{1} << 30;
 
+  using RenderFrame = std::function<ViewFrame(const PinholeCamera& camera)>;
+
   /// `scene` must outlive it.
   TruthFrames(const Mesh& scene, std::vector<PinholeCamera> cameras, size_t maxBytes = kMaxBytes);
+  /// `render` is called from several threads.
+  TruthFrames(RenderFrame render, std::vector<PinholeCamera> cameras, size_t maxBytes = kMaxBytes);
 
   size_t count() const { return cameras_.size(); }
   const PinholeCamera& camera(size_t index) const { return cameras_[index]; }
@@ -24,7 +29,7 @@ class TruthFrames {
   size_t keptFrames() const { return kept_; }
 
  private:
-  const Mesh& scene_;
+  RenderFrame render_;
   std::vector<PinholeCamera> cameras_;
   size_t maxBytes_;
   std::mutex mutex_;  ///< guards what follows

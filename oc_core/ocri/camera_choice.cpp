@@ -7,6 +7,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/representation_kind.h"
+#include "oc_core/render/target_renderer.h"
 #include "oc_core/scene/winding_number.h"
 
 namespace ocelli {
@@ -63,6 +64,10 @@ ReferenceImages finished(ReferenceImages images, const CameraChoice& choice, con
   for (ReferenceImage& image : images) {
     samples += image.sampleCount();
     image.camera = choice.name;
+  }
+  if (samples == 0 && mesh.empty()) {  // of what is no mesh, which has a triangle for each hit
+    throw InputError("no ray of the view hits the scene", "view",
+                     "turn \"target\" towards it; of a volume, a lower --opacity is reached sooner");
   }
   if (samples == 0) {
     failSeeingNothing(reference, mesh, "view");
@@ -191,6 +196,15 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
   return imagesOf({choice, reference, mesh, progress, &renderer});
 }
 
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference,
+                                     const TargetRenderer& target, const Progress& progress) {
+  if (!choice.hasImages()) {
+    throw InputError("\"" + choice.name + "\" is made of triangles, and this scene has none", "--camera",
+                     "choose another one; of a volume, --iso VALUE makes triangles");
+  }
+  return imagesOf({choice, reference, target.mesh(), progress, &target});
+}
+
 MovingImages::MovingImages(CameraChoice choice)
     : choice_(std::move(choice)), sequence_(choice_.kind->sequence ? choice_.kind->sequence() : nullptr) {}
 
@@ -227,6 +241,13 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
 std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                   const ReferenceImages& images, const Progress& progress) {
   return choice.kind->maps ? choice.kind->maps({choice, reference, mesh, progress}, images) : std::vector<CameraMap>{};
+}
+
+std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference,
+                                  const TargetRenderer& target, const ReferenceImages& images,
+                                  const Progress& progress) {
+  return choice.kind->maps ? choice.kind->maps({choice, reference, target.mesh(), progress, &target}, images)
+                           : std::vector<CameraMap>{};
 }
 
 std::vector<RayFunction> cameraRays(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,

@@ -20,6 +20,7 @@
 namespace ocelli {
 
 class JsonFields;
+class TargetRenderer;
 struct RepresentationKind;
 class ImageSequence;
 
@@ -112,6 +113,11 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
 /// that takes other images.
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress, const SceneRenderer& renderer);
+
+/// The same of what is no mesh: from images that `target` draws of it. Throws InputError for choices that take
+/// triangles, and where the view hits nothing.
+ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference,
+                                     const TargetRenderer& target, const Progress& progress = {});
 
 /// How an image is drawn (section 6.1), other than as buildReferenceImages() does, with the fastest.
 enum class Technique { kPoints, kHybrid, kRaycast };

@@ -20,14 +20,16 @@ template <Camera C>
 CameraMap mapOf(C camera) {
   const auto shared = std::make_shared<const C>(std::move(camera));
   return {[shared](const glm::vec2& pixel) { return shared->rayPath(pixel); },
-          [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); }};
+          [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); },
+          {shared->width(), shared->height()}};
 }
 
-/// How every camera can be drawn: along its rays, with the acceleration structure of the renderer, where it has one.
+/// How every camera can be drawn: along its rays, by the renderer, where it casts some.
 template <Camera C>
 FragmentImage castAlongRays(const C& camera, const RepresentationInputs& in) {
-  const RayScene* standing = in.renderer != nullptr ? in.renderer->rays() : nullptr;
-  return standing != nullptr ? raycast(camera, in.mesh, *standing) : raycast(camera, in.mesh, RayScene(in.mesh));
+  std::optional<FragmentImage> cast =
+      in.renderer != nullptr ? in.renderer->drawAlong(raysOfCamera(camera)) : std::nullopt;
+  return cast ? *std::move(cast) : raycast(camera, in.mesh, RayScene(in.mesh));
 }
 
 /// `makeCamera` makes the camera from RepresentationInputs. `wrapsAround`: whether the last column of its image is next

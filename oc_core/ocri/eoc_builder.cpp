@@ -176,8 +176,8 @@ float farthestInverseZ(const PinholeCamera& camera, std::span<const glm::vec3> p
   return 1 / std::clamp(farthest, camera.view().zNear, camera.view().zFar);
 }
 
-/// The acceleration structure of the renderer, where it has one.
-const RayScene* raysOf(const SceneRenderer* renderer) {
+/// What the renderer casts rays at, where it does.
+const RayTarget* raysOf(const SceneRenderer* renderer) {
   return renderer != nullptr ? renderer->rays() : nullptr;
 }
 

@@ -5,6 +5,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/render/scene_renderer.h"
 #include "oc_core/scene/closed_parts.h"
 
 namespace ocelli {
@@ -50,13 +51,19 @@ std::vector<DrawnSides> visibleSides(const Mesh& mesh) {
   return sides;
 }
 
-ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers) {
+ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers,
+                                       const SceneRenderer* renderer) {
   if (layers < 1 || layers > kMaxLayers) {
     throw InputError("a layered depth image of " + std::to_string(layers) + " layers cannot be made", "layers",
                      "choose 1 to " + std::to_string(kMaxLayers));
   }
+  std::optional<std::vector<FragmentImage>> drawn =
+      renderer != nullptr ? renderer->drawLayers(reference, layers) : std::nullopt;
+  if (!drawn) {
+    drawn = rasterizeLayers(reference, mesh, layers, visibleSides(mesh));
+  }
   ReferenceImages images;
-  for (const FragmentImage& fragments : rasterizeLayers(reference, mesh, layers, visibleSides(mesh))) {
+  for (const FragmentImage& fragments : *drawn) {
     ReferenceImage image = referenceImage(fragments, mesh, reference, "ldi");
     // As in the depth image: a pinhole displaces nothing, what is left is rounding.
     std::fill(image.displacement.begin(), image.displacement.end(), glm::vec2(0));

@@ -21,8 +21,10 @@ namespace ocelli {
 std::vector<DrawnSides> visibleSides(const Mesh& mesh);
 
 /// One image a layer, all of the same view, the closest first; trailing layers without a sample are left out, except
-/// the first. Throws InputError where `layers` is not in 1 to kMaxLayers.
-ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers);
+/// the first. Layers are those of `renderer`, where there is one that draws them. Throws InputError where `layers` is
+/// not in 1 to kMaxLayers.
+ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mesh& mesh, int layers,
+                                       const SceneRenderer* renderer = nullptr);
 
 /// Empties the samples behind the first layer that none of the viewpoints on the edges of `cell` sees: those that have
 /// nothing more than 1.5 pixel footprints in front of them at one of the 3x3 pixels around their image. What is left is

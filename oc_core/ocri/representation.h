@@ -24,4 +24,9 @@ struct RepresentationTimes {
 Representation buildRepresentation(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                    const Progress& progress = {}, RepresentationTimes* times = nullptr);
 
+/// The same of what is no mesh.
+Representation buildRepresentation(const CameraChoice& choice, const PinholeCamera& reference,
+                                   const TargetRenderer& target, const Progress& progress = {},
+                                   RepresentationTimes* times = nullptr);
+
 }  // namespace ocelli

@@ -46,12 +46,18 @@ struct ViewedPart {
 struct CameraMap {
   RayFunction ray;
   Projection project;
+  glm::ivec2 size{0};  ///< of its image; 0 where a row from outside does not tell it
 };
 
 /// One map for each of the images that buildReferenceImages() makes of this choice: as cameraRays(), which are their
 /// rays.
 std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                   const ReferenceImages& images, const Progress& progress = {});
+
+/// The same of what is no mesh, for images that were built of `target`.
+std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference,
+                                  const TargetRenderer& target, const ReferenceImages& images,
+                                  const Progress& progress = {});
 
 /// The images of an eye that moves, each from what the last one knew. Called by one thread at a time.
 class ImageSequence {
@@ -101,6 +107,8 @@ struct RepresentationKind {
   std::function<GpcLayout(const CameraChoice&)> layout = {};
   /// Whether no renderer draws it but along its rays: `auto` then makes the acceleration structure too.
   bool castsRays = false;
+  /// Whether its camera is made from the reference view and the options alone, whatever the scene.
+  bool ofViewAlone = false;
   /// Why OpenGL cannot draw it; empty where it can.
   const char* needsCpu = "";
 };

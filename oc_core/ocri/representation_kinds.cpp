@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <memory>
 
@@ -51,6 +52,25 @@ CellCamera cellCamera(const Inputs& in) {
 
 GpcCamera gpcCamera(const Inputs& in) {
   return {in.reference, in.choice.gpc};
+}
+
+/// What the scene lies within: its mesh, or the box around what rays are cast at.
+Mesh outerMesh(const Inputs& in) {
+  const RayTarget* target = in.renderer != nullptr ? in.renderer->rays() : nullptr;
+  if (target == nullptr) {
+    return in.mesh;
+  }
+  Mesh mesh;
+  const std::array<glm::vec3, 8> corners = cornersOf(target->bounds());
+  mesh.positions.assign(corners.begin(), corners.end());
+  // The corners of each side in turn, by the numbers of cornersOf().
+  constexpr std::array<std::array<uint32_t, 4>, 6> kSides{
+      {{0, 2, 6, 4}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 3, 7, 6}, {0, 1, 3, 2}, {4, 5, 7, 6}}};
+  for (const auto& [a, b, c, d] : kSides) {
+    mesh.triangles.emplace_back(a, b, c);
+    mesh.triangles.emplace_back(a, c, d);
+  }
+  return mesh;
 }
 
 // ---- their maps
@@ -149,7 +169,7 @@ std::optional<ViewedPart> viewedFromSegment(const CameraChoice& choice, const Pi
 // ---- images of several cameras
 
 ReferenceImages layeredDepthImage(const Inputs& in) {
-  ReferenceImages images = buildLayeredDepthImage(in.reference, in.mesh, in.choice.count);
+  ReferenceImages images = buildLayeredDepthImage(in.reference, in.mesh, in.choice.count, in.renderer);
   for (size_t i = 0; i < images.size(); ++i) {
     images[i].layer = static_cast<int>(i);
   }
@@ -306,8 +326,10 @@ RepresentationKind crossedRow(const char* name, const char* description, bool wi
 /// A camera that displaces no pinhole's image, made of the reference alone.
 template <class C>
 RepresentationKind castRow(const char* name, const char* description) {
-  return castRepresentation(
+  RepresentationKind row = castRepresentation(
       name, description, [](const Inputs& in) { return C(in.reference); }, C::kWrapsAround);
+  row.ofViewAlone = true;
+  return row;
 }
 
 RepresentationKind meshRow(const char* name, const char* description,
@@ -319,23 +341,26 @@ RepresentationKind meshRow(const char* name, const char* description,
 
 std::vector<RepresentationKind> builtinRepresentations() {
   std::vector<RepresentationKind> rows;
-  rows.push_back({.name = "di",
-                  .description = "depth image of the planar pinhole camera (ppc is the same)",
-                  .otherName = "ppc",
-                  .images = [](const Inputs& in) -> ReferenceImages {
-                    return {buildDepthImage(in.reference, in.mesh, in.renderer)};
-                  },
-                  .rayCrossover = RayCrossover::kDepthImage,
-                  .refitShare = RefitShare::kDepthImage,
-                  .viewed = viewedFromEye,
-                  .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
-                  .maps = pinholeMaps});
+  rows.push_back(
+      {.name = "di",
+       .description = "depth image of the planar pinhole camera (ppc is the same)",
+       .otherName = "ppc",
+       .images = [](const Inputs& in) -> ReferenceImages {
+         return {buildDepthImage(in.reference, in.mesh, in.renderer)};
+       },
+       .rayCrossover = RayCrossover::kDepthImage,
+       .refitShare = RefitShare::kDepthImage,
+       .viewed = viewedFromEye,
+       .draw = [](Technique technique, const Inputs& in) { return drawnBy(technique, in.reference, in); },
+       .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> { return {mapOf(in.reference)}; },
+       .ofViewAlone = true});
   rows.push_back({.name = "di-wide",
                   .description = "depth image as wide as what the view cell sees beside the reference frustum",
                   .options = {&kCellSide},
                   .images = [](const Inputs& in) -> ReferenceImages {
                     return {buildWideDepthImage(in.reference, in.mesh,
-                                                wideFactor(in.reference, in.mesh, cubeOf(in.choice)), in.renderer)};
+                                                wideFactor(in.reference, outerMesh(in), cubeOf(in.choice)),
+                                                in.renderer)};
                   },
                   .maps = pinholeMaps});
   rows.push_back(cornersRow(
@@ -380,7 +405,8 @@ std::vector<RepresentationKind> builtinRepresentations() {
        .maps = [](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
          return {mapOf(gpcCamera(in))};
        },
-       .layout = [](const CameraChoice& choice) { return choice.gpc; }});
+       .layout = [](const CameraChoice& choice) { return choice.gpc; },
+       .ofViewAlone = true});
   rows.push_back({.name = "spoc",
                   .description = "single pole occlusion camera around the foreground",
                   .options = spocOptions(),

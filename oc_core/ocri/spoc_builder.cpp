@@ -64,15 +64,26 @@ std::vector<glm::vec3> pointsOf(const FragmentImage& seen, const Mesh& mesh) {
 
 /// What the pinhole sees, and what lies farthest behind it.
 std::vector<glm::vec3> pointsAlongRays(const FragmentImage& seen, const PinholeCamera& reference, const Mesh& mesh,
-                                       const RayScene& renderer) {
+                                       const RayTarget& target) {
   std::vector<glm::vec3> points;
   addPoints(points, seen, mesh);
   const auto fromBehind = [&](const glm::vec2& pixel) {
     const RayPath path = reference.rayPath(pixel);
     return path.empty() ? RayPath{} : RayPath{path.back(), path.front()};
   };
-  addPoints(points, castRays(reference.width(), reference.height(), renderer, fromBehind), mesh);
+  for (const std::optional<Hit>& hit : castRays(reference.width(), reference.height(), target, fromBehind)) {
+    if (hit) {
+      points.push_back(hit->position);
+    }
+  }
   return points;
+}
+
+/// What the pinhole sees, and what is hidden from it.
+std::vector<glm::vec3> sceneOf(const FragmentImage& seen, const PinholeCamera& reference, const Mesh& mesh,
+                               const SceneRenderer* renderer) {
+  return renderer != nullptr && renderer->rays() != nullptr ? pointsAlongRays(seen, reference, mesh, *renderer->rays())
+                                                            : pointsOf(seen, mesh);
 }
 
 ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh,
@@ -101,15 +112,13 @@ SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, con
       }
     }
   }
-  const std::vector<glm::vec3> scene = renderer != nullptr && renderer->rays() != nullptr
-                                           ? pointsAlongRays(seen, reference, mesh, *renderer->rays())
-                                           : pointsOf(seen, mesh);
-  return SpocCamera::aroundObject(reference, foreground, scene, options);
+  return SpocCamera::aroundObject(reference, foreground, sceneOf(seen, reference, mesh, renderer), options);
 }
 
 ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh,
                                          const SceneRenderer* renderer) {
-  return ReversePinholeCamera::around(reference, pointsOf(seenFrom(reference, mesh, renderer), mesh));
+  const FragmentImage seen = seenFrom(reference, mesh, renderer);
+  return ReversePinholeCamera::around(reference, sceneOf(seen, reference, mesh, renderer));
 }
 
 ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {

@@ -27,4 +27,30 @@ FragmentImage castRays(int width, int height, const RayScene& scene,
   });
 }
 
+void takeProjected(FragmentImage& fragments, const FragmentImage& known,
+                   const std::function<std::optional<ImagePoint>(const glm::vec3&)>& project, const Mesh& mesh) {
+  parallelFor(fragments.size(), 1 << 12, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (known[i].covered()) {
+        fragments[i] = known[i];
+      } else if (fragments[i].covered()) {
+        const std::optional<ImagePoint> q = project(positionOf(fragments[i], mesh));
+        if (q) {
+          fragments[i].t = q->t;
+        } else {
+          fragments[i] = {};
+        }
+      }
+    }
+  });
+}
+
+FragmentImage raycast(const CameraRays& rays, const Mesh& mesh, const RayScene& scene, const FragmentImage& known) {
+  FragmentImage fragments = castRays(rays.width, rays.height, scene, [&](const glm::vec2& pixel) {
+    return known(static_cast<int>(pixel.x), static_cast<int>(pixel.y)).covered() ? RayPath{} : rays.ray(pixel);
+  });
+  takeProjected(fragments, known, rays.project, mesh);
+  return fragments;
+}
+
 }  // namespace ocelli

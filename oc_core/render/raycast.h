@@ -71,27 +71,32 @@ class RayScene final : public RayTarget {
 FragmentImage castRays(int width, int height, const RayScene& scene,
                        const std::function<RayPath(const glm::vec2& pixel)>& rayPath);
 
+/// The rays of a camera whose type is not known, and where it sees a point.
+struct CameraRays {
+  int width = 0;
+  int height = 0;
+  std::function<RayPath(const glm::vec2& pixel)> ray;
+  std::function<std::optional<ImagePoint>(const glm::vec3& worldPoint)> project;
+};
+
+/// The camera must outlive it.
+template <Camera C>
+CameraRays raysOfCamera(const C& camera) {
+  return {camera.width(), camera.height(), [&camera](const glm::vec2& pixel) { return camera.rayPath(pixel); },
+          [&camera](const glm::vec3& worldPoint) { return camera.project(worldPoint); }};
+}
+
+/// Gives fragments that were cast the t of their point's image, and takes out those that have none; where `known`
+/// covers a pixel, its fragment is taken as it is.
+void takeProjected(FragmentImage& fragments, const FragmentImage& known,
+                   const std::function<std::optional<ImagePoint>(const glm::vec3&)>& project, const Mesh& mesh);
+
 /// As below, but for the pixels that `known` covers: those are not cast.
+FragmentImage raycast(const CameraRays& rays, const Mesh& mesh, const RayScene& scene, const FragmentImage& known);
+
 template <Camera C>
 FragmentImage raycast(const C& camera, const Mesh& mesh, const RayScene& scene, const FragmentImage& known) {
-  FragmentImage fragments = castRays(camera.width(), camera.height(), scene, [&](const glm::vec2& pixel) {
-    return known(static_cast<int>(pixel.x), static_cast<int>(pixel.y)).covered() ? RayPath{} : camera.rayPath(pixel);
-  });
-  parallelFor(fragments.size(), 1 << 12, [&](size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (known[i].covered()) {
-        fragments[i] = known[i];
-      } else if (fragments[i].covered()) {
-        const std::optional<ImagePoint> q = camera.project(positionOf(fragments[i], mesh));
-        if (q) {
-          fragments[i].t = q->t;
-        } else {
-          fragments[i] = {};
-        }
-      }
-    }
-  });
-  return fragments;
+  return raycast(raysOfCamera(camera), mesh, scene, known);
 }
 
 /// The closest fragment along the ray path of each pixel centre.

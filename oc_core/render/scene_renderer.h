@@ -1,11 +1,15 @@
 // What cameras see of one scene, drawn by other means than rasterisation on the CPU: by rays against a standing
-// acceleration structure (RayRenderer), or on a GPU (oc_core/gl/gl_renderer.h). What constructs an image from others
+// acceleration structure (RayRenderer) or against what is no mesh (target_renderer.h), or on a GPU
+// (oc_core/gl/gl_renderer.h). What constructs an image from others
 // (oc_core/ocri) takes it as a pointer; without one it rasterises.
 //
 // One call draws one image: within it, renderers know the type of the camera. So this set of types is closed: a camera
 // that OpenGL, and ranks together, are to draw takes an overload here and in each renderer. All others are drawn along
 // their rays (oc_core/ocri/cast_representation.h).
 #pragma once
+
+#include <optional>
+#include <vector>
 
 #include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/camera/ddoc_camera.h"
@@ -42,9 +46,22 @@ class SceneRenderer {
   virtual FragmentImage draw(const GraphCamera& camera) const = 0;
   virtual FragmentImage draw(const CurvedRayCamera& camera) const = 0;
 
-  /// The acceleration structure, where there is one: with it, a caller need not look at all triangles.
-  virtual const RayScene* rays() const { return nullptr; }
+  /// What the rays of any camera meet, where this casts rays.
+  virtual std::optional<FragmentImage> drawAlong(const CameraRays& /*rays*/) const { return std::nullopt; }
+  /// The closest fragments of each pixel in order, one image a layer, where this can tell what lies behind the first;
+  /// otherwise the mesh tells it (rasterize_layers.h).
+  virtual std::optional<std::vector<FragmentImage>> drawLayers(const PinholeCamera& /*camera*/, int /*layers*/) const {
+    return std::nullopt;
+  }
+
+  /// What this casts rays at, where it does: with it, a caller need not look at all triangles.
+  virtual const RayTarget* rays() const { return nullptr; }
 };
+
+/// The rays of `base` along its epipolar lines, a row of pixels a line; both must outlive it.
+std::function<RayPath(const glm::vec2& pixel)> raysOfLines(const PinholeCamera& base, const EpipolarLines& lines);
+/// Gives fragments the z of their points as their t.
+void takeDepths(FragmentImage& fragments, const PinholeCamera& camera, const Mesh& mesh);
 
 /// Casts rays: the cost is bounded by the pixels, however large the scene.
 class RayRenderer final : public SceneRenderer {
@@ -62,6 +79,7 @@ class RayRenderer final : public SceneRenderer {
   FragmentImage draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const override;
   FragmentImage draw(const GraphCamera& camera) const override;
   FragmentImage draw(const CurvedRayCamera& camera) const override;
+  std::optional<FragmentImage> drawAlong(const CameraRays& rays) const override;
   const RayScene* rays() const override { return &rays_; }
 
  private:

@@ -2,25 +2,15 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <optional>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
 
 namespace ocelli {
 namespace {
-
-/// The whole of `text` as a finite number, or nothing.
-std::optional<double> parseNumber(const std::string& text) {
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) {
-    return std::nullopt;
-  }
-  return value;
-}
 
 std::string rangeText(const BuiltinParameter& parameter) {
   return fmt::format("{} from {:.15g} to {:.15g}",
@@ -71,7 +61,7 @@ class BuiltinReader {
       values_.paths_[parameter.name] = text;
       return;
     }
-    const std::optional<double> value = parseNumber(text);
+    const std::optional<double> value = numberFromText<double>(text);
     const bool whole = parameter.kind != BuiltinParameter::Kind::kInteger || (value && *value == std::floor(*value));
     if (!value || !whole || *value < parameter.least || *value > parameter.most) {
       throw InputError("the value of '" + parameter.name + "' is '" + text + "', which is not " + rangeText(parameter),

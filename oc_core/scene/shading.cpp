@@ -13,11 +13,11 @@ namespace {
 constexpr float kAmbient = 0.22f;
 constexpr float kBack = 0.3f;
 
+}  // namespace
+
 glm::vec3 directionToLight() {
   return glm::normalize(glm::vec3(0.45f, 0.75f, 0.85f));
 }
-
-}  // namespace
 
 float lambertShade(const glm::vec3& normal) {
   static const glm::vec3 toLight = directionToLight();

@@ -17,6 +17,9 @@ namespace ocelli {
 /// Faces that meet at a sharper angle than this keep separate normals, so that creases stay crisp.
 inline constexpr double kCreaseDegrees = 50;
 
+/// To the light, of length 1: l of the formula above.
+glm::vec3 directionToLight();
+
 /// The factor of the formula above, in (0, 1], for a unit normal.
 float lambertShade(const glm::vec3& normal);
 

@@ -199,12 +199,13 @@ ScalarVolume sampledLevel(const ScalarVolume& whole, int factor, const Progress&
 }
 
 VolumeLevel levelFor(std::shared_ptr<const ScalarVolume> whole, const LevelOptions& options, const Progress& progress) {
-  const int factor = levelFactor(whole->grid().size, options.maxVoxels);
-  if (factor == 1) {
+  if (whole->voxels().size() <= options.maxWholeBytes) {
     return {std::move(whole)};
   }
   const size_t toRead = whole->store() == nullptr ? whole->voxels().size() : whole->store()->bytesToRead();
   const bool isSampled = toRead > options.maxBytesToRead;
+  const size_t maxBytes = isSampled ? options.maxSampledBytes : options.maxBytes;
+  const int factor = levelFactor(whole->grid().size, std::max<size_t>(maxBytes / bytesOf(whole->type()), 1));
   return {std::make_shared<const ScalarVolume>(isSampled ? sampledLevel(*whole, factor, progress)
                                                          : averagedLevel(*whole, factor, progress)),
           factor, isSampled};

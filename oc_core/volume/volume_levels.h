@@ -36,13 +36,15 @@ ScalarVolume averagedLevel(const ScalarVolume& whole, int factor, const Progress
 /// look at a volume on a disk takes.
 ScalarVolume sampledLevel(const ScalarVolume& whole, int factor, const Progress& progress = {});
 
+/// What a volume may take of memory, and of time until it is shown.
 struct LevelOptions {
-  size_t maxVoxels = size_t{1} << 26U;
-  /// Where more bytes than this would have to be read for means, voxels are sampled instead.
-  size_t maxBytesToRead = size_t{4} << 30U;
+  size_t maxWholeBytes = size_t{2} << 30U;   ///< a volume of no more voxels stands for itself
+  size_t maxBytes = size_t{512} << 20U;      ///< of a level of means
+  size_t maxBytesToRead = size_t{4} << 30U;  ///< for means; where it would be more, voxels are sampled instead
+  size_t maxSampledBytes = size_t{128} << 20U;
 };
 
-/// The finest level that the options allow; the whole itself where it has few enough voxels.
+/// The finest level that the options allow, or the whole itself.
 VolumeLevel levelFor(std::shared_ptr<const ScalarVolume> whole, const LevelOptions& options,
                      const Progress& progress = {});
 

@@ -5,6 +5,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec3.hpp>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "oc_core/scene/mesh.h"
 #include "oc_core/volume/scalar_volume.h"
 #include "oc_core/volume/transfer_function.h"
+#include "oc_core/volume/volume_levels.h"
 
 namespace ocelli {
 
@@ -43,6 +45,10 @@ struct VolumeScene {
   VolumeAppearance appearance;
   std::vector<ClipPlane> clips{};  ///< of the volume alone
   Mesh surfaces{};                 ///< opaque, in the scene's world; or none
+  /// What `volume` is a coarser level of; the same volume where it is none.
+  std::shared_ptr<const ScalarVolume> whole{};
+  int levelFactor = 1;          ///< voxels of `whole` along each edge of one of `volume`
+  std::vector<double> times{};  ///< s: those of the time series that it is a moment of; or empty
 
   /// How much of the scene's lengths the unit of the grid's world is: extinctions by the scene's lengths are those of
   /// the transfer function divided by this.
@@ -54,7 +60,10 @@ struct VolumeSceneOptions {
   bool fit = true;         ///< its box into the unit sphere, as meshes
   std::string transfer{};  ///< a preset's name or a file's; empty: what fits the volume
   std::vector<ClipPlane> clips{};
-  std::string series{};  ///< of a folder of DICOM slices with several: VolumeFileOptions (volume_reader.h)
+  std::string series{};  ///< of a folder of DICOM files with several: its UID or its number
+  /// Of a time series: its moment, s, which shows the last volume that begins by then; nothing: the first one.
+  std::optional<double> seconds{};
+  LevelOptions level{};  ///< of volumes larger than memory
   /// Is told what the user should know of the volume, a sentence each.
   std::function<void(const std::string&)> warn{};
 };
@@ -63,7 +72,9 @@ struct VolumeSceneOptions {
 /// (volume_reader.h).
 bool isVolumeSource(const std::string& source);
 
-/// Throws InputError for what is wrong with the source, the transfer function or a file.
+/// Throws InputError for what is wrong with the source, the transfer function or a file, for voxels that are no
+/// numbers, and for a moment that it does not have. Of a volume that is shown by a coarser level, only the voxels that
+/// the level is made of are looked at: all, for means.
 VolumeScene loadVolumeScene(const std::string& source, const VolumeSceneOptions& options = {},
                             const Progress& progress = {});
 

@@ -95,8 +95,9 @@ class SurveyOfSlices {
   VoxelSurvey result() const {
     VoxelSurvey survey{.notFinite = notFinite_};
     if (bounds_.least <= bounds_.greatest) {
-      const double one = volume_.scale() * static_cast<double>(bounds_.least) + volume_.offset();
-      const double other = volume_.scale() * static_cast<double>(bounds_.greatest) + volume_.offset();
+      survey.stored = {static_cast<double>(bounds_.least), static_cast<double>(bounds_.greatest)};
+      const double one = volume_.scale() * survey.stored.least + volume_.offset();
+      const double other = volume_.scale() * survey.stored.greatest + volume_.offset();
       survey.range = {std::min(one, other), std::max(one, other)};
     }
     if (notFinite_ > 0) {
@@ -144,13 +145,19 @@ VoxelSurvey surveyVoxels(const ScalarVolume& volume) {
   });
 }
 
-void requireFinite(const VoxelSurvey& survey, const std::string& where) {
-  if (survey.notFinite > 0) {
-    const glm::ivec3& at = survey.firstNotFinite;
-    throw InputError(fmt::format("{} {} not a finite number (NaN or infinite), the first at index ({}, {}, {})",
-                                 survey.notFinite, survey.notFinite == 1 ? "voxel is" : "voxels are", at.x, at.y, at.z),
-                     where, "give these voxels a value, such as that of the background");
+void requireFinite(const VoxelSurvey& survey, const std::string& where, int factor) {
+  if (survey.notFinite == 0) {
+    return;
   }
+  const glm::ivec3 at = survey.firstNotFinite * factor;
+  const std::string first = factor == 1
+                                ? fmt::format("at index ({}, {}, {})", at.x, at.y, at.z)
+                                : fmt::format("among those from index ({}, {}, {}) up to {} further along each axis",
+                                              at.x, at.y, at.z, factor - 1);
+  throw InputError(
+      fmt::format("{}{} {} not a finite number (NaN or infinite), the first {}", factor == 1 ? "" : "at least ",
+                  survey.notFinite, survey.notFinite == 1 ? "voxel is" : "voxels are", first),
+      where, "give these voxels a value, such as that of the background");
 }
 
 ValueRange valueRange(const ScalarVolume& volume) {

@@ -11,6 +11,7 @@ namespace ocelli {
 
 struct VoxelSurvey {
   ValueRange range{};            ///< of the finite ones; 0 to 0 where there are none
+  ValueRange stored{};           ///< the same as voxels hold it, before scale and offset
   size_t notFinite = 0;          ///< voxels that are NaN or infinite
   glm::ivec3 firstNotFinite{0};  ///< the first of them in memory
 };
@@ -19,7 +20,7 @@ struct VoxelSurvey {
 VoxelSurvey surveyVoxels(const ScalarVolume& volume);
 
 /// Throws InputError that says how many voxels are no finite numbers and where the first is, unless there are none.
-/// `where` is the file.
-void requireFinite(const VoxelSurvey& survey, const std::string& where);
+/// `where` is the file; `factor` is that of the level (volume_levels.h) that was surveyed.
+void requireFinite(const VoxelSurvey& survey, const std::string& where, int factor = 1);
 
 }  // namespace ocelli

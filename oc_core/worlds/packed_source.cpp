@@ -17,6 +17,7 @@
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
+#include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/streamed_ply.h"
 
@@ -128,12 +129,23 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
   if (options.motion.seconds) {
     throw InputError("a moment of a moving scene is not packed", source, "write it with ocelli scene export first");
   }
+  requireSurfaceOfVolume(source, options);
   const std::string description =
       textOfJson({{"scene", source}, {"fit", options.fit}, {"shading", nameOf(options.shading)}});
   if (isStreamed(source)) {
     return packStreamed(source, options, description, path, progress);
   }
   report(progress, "loading the scene", 0);
+  if (isVolumeSource(source)) {
+    Scene scene;
+    scene.name = source;
+    // Shaded and fitted as the volume is: no part of the mesh knows its gradient, or the volume's box, later on.
+    scene.add(loadVolumeSurface(source, options, progress).mesh);
+    const SceneOptions done{.fit = false, .shading = Shading::kNone};
+    const std::string key = sourceKeyOf(scene, options, description);
+    return packScene(CopiesSource(std::move(scene), done, source), path, {.description = description, .sourceKey = key},
+                     progress);
+  }
   Scene scene =
       isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
   refuseUnusedPoints(scene.points, options);

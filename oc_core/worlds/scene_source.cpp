@@ -6,9 +6,11 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/isosurface/isosurface.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
+#include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
@@ -66,6 +68,14 @@ void refuseUnusedMotion(const std::string& source, const SceneOptions& options) 
 
 }  // namespace
 
+VolumeSceneOptions volumeOptionsOf(const SceneOptions& options) {
+  return {.fit = options.fit,
+          .transfer = options.transfer,
+          .series = options.series,
+          .seconds = options.motion.seconds,
+          .warn = options.warn};
+}
+
 SceneFileOptions fileOptionsOf(const SceneOptions& options) {
   return {.textures = options.textures, .points = options.points};
 }
@@ -76,9 +86,45 @@ void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOpti
   }
 }
 
+void requireSurfaceOfVolume(const std::string& source, const SceneOptions& options) {
+  const bool isVolume = isVolumeSource(source);
+  if (!isVolume && options.iso) {
+    throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
+  }
+  if (!isVolume && !options.series.empty()) {
+    throw InputError("this scene is no volume, and only folders of DICOM files have series", "--series",
+                     "leave it out");
+  }
+  if (!isVolume && !options.transfer.empty()) {
+    throw InputError("this scene is no volume, so it has no transfer function", "--transfer", "leave it out");
+  }
+  if (isVolume && !options.iso) {
+    throw InputError("this is a volume, which has no triangles", source,
+                     "ocelli render draws it; for a mesh of a surface in it give --iso VALUE");
+  }
+}
+
+GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
+  requireSurfaceOfVolume(source, options);
+  refuseUnusedPoints({}, options);
+  const VolumeScene volume = loadVolumeScene(source, volumeOptionsOf(options), progress);
+  const IsosurfaceOptions surface{.value = *options.iso, .isShaded = options.shading == Shading::kLambert};
+  GuidedScene loaded;
+  loaded.mesh = isosurface(volume, surface, source, progress);
+  loaded.objectOfTriangle.assign(loaded.mesh.triangles.size(), 0);
+  const VolumeGrid& grid = volume.volume->grid();
+  const glm::dmat4 sceneFromIndex = grid.isAnatomical ? sceneFromPatient() * grid.worldFromIndex : grid.worldFromIndex;
+  loaded.worldFromScene = glm::mat4(volume.worldFromIndex * glm::inverse(sceneFromIndex));
+  return loaded;
+}
+
 GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& options, const Progress& progress) {
   refuseOwnFile(source);
+  requireSurfaceOfVolume(source, options);
   report(progress, "loading the scene", 0);
+  if (options.iso) {
+    return loadVolumeSurface(source, options, progress);
+  }
   if (options.motion.seconds) {
     return momentOf(source, options, progress);
   }

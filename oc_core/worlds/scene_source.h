@@ -1,7 +1,7 @@
 // From what a user writes (`SCENE` on the command line) to the mesh that everything downstream takes.
 //
-// SCENE is a file that Assimp reads, `builtin:NAME[,key=value...]` (see builtin_scenes.h), or, of a moving scene at a
-// time, a folder of numbered meshes.
+// SCENE is a file that Assimp reads, `builtin:NAME[,key=value...]` (see builtin_scenes.h), of a moving scene at a time,
+// a folder of numbered meshes, or a volume (oc_core/volume), of which a surface is taken.
 #pragma once
 
 #include <cstdint>
@@ -18,6 +18,8 @@
 #include "oc_core/scene/scene_guides.h"
 
 namespace ocelli {
+
+struct VolumeSceneOptions;
 
 enum class Shading {
   kLambert,  ///< vertex colours times a fixed light, baked (see shading.h)
@@ -39,14 +41,14 @@ struct SceneOptions {
   bool textures = true;  ///< bake the textures of a file to vertex colours
   MotionOptions motion{};
   PointSceneOptions points{};  ///< of a scene of points
+  /// Of a volume (oc_core/volume): the scene is the surface at this value (oc_core/isosurface). Without it a volume is
+  /// no mesh.
+  std::optional<double> iso{};
+  std::string transfer{};  ///< of a volume: whose colours it has, as VolumeSceneOptions::transfer
+  std::string series{};    ///< of a folder of DICOM files: as VolumeSceneOptions::series
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };
-
-/// What of them concerns the files of a scene.
-SceneFileOptions fileOptionsOf(const SceneOptions& options);
-/// Throws InputError where something is said of points and the scene has none.
-void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOptions& options);
 
 /// A scene with what its mesh alone does not say.
 struct GuidedScene {
@@ -56,6 +58,18 @@ struct GuidedScene {
   glm::mat4 worldFromScene{1};             ///< what fitted it: a uniform scale and a translation
   std::optional<PointFacts> points = {};   ///< of a scene of points, in its units before it was fitted
 };
+
+/// What of them concerns a volume (oc_core/volume/volume_scene.h).
+VolumeSceneOptions volumeOptionsOf(const SceneOptions& options);
+
+/// What of them concerns the files of a scene.
+SceneFileOptions fileOptionsOf(const SceneOptions& options);
+/// Throws InputError for a volume of which no surface is asked, and where one is asked of what is no volume.
+void requireSurfaceOfVolume(const std::string& source, const SceneOptions& options);
+/// The surface of a volume, fitted as the volume itself is, so that it lies in it.
+GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress = {});
+/// Throws InputError where something is said of points and the scene has none.
+void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOptions& options);
 
 /// Throws InputError for a spec or a file that is wrong, where a moment is asked of a scene that stands still, and
 /// where the size of points is told of a scene that has none.

@@ -44,6 +44,32 @@ TEST(RatioFromText, RejectsEverythingElse) {
   }
 }
 
+TEST(HalfSpaceFromText, ReadsAxesAndNormals) {
+  EXPECT_EQ(halfSpaceFromText("x>0.25", "--clip"), glm::dvec4(1, 0, 0, 0.25));
+  EXPECT_EQ(halfSpaceFromText("z<-2", "--clip"), glm::dvec4(0, 0, -1, 2));
+  EXPECT_EQ(halfSpaceFromText("0,3,4,10", "--clip"), glm::dvec4(0, 0.6, 0.8, 2));
+}
+
+TEST(HalfSpaceFromText, RejectsEverythingElse) {
+  for (const char* text : {"", "x", "x>", "x=1", "w>1", "x>1,2", "x>nan", "1,0,0", "0,0,0,1", "1,0,0,0,0", "nan,0,0,1",
+                           "1e-300,0,0,1e300", "1e308,1e308,1e308,0"}) {
+    EXPECT_THROW(halfSpaceFromText(text, "--clip"), InputError) << text;
+  }
+}
+
+TEST(ColorFromText, ReadsSrgb) {
+  EXPECT_EQ(colorFromText("#ffffff", "--background"), glm::vec3(1));
+  // The sRGB curve: ((128 / 255 + 0.055) / 1.055)^2.4.
+  EXPECT_NEAR(colorFromText("#008000", "--background").y, 0.2158605, 1e-6);
+  EXPECT_EQ(colorFromText("#FF00fF", "--background"), glm::vec3(1, 0, 1));
+}
+
+TEST(ColorFromText, RejectsEverythingElse) {
+  for (const char* text : {"", "red", "#fff", "#1234567", "123456#", "#12345g", "#-12345", "# 12345", "#+12345"}) {
+    EXPECT_THROW(colorFromText(text, "--background"), InputError) << text;
+  }
+}
+
 TEST(Values, TheErrorNamesTheOptionAndGivesAnExample) {
   try {
     imageSizeFromText("big", "--size");

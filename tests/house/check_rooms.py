@@ -33,6 +33,7 @@ THIRD_PARTIES = {
     "glib": "PkgConfig::umockdev",
     "meshoptimizer.h": "meshoptimizer::meshoptimizer",
     "embree3/": "embree",
+    "openvdb/": "OpenVDB::openvdb",
     "Imf": "PkgConfig::OpenEXR",
     "Imath": "PkgConfig::OpenEXR",
     "Iex": "PkgConfig::OpenEXR",
@@ -65,7 +66,6 @@ THIRD_PARTIES = {
     "GL/osmesa.h": None,
     "glad/": None,
     # Peers of benchmarks, which most machines lack.
-    "openvdb/": None,
     "vtk": None,
 }
 # Made by ocelli_embed_shaders() in the build tree, for .cpp files.

@@ -12,7 +12,7 @@ namespace {
 
 using test::lensState;
 
-LensKeyOutcome press(ViewerState& state, Key key, Modifiers modifiers = {}) {
+PaneKeyOutcome press(ViewerState& state, Key key, Modifiers modifiers = {}) {
   return applyLensKey(state, {key, true, modifiers});
 }
 const GpcRegion& lensAt(const ViewerState& state, size_t lens) {
@@ -21,7 +21,7 @@ const GpcRegion& lensAt(const ViewerState& state, size_t lens) {
 
 TEST(LensKeys, noKeyDoesTwoThings) {
   std::set<std::tuple<Key, bool, bool>> seen;
-  for (const LensKey& each : lensKeys()) {
+  for (const PaneKey& each : lensKeys()) {
     EXPECT_TRUE(seen.insert({each.key, each.shift, each.control}).second) << nameOf(each.key);
     EXPECT_EQ(*each.keys == '\0', *each.text == '\0');
   }
@@ -100,7 +100,7 @@ TEST(LensKeys, aLockedLensStaysAsItIsAndSaysWhy) {
   EXPECT_TRUE(press(state, Key::kL).used);
   EXPECT_TRUE(isLocked(state, 0));
   for (const Key key : {Key::kRight, Key::kEqual, Key::kPeriod, Key::kDelete}) {
-    const LensKeyOutcome outcome = press(state, key);
+    const PaneKeyOutcome outcome = press(state, key);
     EXPECT_TRUE(outcome.used);
     EXPECT_NE(std::string(outcome.note), "");
   }
@@ -130,7 +130,7 @@ TEST(LensKeys, lensesAreAddedAndRemovedAndKeepTheirLocks) {
 TEST(LensKeys, aFullImageTakesNoMoreLenses) {
   ViewerState state = lensState();
   state.work.camera.gpc = GpcLayout{};  // one lens, whose transition reaches to the borders
-  const LensKeyOutcome outcome = press(state, Key::kInsert);
+  const PaneKeyOutcome outcome = press(state, Key::kInsert);
   EXPECT_TRUE(outcome.used);
   EXPECT_NE(std::string(outcome.note), "");
   EXPECT_EQ(state.work.camera.gpc, GpcLayout{});

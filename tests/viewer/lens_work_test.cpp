@@ -105,16 +105,6 @@ TEST(LensWork, drawsTheNewestWish) {
   EXPECT_FALSE(work.status().picture);
 }
 
-TEST(LensWork, movingPicturesAreAsLargeAsTheyAreFast) {
-  const auto sizeOf = [](const std::array<double, 3>& seconds) { return lensPreviewSize(seconds, 0.1); };
-  EXPECT_EQ(sizeOf({0, 0, 0}), 0U) << "nothing is known";
-  EXPECT_EQ(sizeOf({0.05, 0, 0}), 0U);
-  EXPECT_EQ(sizeOf({0.3, 0, 0}), 1U) << "a quarter of the pixels, likely 0.075 s";
-  EXPECT_EQ(sizeOf({0.3, 0.2, 0}), 2U);
-  EXPECT_EQ(sizeOf({0.3, 0.28, 0.25}), 0U) << "the scene costs, not the pixels: small ones are hardly faster";
-  EXPECT_EQ(sizeOf({0.8, 0.28, 0.25}), 1U);
-}
-
 TEST(LensFile, isReadBackAsItWas) {
   const TemporaryFolder folder;
   GpcLayout layout = lensState().work.camera.gpc;

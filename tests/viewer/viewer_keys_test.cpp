@@ -47,7 +47,7 @@ TEST(ViewerKeys, arrowsMoveTheActivePaneAlone) {
     EXPECT_EQ(state.scene.view != before.scene.view, pane == Pane::kScene);
     EXPECT_EQ(!(state.reference == before.reference), pane == Pane::kReference);
     EXPECT_EQ(state.reconstruction.view != before.reconstruction.view,
-              pane == Pane::kReconstruction || pane == Pane::kEffect || pane == Pane::kLenses);
+              pane == Pane::kReconstruction || pane == Pane::kEffect || pane == Pane::kLenses || pane == Pane::kVolume);
     EXPECT_EQ(state.display.view != before.display.view, pane == Pane::kDisplay);
   }
 }
@@ -120,7 +120,7 @@ TEST(ViewerKeys, escapeLeavesTheHelpFirst) {
 
 TEST(ViewerKeys, whatNeedsMoreThanTheStateIsLeftToTheViewer) {
   using enum ViewerAction;
-  for (const ViewerAction action : {kScreenshot, kSaveView, kSaveLenses, kFocusPanel, kQuit}) {
+  for (const ViewerAction action : {kScreenshot, kSaveView, kSaveLenses, kSaveTransfer, kTypeTransferNumbers, kFocusPanel, kQuit}) {
     ViewerState state = keyState();
     EXPECT_FALSE(applyAction(state, action));
   }

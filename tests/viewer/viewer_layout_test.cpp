@@ -49,10 +49,13 @@ TEST(ViewerLayout, nothingOverlapsOrLeavesTheWindow) {
 
 TEST(ViewerLayout, panesAreFoundByTheirPlace) {
   ViewerState state = layoutState();
-  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), kPaneCount - 2);
+  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), 4U);
   state.effect.on = true;
-  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), kPaneCount - 1);
+  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), 5U);
   chooseCamera(state, "gpc");
+  EXPECT_EQ(viewerLayout(state, {1280, 800}, 1).panes.size(), 6U);
+  state.volume.on = true;  // with a surface
+  state.work.sceneOptions.iso = 1;
   const ViewerLayout layout = viewerLayout(state, {1280, 800}, 1);
   ASSERT_EQ(layout.panes.size(), kPaneCount);
   for (const Pane pane : kPanes) {
@@ -69,6 +72,30 @@ TEST(ViewerLayout, aMaximisedPaneIsAlone) {
   ASSERT_EQ(layout.panes.size(), 1U);
   EXPECT_EQ(layout.find(Pane::kScene), nullptr);
   EXPECT_GT(layout.panes[0].image.width, 900);
+}
+
+TEST(ViewerLayout, aTransferFunctionLiesBelowItsVolume) {
+  const ViewerState state = viewerState("builtin:volume,name=marschner-lobb", {}, cameraChoice("di"), View{}, 72, 48,
+                                        "test");
+  for (const auto maximised : {std::optional<Pane>(), std::optional(Pane::kVolume)}) {
+    ViewerState shown = state;
+    shown.maximised = maximised;
+    const ViewerLayout layout = viewerLayout(shown, {1280, 800}, 1);
+    ASSERT_EQ(layout.panes.size(), maximised ? 2U : 3U);
+    const PaneLayout& volume = *layout.find(Pane::kVolume);
+    const PaneLayout& transfer = *layout.find(Pane::kTransfer);
+    EXPECT_GT(volume.image.height, 1.5f * transfer.image.height);
+    EXPECT_GT(transfer.header.y, volume.image.bottom());
+    if (const PaneLayout* display = layout.find(Pane::kDisplay)) {
+      EXPECT_GT(display->image.x, volume.image.right()) << "beside the volume";
+      EXPECT_EQ(display->image.height, volume.image.height);
+      EXPECT_EQ(transfer.image.right(), display->image.right());
+    }
+  }
+  ViewerState alone = state;
+  alone.maximised = Pane::kTransfer;
+  ASSERT_EQ(viewerLayout(alone, {1280, 800}, 1).panes.size(), 1U);
+  EXPECT_EQ(viewerLayout(alone, {1280, 800}, 1).panes[0].pane, Pane::kTransfer);
 }
 
 TEST(ViewerLayout, aWindowWithoutAnySizeHasOne) {

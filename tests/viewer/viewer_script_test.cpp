@@ -60,6 +60,11 @@ TEST(ViewerScript, readsEveryStep) {
   EXPECT_EQ(effect.name, "reflection");
   EXPECT_EQ(effect.way, "cell");
   EXPECT_EQ(std::get<EffectStep>(stepOf(R"({"effect": {"name": "reflection"}})")).way, "");
+  EXPECT_EQ(std::get<TransferStep>(stepOf(R"({"transfer": "ct-bone"})")).nameOrFile, "ct-bone");
+  EXPECT_EQ(std::get<IsoStep>(stepOf(R"({"iso": -300.5})")).value, -300.5);
+  EXPECT_EQ(std::get<IsoStep>(stepOf(R"({"iso": null})")).value, std::nullopt);
+  EXPECT_EQ(std::get<SaveVolumePictureStep>(stepOf(R"({"save_volume": "a.png"})")).file, "a.png");
+  EXPECT_EQ(std::get<SaveTransferStep>(stepOf(R"({"save_transfer": "a.json"})")).file, "a.json");
   for (const EffectShown::Content content : kEffectContents) {
     const std::string step = R"({"show": ")" + std::string(nameOf(content)) + R"("})";
     EXPECT_EQ(std::get<ShowStep>(stepOf(step)).content, content);
@@ -113,6 +118,11 @@ TEST(ViewerScript, refusesHostileValues) {
                            R"({"effect": {"name": "reflection", "with": "cell"}})",
                            R"({"show": "by"})",
                            R"({"show": 1})",
+                           R"({"transfer": ""})",
+                           R"({"iso": "high"})",
+                           R"({"iso": 1e300})",
+                           R"({"save_volume": "a.json"})",
+                           R"({"save_transfer": "a.png"})",
                            R"({"drag": 3})",
                            R"({"scroll": {"at": [1, 2], "up": 1e9}})",
                            R"({"scroll": {"up": 1}})",
@@ -217,6 +227,17 @@ TEST(ViewerScript, theOneThroughEffectsTakesEachStepOfThem) {
     taken |= std::holds_alternative<EffectStep>(step) ? 1 : 0;
     taken |= std::holds_alternative<ShowStep>(step) ? 2 : 0;
     taken |= std::holds_alternative<SaveEffectStep>(step) ? 4 : 0;
+  }
+  EXPECT_EQ(taken, 7U);
+}
+
+TEST(ViewerScript, theOneWithAVolumeTakesEachStepOfThem) {
+  const ViewerScript volume = readViewerScript(OCELLI_VIEWER_VOLUME);
+  size_t taken = 0;
+  for (const ScriptStep& step : volume.steps) {
+    taken |= std::holds_alternative<TransferStep>(step) ? 1 : 0;
+    taken |= std::holds_alternative<SaveVolumePictureStep>(step) ? 2 : 0;
+    taken |= std::holds_alternative<SaveTransferStep>(step) ? 4 : 0;
   }
   EXPECT_EQ(taken, 7U);
 }

@@ -81,12 +81,13 @@ TEST(VolumeLevels, fitABudget) {
   EXPECT_EQ(levelFactor({100, 100, 100}, 999999), 2);
   EXPECT_EQ(levelFactor({3200, 3200, 3200}, size_t{1} << 26U), 8);
   const auto whole = std::make_shared<const ScalarVolume>(shortVolume({20, 20, 20}));
-  EXPECT_EQ(levelFor(whole, {}).volume, whole);
+  EXPECT_EQ(levelFor(whole, {.maxWholeBytes = 16000}).volume, whole);
   EXPECT_EQ(describeLevel(levelFor(whole, {}), whole->grid()), "");
-  const VolumeLevel averaged = levelFor(whole, {.maxVoxels = 1000});
+  const VolumeLevel averaged = levelFor(whole, {.maxWholeBytes = 15999, .maxBytes = 2000});
   EXPECT_FALSE(averaged.isSampled);
   EXPECT_EQ(averaged.factor, 2);
-  const VolumeLevel sampled = levelFor(whole, {.maxVoxels = 1000, .maxBytesToRead = 100});
+  const VolumeLevel sampled =
+      levelFor(whole, {.maxWholeBytes = 15999, .maxBytesToRead = 15999, .maxSampledBytes = 2000});
   EXPECT_TRUE(sampled.isSampled);
   EXPECT_EQ(describeLevel(sampled, whole->grid()),
             "a volume of 20 x 20 x 20 voxels is shown by 10 x 10 x 10, each one of 2 x 2 x 2 of them");

@@ -1,0 +1,13 @@
+// What `ocelli scene info` says of a volume.
+#pragma once
+
+#include <string>
+
+#include "oc_core/volume/volume_summary.h"
+
+namespace ocelli {
+
+std::string volumeInfoAsText(const std::string& source, const VolumeSummary& summary);
+std::string volumeInfoAsJson(const std::string& source, const VolumeSummary& summary);
+
+}  // namespace ocelli

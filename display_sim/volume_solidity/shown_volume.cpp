@@ -1,0 +1,102 @@
+#include "display_sim/volume_solidity/shown_volume.h"
+
+#include <algorithm>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
+#include <utility>
+
+#include "display_sim/observing/observer.h"
+#include "display_sim/volume_solidity/volume_sight.h"
+
+namespace ocelli {
+namespace {
+
+/// White for what has none.
+glm::dvec3 surfaceColor(const TransferFunction& transfer, double value) {
+  const glm::dvec3 color = transfer.at(value).color;
+  return color == glm::dvec3(0) ? glm::dvec3(1) : color;
+}
+
+/// Whether a mask has a voxel there that is set.
+class VolumeMask {
+ public:
+  explicit VolumeMask(const VolumeScene& scene)
+      : volume_(*scene.volume), indexFromScene_(glm::inverse(scene.worldFromIndex)) {}
+
+  bool shows(const glm::dvec3& point) const {
+    constexpr double kSet = 0.5;
+    const glm::dvec3 nearest = glm::round(glm::dvec3(indexFromScene_ * glm::dvec4(point, 1)));
+    for (int axis = 0; axis < 3; ++axis) {
+      if (!(nearest[axis] >= 0 && nearest[axis] < volume_.grid().size[axis])) {
+        return false;
+      }
+    }
+    return volume_.valueAt(glm::ivec3(nearest)) >= kSet;
+  }
+
+ private:
+  const ScalarVolume& volume_;
+  glm::dmat4 indexFromScene_;
+};
+
+}  // namespace
+
+TransferFunction surfaceTransfer(double value, const glm::dvec3& color, const ValueRange& range, double opacityLength) {
+  const double width = std::max((range.greatest - range.least) / 1000, 1e-12);
+  // So opaque that a way of a thousandth of the length is enough.
+  return TransferFunction({{value - width, color, 0}, {value, color, 1}, {value + width, color, 0}},
+                          opacityLength / 1000);
+}
+
+ShownVolume::ShownVolume(VolumeScene scene, const DisplayProfile& profile, const ShownVolumeOptions& options,
+                         const Progress& progress)
+    : scene_(std::move(scene)), options_(options) {
+  for (const glm::vec3& eye : options_.eyes) {
+    checkObserverOptions({.eye = eye}, profile);
+  }
+  if (options_.cutaway) {
+    for (const glm::vec3& eye : options_.eyes) {
+      scene_.clips.push_back({-glm::normalize(glm::dvec3(eye)), -*options_.cutaway});
+    }
+  }
+  samples_ = std::make_unique<SweptSamples>(scene_, profile, options_.sampling, progress);
+  light_ = std::make_unique<SweptLight>(lightOf(scene_.appearance.transfer));
+  if (options_.surface) {
+    const TransferFunction& transfer = scene_.appearance.transfer;
+    scene_.appearance.transfer = surfaceTransfer(*options_.surface, surfaceColor(transfer, *options_.surface),
+                                                 samples_->range(), scene_.volume->grid().meanSpacing());
+  }
+  if (!scene_.clips.empty() || options_.mask != nullptr || options_.seenOpacity) {
+    samples_->setPart(partOf(options_, progress), progress);
+  }
+}
+
+SweptLight ShownVolume::lightOf(const TransferFunction& transfer) const {
+  if (options_.surface) {
+    return SweptLight::ofSurface(*options_.surface, surfaceColor(transfer, *options_.surface), samples_->range(),
+                                 samples_->sweep());
+  }
+  return {transfer, samples_->range(), samples_->sceneLengthOfUnit(), samples_->sweep(), options_.light};
+}
+
+SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const Progress& progress) const {
+  std::shared_ptr<const VolumeMask> mask;
+  if (options.mask != nullptr) {
+    mask = std::make_shared<VolumeMask>(*options.mask);
+  }
+  std::shared_ptr<const VolumeSight> sight;
+  if (options.seenOpacity && !options.eyes.empty()) {
+    const VolumeRenderer renderer(scene_, {.depthOpacity = *options.seenOpacity});
+    sight = std::make_shared<VolumeSight>(renderer, options.eyes, samples_->profile().height, progress);
+  }
+  return [&clips = scene_.clips, mask, sight](const glm::dvec3& center, double cellSide) {
+    const bool isShown =
+        std::ranges::all_of(clips,
+                            [&](const ClipPlane& clip) { return glm::dot(clip.normal, center) >= clip.distance; }) &&
+        (mask == nullptr || mask->shows(center)) && (sight == nullptr || sight->sees(center, cellSide));
+    return isShown ? 1.0 : 0.0;
+  };
+}
+
+}  // namespace ocelli

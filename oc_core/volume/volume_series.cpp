@@ -1,0 +1,125 @@
+#include "oc_core/volume/volume_series.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "oc_core/base/check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/scene/scene.h"
+#include "oc_core/volume/builtin_volumes.h"
+#include "oc_core/volume/transfer_presets.h"
+#include "oc_core/volume/volume_reader.h"
+#include "oc_core/volume/voxel_survey.h"
+
+namespace ocelli {
+namespace {
+
+constexpr const char* kLoadingStage = "loading the volume";
+
+VolumeSeries seriesOf(VolumeFile file, const std::string& source) {
+  VolumeSeries series{.source = source, .times = std::move(file.times), .warnings = std::move(file.warnings)};
+  for (ScalarVolume& volume : file.volumes) {
+    series.volumes.push_back(std::make_shared<const ScalarVolume>(std::move(volume)));
+  }
+  const size_t count = series.volumes.size();
+  if (count == 1) {
+    series.times.clear();
+  } else if (series.times.empty()) {
+    series.warnings.push_back(
+        fmt::format("nothing says the times of its {} volumes: they are taken as 0, 1, 2, ... s", count));
+    for (size_t index = 0; index < count; ++index) {
+      series.times.push_back(static_cast<double>(index));
+    }
+  }
+  return series;
+}
+
+VolumeLevel checkedLevel(const VolumeSeries& series, size_t index, const VolumeSceneOptions& options,
+                         const Progress& progress) {
+  VolumeLevel level = levelFor(series.volumes[index], options.level, progress);
+  const VoxelType type = level.volume->type();
+  if (type == VoxelType::kFloat32 || type == VoxelType::kFloat64) {
+    requireFinite(surveyVoxels(*level.volume), series.source, level.factor);
+  }
+  return level;
+}
+
+VolumeAppearance appearanceIn(const VolumeSeries& series, const VolumeLevel& level, size_t index,
+                              const VolumeSceneOptions& options) {
+  if (options.transfer.empty() && series.appearance) {
+    return *series.appearance;
+  }
+  const double meanSpacing = series.volumes[index]->grid().meanSpacing();
+  const auto described = [&](const ScalarVolume& volume) {
+    return appearanceOf(options.transfer.empty() ? presetFor(volume).description : transferByName(options.transfer),
+                        volume, meanSpacing);
+  };
+  return index == 0 ? described(*level.volume) : described(*checkedLevel(series, 0, options, {}).volume);
+}
+
+/// What puts a volume on the grid into the scene, from the world of the grid.
+glm::dmat4 sceneFromGridWorld(const VolumeGrid& grid, bool fit, const std::string& source) {
+  const glm::dmat4 upright = grid.isAnatomical ? sceneFromPatient() : glm::dmat4(1);
+  if (!fit) {
+    return upright;
+  }
+  const Box box = boundsOf(grid, upright * grid.worldFromIndex);
+  const double radius = glm::length(glm::dvec3(box.size())) / 2;
+  return glm::dmat4(unitFromSphere(glm::dvec3(box.center()), radius, source)) * upright;
+}
+
+}  // namespace
+
+size_t VolumeSeries::indexAt(double seconds) const {
+  if (times.empty()) {
+    throw InputError("this volume stands still: it has no time", source, "leave out --time, or give a time series");
+  }
+  if (!(seconds >= times.front() && seconds <= times.back())) {
+    throw InputError(fmt::format("this time series has no time {:g} s", seconds), source,
+                     fmt::format("give a time from {:g} to {:g}", times.front(), times.back()));
+  }
+  return static_cast<size_t>(std::ranges::upper_bound(times, seconds) - times.begin()) - 1;
+}
+
+VolumeSeries loadVolumeSeries(const std::string& source, const std::string& series, const Progress& progress) {
+  report(progress, kLoadingStage, 0);
+  if (!isBuiltinVolume(source)) {
+    return seriesOf(readVolumeFile(source, {.series = series}, progress), source);
+  }
+  if (!series.empty()) {
+    throw InputError("only a folder of DICOM files has series", source, "leave the series out");
+  }
+  BuiltinVolume made = makeBuiltinVolume(source);
+  VolumeSeries one{.source = source, .appearance = std::move(made.appearance)};
+  one.volumes.push_back(std::make_shared<const ScalarVolume>(std::move(made.volume)));
+  return one;
+}
+
+VolumeScene volumeSceneAt(const VolumeSeries& series, size_t index, const VolumeSceneOptions& options,
+                          const Progress& progress) {
+  OC_CHECK(index < series.volumes.size(), "a series has the volume that is asked for");
+  const VolumeLevel level = checkedLevel(series, index, options, progress);
+  const VolumeGrid& whole = series.volumes[index]->grid();
+  if (options.warn) {
+    for (const std::string& warning : series.warnings) {
+      options.warn(warning);
+    }
+    if (level.factor > 1) {
+      options.warn(describeLevel(level, whole));
+    }
+  }
+  VolumeScene scene{
+      .volume = level.volume,
+      .worldFromIndex = sceneFromGridWorld(whole, options.fit, series.source) * level.volume->grid().worldFromIndex,
+      .appearance = appearanceIn(series, level, index, options),
+      .clips = options.clips,
+      .whole = series.volumes[index],
+      .levelFactor = level.factor,
+      .times = series.times};
+  report(progress, kLoadingStage, 1);
+  return scene;
+}
+
+}  // namespace ocelli

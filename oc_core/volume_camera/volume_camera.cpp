@@ -1,0 +1,70 @@
+#include "oc_core/volume_camera/volume_camera.h"
+
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/constructor/curved_bends.h"
+#include "oc_core/constructor/graph_operations.h"
+#include "oc_core/ocri/representation_kind.h"
+#include "oc_core/render/target_renderer.h"
+#include "oc_core/volume_camera/guided_volume.h"
+
+namespace ocelli {
+namespace {
+
+VolumeCamera multiperspectiveAt(const std::string& nameOrFile, const PinholeCamera& reference,
+                                const VolumeScene& scene) {
+  return std::visit(
+      [&](auto camera) -> VolumeCamera {
+        const auto shared = std::make_shared<const decltype(camera)>(std::move(camera));
+        return {nameOrFile, jsonText(*shared), {shared->width(), shared->height()}, [shared](const glm::vec2& pixel) {
+                  return shared->rayPath(pixel);
+                }};
+      },
+      constructCamera(nameOrFile, guidedVolume(scene), reference));
+}
+
+std::vector<CameraMap> mapsOf(const CameraChoice& choice, const PinholeCamera& reference,
+                              const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
+  if (choice.kind->ofViewAlone) {
+    return cameraMaps(choice, reference, Mesh{}, {}, progress);
+  }
+  const TargetRenderer renderer(firstHits());
+  std::vector<CameraMap> maps = cameraMaps(choice, reference, renderer, {}, progress);
+  // Some cameras are known by their images alone.
+  return maps.empty()
+             ? cameraMaps(choice, reference, renderer, buildReferenceImages(choice, reference, renderer, progress))
+             : maps;
+}
+
+}  // namespace
+
+VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& reference, const VolumeScene& scene,
+                          const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
+  if (namesConstructor(nameOrFile)) {
+    return multiperspectiveAt(nameOrFile, reference, scene);
+  }
+  return volumeCamera(cameraChoice(nameOrFile), reference, firstHits, progress);
+}
+
+VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& reference,
+                          const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
+  if (!choice.hasImages()) {
+    throw InputError("\"" + choice.name + "\" is a mesh, which has no rays", "--camera", "choose a camera, such as di");
+  }
+  std::vector<CameraMap> maps = mapsOf(choice, reference, firstHits, progress);
+  if (maps.size() != 1) {
+    throw InputError("\"" + choice.name + "\" is a union of " + std::to_string(maps.size()) + " images", "--camera",
+                     "choose a camera of one image, such as ddoc or eoc-h");
+  }
+  CameraMap& map = maps.front();
+  const nlohmann::ordered_json description{{"camera", choice.name},
+                                           {"view", nlohmann::ordered_json::parse(jsonText(reference.view()))}};
+  return {choice.name, description.dump(),
+          map.size.x > 0 ? map.size : glm::ivec2(reference.width(), reference.height()), std::move(map.ray)};
+}
+
+}  // namespace ocelli

@@ -1,0 +1,176 @@
+#include "oc_core/volume_render/volume_renderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "oc_core/base/check.h"
+#include "oc_core/render/pixel_tiles.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/volume/volume_bricks.h"
+#include "oc_core/volume_render/march_kernel.h"
+#include "oc_core/volume_render/optical_table.h"
+#include "oc_core/volume_render/ray_pieces.h"
+#include "oc_core/volume_render/volume_lighting.h"
+#include "oc_core/volume_render/volume_occupancy.h"
+
+namespace ocelli {
+namespace {
+
+ValueRange rangeOf(const VolumeBricks& bricks) {
+  ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const BrickRange& brick : bricks.ranges()) {
+    range.least = std::min(range.least, static_cast<double>(brick.least));
+    range.greatest = std::max(range.greatest, static_cast<double>(brick.greatest));
+  }
+  return range;
+}
+
+}  // namespace
+
+struct VolumeRenderer::Impl {
+  VolumeScene scene;
+  VolumeRenderOptions options;
+  VolumeBricks bricks;
+  ValueRange range;
+  std::unique_ptr<RayScene> surfaces;
+  VolumeExtent extent;
+  // Of the appearance and the options:
+  std::optional<OpticalTable> table;
+  std::optional<VolumeOccupancy> occupancy;
+  MarchSetup setup;
+
+  Impl(VolumeScene itsScene, const VolumeRenderOptions& itsOptions)
+      : scene(std::move(itsScene)),
+        options(itsOptions),
+        bricks(*scene.volume),
+        range(rangeOf(bricks)),
+        surfaces(scene.surfaces.triangles.empty() ? nullptr : std::make_unique<RayScene>(scene.surfaces)),
+        extent(scene) {
+    prepare();
+  }
+
+  void prepare() {
+    OC_CHECK(options.step > 0 && options.depthOpacity > 0 && options.depthOpacity < 1,
+             "steps are positive, and the opacity of the depth lies in (0, 1)");
+    OC_CHECK(scene.volume->scale() != 0, "a volume has values");
+    table.emplace(scene.appearance.transfer, range);
+    occupancy.emplace(bricks, *table);
+    const ScalarVolume& volume = *scene.volume;
+    setup.volume = &volume;
+    setup.firstNumber = (table->firstValue() - volume.offset()) / volume.scale();
+    setup.entriesByNumber = static_cast<float>(table->entriesByValue() * volume.scale());
+    setup.entries = table->entries().data();
+    setup.distances = options.skipEmpty ? occupancy->distances().data() : nullptr;
+    setup.bricks = occupancy->size();
+    setup.step = static_cast<float>(options.step * volume.grid().meanSpacing());
+    setup.endTransmittance = static_cast<float>(options.endTransmittance);
+    setup.depthOpacity = static_cast<float>(options.depthOpacity);
+    const VolumeLighting lighting(scene, range);
+    const VolumeShading& shading = scene.appearance.shading;
+    setup.isShaded = shading.isOn;
+    setup.worldFromIndexGradient = glm::mat3(lighting.worldFromIndexGradient() * std::abs(volume.scale()));
+    setup.litByGradient = lighting.flatBelow() > 0 ? static_cast<float>(1 / lighting.flatBelow()) : 0;
+    setup.toLight = glm::vec3(lighting.toLight());
+    setup.ambient = static_cast<float>(shading.ambient);
+    setup.diffuse = static_cast<float>(shading.diffuse);
+    setup.specular = static_cast<float>(shading.specular);
+    setup.shininess = static_cast<float>(shading.shininess);
+  }
+
+  void trace(std::span<const RayPath> rays, std::span<VolumePixel> pixels, bool stopsAtDepth) const {
+    OC_CHECK(rays.size() == pixels.size(), "one pixel a ray");
+    std::vector<std::optional<Hit>> hits(surfaces ? rays.size() : 0);
+    if (surfaces) {
+      surfaces->hits(rays, hits);
+    }
+    const auto surfaceOf = [&](size_t i) { return surfaces && hits[i] ? &*hits[i] : nullptr; };
+    std::vector<MarchResult> results(rays.size());
+    march(
+        setup,
+        [&](size_t i, VolumeExtent::Pieces& pieces) {
+          const Hit* surface = surfaceOf(i);
+          return extent.cut(
+              rays[i], surface != nullptr ? static_cast<double>(surface->t) : std::numeric_limits<double>::infinity(),
+              pieces);
+        },
+        stopsAtDepth, results);
+    for (size_t i = 0; i < rays.size(); ++i) {
+      const Hit* surface = surfaceOf(i);
+      const MarchResult& result = results[i];
+      VolumePixel& pixel = pixels[i];
+      pixel = {};
+      pixel.color = {result.color[0], result.color[1], result.color[2], 1 - result.transmittance};
+      pixel.samples = result.samples;
+      if (result.isDeep) {
+        pixel.t = result.t;
+      }
+      if (surface != nullptr && !(stopsAtDepth && result.isDeep)) {
+        pixel.surfaceT = surface->t;
+        pixel.color += glm::vec4(surface->color, 1) * result.transmittance;
+      }
+    }
+  }
+};
+
+VolumeRenderer::VolumeRenderer(VolumeScene scene, const VolumeRenderOptions& options)
+    : impl_(std::make_unique<Impl>(std::move(scene), options)) {}
+VolumeRenderer::~VolumeRenderer() = default;
+VolumeRenderer::VolumeRenderer(VolumeRenderer&&) noexcept = default;
+VolumeRenderer& VolumeRenderer::operator=(VolumeRenderer&&) noexcept = default;
+
+const VolumeScene& VolumeRenderer::scene() const {
+  return impl_->scene;
+}
+const VolumeRenderOptions& VolumeRenderer::options() const {
+  return impl_->options;
+}
+void VolumeRenderer::setAppearance(const VolumeAppearance& appearance) {
+  impl_->scene.appearance = appearance;
+  impl_->prepare();
+}
+void VolumeRenderer::setClips(std::vector<ClipPlane> clips) {
+  impl_->scene.clips = std::move(clips);
+}
+void VolumeRenderer::setOptions(const VolumeRenderOptions& options) {
+  impl_->options = options;
+  impl_->prepare();
+}
+
+VolumePixel VolumeRenderer::pixel(const RayPath& ray) const {
+  VolumePixel pixel;
+  pixels(std::span(&ray, 1), std::span(&pixel, 1));
+  return pixel;
+}
+void VolumeRenderer::pixels(std::span<const RayPath> rays, std::span<VolumePixel> pixels) const {
+  impl_->trace(rays, pixels, false);
+}
+void VolumeRenderer::firstHits(std::span<const RayPath> rays, std::span<VolumePixel> pixels) const {
+  impl_->trace(rays, pixels, true);
+}
+
+VolumeImage VolumeRenderer::render(int width, int height, const std::function<RayPath(const glm::vec2&)>& rayPath,
+                                   const Progress& progress) const {
+  // Bands of rows, so that progress can be told between them. Without it there is one.
+  constexpr int kBand = 64;
+  VolumeImage image(width, height);
+  const int band = progress ? kBand : std::max(height, 1);
+  for (int first = 0; first < height; first += band) {
+    report(progress, "rendering the volume", static_cast<double>(first) / height);
+    const int rows = std::min(band, height - first);
+    const VolumeImage part = castTiles<VolumePixel>(
+        width, rows,
+        [&](const glm::vec2& pixel) {
+          return rayPath({pixel.x, pixel.y + static_cast<float>(first)});
+        },
+        [&](std::span<const RayPath> rays, std::span<VolumePixel> pixels) { impl_->trace(rays, pixels, false); });
+    std::copy(part.begin(), part.end(), image.begin() + static_cast<std::ptrdiff_t>(image.index(0, first)));
+  }
+  report(progress, "rendering the volume", 1);
+  return image;
+}
+
+}  // namespace ocelli

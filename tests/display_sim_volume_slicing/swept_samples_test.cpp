@@ -1,0 +1,212 @@
+#include "display_sim/volume_slicing/swept_samples.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <glm/gtc/matrix_transform.hpp>
+
+#include "display_sim/volume_slicing/volume_slice_reference.h"
+#include "display_sim/volume_slicing/volume_slicer.h"
+#include "oc_core/base/parallel.h"
+#include "tests/display_sim_volume_slicing/swept_scenes.h"
+
+namespace ocelli {
+namespace {
+
+using test::sceneOfField;
+using test::sweptProfile;
+
+TransferFunction grey(double opacity) {
+  return TransferFunction({{0, {1, 1, 1}, opacity}}, 1);
+}
+
+TEST(SweptSamples, OfALinearFieldAreItsMeanAndSpread) {
+  const DisplayProfile profile = sweptProfile(24, 64, 48);
+  const glm::dvec3 slope(0.3, 0.45, -0.2);
+  const VolumeScene scene = sceneOfField(
+      40, 0.6, [&](const glm::dvec3& p) { return 0.5 + glm::dot(slope, p); }, grey(0.5));
+  const SweptSamples samples(scene, profile);
+  const SweepGeometry& sweep = samples.sweep();
+  const double width = samples.range().greatest - samples.range().least;
+  size_t checked = 0;
+  for (int slice = 0; slice < profile.slicesPerHalfTurn; ++slice) {
+    const glm::dvec2& d = sweep.sectorDirection(slice);
+    for (int row = 0; row < profile.height; ++row) {
+      for (int column = 0; column < profile.width; ++column) {
+        const glm::dvec3 center = sweep.voxelCenter(slice, column, row);
+        const double farthest = std::max({std::abs(center.x), std::abs(center.y), std::abs(center.z)});
+        const uint16_t code = samples.codeAt(slice, column, row);
+        if (farthest > 0.6) {
+          ASSERT_EQ(code, kNothingSwept);
+          continue;
+        }
+        // Next to the faces the field is constant.
+        if (farthest > 0.5) {
+          ASSERT_NE(code, kNothingSwept);
+          continue;
+        }
+        const double value = (0.5 + glm::dot(slope, center) - samples.range().least) / width;
+        ASSERT_NEAR(sweptMeanOf(code), value, 0.51 / (kSweptMeans - 1));
+        const double byColumn = (slope.x * d.x + slope.z * d.y) * sweep.columnWidth();
+        const double byRow = slope.y * sweep.rowHeight();
+        // Of cells that are thinner than wide the thickness counts for nothing.
+        const double thickness = sweptThickness(sweep, column);
+        const double byThickness = thickness > sweep.columnWidth() ? (slope.z * d.x - slope.x * d.y) * thickness : 0;
+        const double half = std::sqrt(byColumn * byColumn + byRow * byRow + byThickness * byThickness) / 2 / width;
+        // A tenth of an octave, and 0.02 for the rough logarithm and for single precision.
+        ASSERT_NEAR(std::log2(sweptHalfSpreadOf(code) / half), 0, 0.12) << slice << " " << column << " " << row;
+        ++checked;
+      }
+    }
+  }
+  EXPECT_GT(checked, 10000u);
+}
+
+/// The mean and the greatest difference of all voxels' light to many points in each cell, by channel.
+struct LightDifference {
+  double mean = 0;
+  double greatest = 0;
+  double meanLight = 0;
+};
+
+LightDifference differenceToReference(const VolumeScene& scene, const DisplayProfile& profile, int points,
+                                      int columnsFromAxis) {
+  const SweptSamples samples(scene, profile, {.shaded = false});
+  const SweptLight light(scene.appearance.transfer, samples.range(), samples.sceneLengthOfUnit(), samples.sweep());
+  const VolumeSliceReference reference(scene, profile, points);
+  LightDifference difference;
+  size_t count = 0;
+  for (int slice = 0; slice < profile.slicesPerHalfTurn; slice += 5) {
+    for (int row = 0; row < profile.height; row += 2) {
+      for (int column = profile.width / 2 - columnsFromAxis; column < profile.width / 2 + columnsFromAxis; ++column) {
+        const glm::vec3 wanted = reference.lightOf(slice, column, row);
+        const glm::vec3 got = light.lightOf(samples.codeAt(slice, column, row), column);
+        for (int channel = 0; channel < 3; ++channel) {
+          const double d = std::abs(got[channel] - wanted[channel]);
+          difference.mean += d;
+          difference.meanLight += wanted[channel];
+          difference.greatest = std::max(difference.greatest, d);
+          ++count;
+        }
+      }
+    }
+  }
+  difference.mean /= static_cast<double>(count);
+  difference.meanLight /= static_cast<double>(count);
+  return difference;
+}
+
+TEST(SweptSamples, GiveTheLightThatManyPointsInEachCellGive) {
+  // A soft ball with a coloured shell: a peak of the transfer function that is narrower than what cells span.
+  const TransferFunction transfer({{0.2, {1, 0, 0}, 0},
+                                   {0.35, {1, 0.2, 0}, 0.6},
+                                   {0.5, {0, 1, 0}, 0},
+                                   {0.7, {0, 0.4, 1}, 0},
+                                   {0.9, {0, 0.4, 1}, 0.9}},
+                                  0.1);
+  const VolumeScene scene = sceneOfField(
+      48, 0.7, [](const glm::dvec3& p) { return std::exp(-4 * glm::dot(p, p)) + 0.05 * std::sin(9 * p.x); }, transfer);
+  const LightDifference difference = differenceToReference(scene, sweptProfile(24, 64, 64), 8, 32);
+  EXPECT_GT(difference.meanLight, 0.01);
+  // Values spread evenly over a cell are exact for what is linear along one of its edges; here fields are curved and
+  // oblique: within 2 % of the light.
+  EXPECT_LT(difference.mean, 0.02 * difference.meanLight);
+  EXPECT_LT(difference.greatest, 0.05);
+}
+
+TEST(SweptSamples, DoNotAliasNearTheAxis) {
+  // A zone plate around the axis, as fine at 0.6 as the volume's voxels resolve: slices overlap in the middle, and at
+  // the rim a cell holds several waves. Its light is linear in the field, so that its mean is what counts.
+  const auto zonePlate = [](const glm::dvec3& p) { return 0.5 + 0.5 * std::cos(90 * (p.x * p.x + p.z * p.z)); };
+  const TransferFunction transfer({{0, {1, 1, 1}, 0.001}, {1, {1, 1, 1}, 0.01}}, 1);
+  const VolumeScene scene = sceneOfField(80, 0.7, zonePlate, transfer);
+  for (const int columns : {4, 20}) {
+    const LightDifference sampled = differenceToReference(scene, sweptProfile(40, 64, 8), 12, columns);
+    // Points are a voxel apart, and the finest waves have four voxels.
+    EXPECT_LT(sampled.mean, 0.04 * sampled.meanLight) << columns;
+  }
+  // One point in the middle of each cell is wrong by three times as much.
+  const DisplayProfile profile = sweptProfile(40, 64, 8);
+  const LightDifference sampled = differenceToReference(scene, profile, 12, 20);
+  const VolumeSliceReference centers(scene, profile, 1);
+  const VolumeSliceReference many(scene, profile, 12);
+  double byCenters = 0;
+  size_t count = 0;
+  for (int slice = 0; slice < profile.slicesPerHalfTurn; slice += 5) {
+    for (int column = 12; column < 52; ++column, ++count) {
+      byCenters += std::abs(centers.lightOf(slice, column, 4).x - many.lightOf(slice, column, 4).x);
+    }
+  }
+  EXPECT_GT(byCenters / static_cast<double>(count), 2 * sampled.mean);
+}
+
+TEST(SweptSamples, MakeVolumesCoarserThatAreFinerThanTheDisplay) {
+  // Stripes of one voxel, which no column can show: what is left is their mean.
+  const VolumeScene scene = sceneOfField(
+      96, 0.6, [](const glm::dvec3& p) { return std::lround((p.x + 0.6) / 0.0125 - 0.5) % 2 == 0 ? 0.0 : 1.0; },
+      grey(0.5));
+  const SweptSamples samples(scene, sweptProfile(12, 16, 16));
+  for (int slice = 0; slice < 12; ++slice) {
+    for (int column = 5; column < 11; ++column) {
+      // Of the five voxels that are averaged two or three are of a kind.
+      EXPECT_NEAR(sweptMeanOf(samples.codeAt(slice, column, 8)), 0.5, 0.5 / 5);
+    }
+  }
+}
+
+TEST(SweptSamples, WeighByTheGradient) {
+  const auto ball = [](const glm::dvec3& p) { return std::clamp(4 * (0.4 - glm::length(p)), 0.0, 1.0); };
+  VolumeScene scene = sceneOfField(48, 0.6, ball, grey(0.5));
+  // The slope is 4 by the display's radius, a voxel 0.025, the range 1: a tenth over a voxel.
+  const SweptSamples samples(scene, sweptProfile(24, 64, 64), {.fullLightGradient = 0.2});
+  EXPECT_NEAR(samples.weightAt(0, 32 + 9, 32), 127, 3);  // at 0.3, on the slope
+  EXPECT_EQ(samples.weightAt(0, 32 + 2, 32), 0);         // in the flat middle
+  EXPECT_EQ(samples.weightAt(0, 32 + 16, 32), 0);        // outside
+  EXPECT_EQ(SweptSamples(scene, sweptProfile(24, 64, 64)).weights(), nullptr);
+}
+
+TEST(SweptSamples, AreShadedAsTheAppearanceSays) {
+  VolumeScene scene = sceneOfField(
+      24, 0.6, [](const glm::dvec3& p) { return p.z; }, grey(0.5));
+  scene.appearance.shading = {.isOn = true, .ambient = 0.2, .diffuse = 0.6};
+  const SweptSamples samples(scene, sweptProfile(24, 32, 32));
+  // The light of meshes comes from (0.45, 0.75, 0.85).
+  const double cosine = 0.85 / std::sqrt(0.45 * 0.45 + 0.75 * 0.75 + 0.85 * 0.85);
+  EXPECT_NEAR(samples.weightAt(3, 20, 16), 255 * (0.2 + 0.6 * cosine), 1);
+  EXPECT_EQ(SweptSamples(scene, sweptProfile(24, 32, 32), {.shaded = false}).weights(), nullptr);
+}
+
+TEST(SweptSamples, PartsAreTakenFromTheSampledWeights) {
+  const VolumeScene scene = sceneOfField(
+      24, 0.6, [](const glm::dvec3& p) { return p.z; }, grey(0.5));
+  SweptSamples samples(scene, sweptProfile(24, 32, 32));
+  samples.setPart([](const glm::dvec3& p, double) { return p.x > 0 ? 1.0 : 0.25; });
+  samples.setPart([](const glm::dvec3& p, double) { return p.x > 0 ? 1.0 : 0.5; });
+  EXPECT_EQ(samples.weightAt(0, 20, 16), 255);
+  EXPECT_EQ(samples.weightAt(0, 12, 16), 128);
+  samples.setPart({});
+  EXPECT_EQ(samples.weightAt(0, 12, 16), 255);
+}
+
+TEST(SweptSamples, AreTheSameWithAnyNumberOfThreads) {
+  const VolumeScene scene = sceneOfField(
+      24, 0.6, [](const glm::dvec3& p) { return std::sin(7 * p.x) * p.y; }, grey(0.5));
+  const DisplayProfile profile = sweptProfile(24, 32, 32);
+  const SweptSamples many(scene, profile);
+  setThreadCount(1);
+  const SweptSamples one(scene, profile);
+  setThreadCount(0);
+  ASSERT_EQ(one.bricks(), many.bricks());
+  EXPECT_TRUE(std::equal(one.codes(), one.codes() + one.bricks() * kSweptBrickVoxels, many.codes()));
+}
+
+TEST(SweptSamples, OfAVolumeBesideTheDisplayAreNone) {
+  VolumeScene scene = sceneOfField(
+      8, 0.1, [](const glm::dvec3& p) { return p.x; }, grey(0.5));
+  scene.worldFromIndex = glm::translate(glm::dmat4(1), glm::dvec3(0, 3, 0)) * scene.worldFromIndex;
+  EXPECT_EQ(SweptSamples(scene, sweptProfile(24, 32, 32)).bricks(), 0u);
+}
+
+}  // namespace
+}  // namespace ocelli
