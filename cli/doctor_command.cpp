@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
+#include "oc_core/isosurface/isosurface.h"
 
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"
@@ -18,7 +19,6 @@
 #include "display_driver/emulator/usb_emulator.h"
 #endif
 #ifdef OCELLI_WITH_OPENGL
-#include "oc_core/isosurface/isosurface.h"
 #include "oc_core/window/gl_report.h"
 #include "oc_core/window/system_font.h"
 #endif
