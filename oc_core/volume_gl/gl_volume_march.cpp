@@ -13,9 +13,9 @@
 namespace ocelli {
 namespace {
 
-/// Turns of the loops of a pixel in a pass. Software renderers end a shader after 65535 turns that it does for up to 16
+/// Turns of the loops of a pixel in a pass. Software renderers end a shader after 65535 turns, which it does for up to 16
 /// pixels together; where these take different turns, the turns of all of them count.
-constexpr uint32_t kTurnsOfSoftware = 4000;
+constexpr uint32_t kTurnsOfSoftware = 3500;
 /// So that no pass takes a GPU long enough to be reset.
 constexpr uint32_t kTurnsOfGpu = 16384;
 
