@@ -21,6 +21,7 @@
 #include "cli/slicing_options.h"
 #include "cli/values.h"
 #include "cli/viewed_scene.h"
+#include "cli/volume_slicing_options.h"
 #include "display_driver/devices/device_kinds.h"
 #include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/eye_feed.h"
@@ -32,11 +33,15 @@
 #include "display_driver/pacing/recording_source.h"
 #include "display_driver/pacing/still_source.h"
 #include "display_driver/pacing/turning_source.h"
+#include "display_driver/pacing/turning_volume_source.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/slicing/exact_slicer.h"
+#include "display_sim/volume_slicing/transfer_blend.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/volume/transfer_file.h"
+#include "oc_core/volume/transfer_presets.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
 
@@ -46,6 +51,7 @@ namespace {
 /// What is presented, and what it needs to stand.
 struct Presented {
   std::optional<ViewedScene> scene;
+  std::optional<ShownVolume> volume;     ///< of scalars
   std::unique_ptr<MovingImages> images;  ///< of an eye or a scene that moves
   std::unique_ptr<MovingView> view;      ///< of a scene that does
   std::unique_ptr<EyeFeed> feed;
@@ -136,8 +142,42 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
   presented.source = std::move(source);
 }
 
+/// There in the first half of the time, and back in the second.
+MovingLight movingLight(const PresentChoice& choice, const ShownVolume& volume) {
+  if (choice.transferTo.empty()) {
+    return {};
+  }
+  const ScalarVolume& scalars = *volume.scene().volume;
+  return [&volume, seconds = choice.transferSeconds, from = volume.scene().appearance.transfer,
+          to = appearanceOf(transferByName(choice.transferTo), scalars, scalars.grid().meanSpacing()).transfer](
+             double passed) {
+    const double turn = passed / seconds - std::floor(passed / seconds);
+    return volume.lightOf(blendedTransfer(from, to, 1 - std::abs(1 - 2 * turn)));
+  };
+}
+
+/// A volume of scalars, straight from its field.
+void addScalarVolume(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
+                     const CommandContext& context) {
+  const SliceOptions options = volumeSliceOptionsOf(choice.slicing);
+  const ShownVolume& volume =
+      presented.volume.emplace(loadShownVolume({choice.scene, choice.volume, choice.volumeSlicing}, profile, context));
+  if (choice.turn || !choice.transferTo.empty()) {
+    presented.source = std::make_unique<TurningVolumeSource>(
+        volume.samples(), volume.light(), movingLight(choice, volume), options, choice.turn.value_or(0));
+    return;
+  }
+  VolumeSlicer slicer(profile, options);
+  slicer.slice(volume.samples(), volume.light());
+  presented.source = std::make_unique<StillSource>(slicer.takeVolume());
+}
+
 void addSceneSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                     const CommandContext& context) {
+  if (choice.isVolume()) {
+    addScalarVolume(presented, choice, profile, context);
+    return;
+  }
   if (std::unique_ptr<SceneMotion> motion = motionOf(choice, profile, context)) {
     addMotionSource(presented, choice, std::move(motion), profile, context);
     return;

@@ -21,6 +21,7 @@ struct ViewChoice {
   SceneChoice scene;
   VolumeChoice volume;
   std::string camera = "ddoc";
+  bool cameraGiven = false;
   std::string view;
   std::string size = "720x480";
   std::string profile = "perspecta";
@@ -46,7 +47,8 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
   } else {
     refuseVolumeOptions(choice.volume);
   }
-  options.camera = cameraChoice(choice.camera);
+  // There is nothing that images of a volume alone could miss.
+  options.camera = cameraChoice(takesVolume(choice.scene) && !choice.cameraGiven ? "di" : choice.camera);
   options.reference = readViewOption(choice.view);
   options.width = size.width;
   options.height = size.height;
@@ -112,7 +114,10 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli view scan.nrrd --transfer ct-bone\n"
                  "  ocelli view builtin:mirror --effect reflection --by cell\n"
                  "  ocelli view builtin:room --offscreen tour.json -o frames",
-                 [choice, context] { view(*choice, context); });
+                 [choice, context, camera = command.get_option("--camera")] {
+                   choice->cameraGiven = camera->count() > 0;
+                   view(*choice, context);
+                 });
 }
 
 }  // namespace ocelli
