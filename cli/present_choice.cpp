@@ -92,7 +92,7 @@ void checkPresentChoice(const PresentChoice& choice) {
   refuse(choice.device != "sim" && (choice.simulated.given() || choice.shown.given()),
          "only the simulated display has a link, faults and an observer of its own",
          "--link, --faults, --jitter, --shown or --watch", "--device sim");
-  if (choice.isScene() && !choice.mayPlay()) {
+  if (choice.isScene() && !choice.mayPlay() && !choice.isVolume()) {
     refuseOptionsOfMotion(choice);
   }
   if (choice.device.starts_with("file:")) {

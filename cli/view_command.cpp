@@ -10,6 +10,7 @@
 #ifdef OCELLI_WITH_OPENGL
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/shade/effects.h"
 #endif
@@ -34,6 +35,17 @@ struct ViewChoice {
 };
 
 #ifdef OCELLI_WITH_OPENGL
+/// `rays` gets what only volumes take.
+std::string cameraOfPanes(const ViewChoice& choice, std::string& rays) {
+  const bool isVolume = isVolumeSource(choice.scene.source);
+  if (isVolume && choice.cameraGiven && namesConstructor(choice.camera)) {
+    rays = choice.camera;
+  } else if (choice.cameraGiven || !takesVolume(choice.scene)) {
+    return choice.camera;
+  }
+  return takesVolume(choice.scene) ? "di" : "ddoc";  // there is nothing that images of a volume alone could miss
+}
+
 ViewerOptions viewerOptions(const ViewChoice& choice) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   ViewerOptions options;
@@ -47,8 +59,7 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
   } else {
     refuseVolumeOptions(choice.volume);
   }
-  // There is nothing that images of a volume alone could miss.
-  options.camera = cameraChoice(takesVolume(choice.scene) && !choice.cameraGiven ? "di" : choice.camera);
+  options.camera = cameraChoice(cameraOfPanes(choice, options.volumeRays));
   options.reference = readViewOption(choice.view);
   options.width = size.width;
   options.height = size.height;

@@ -6,12 +6,11 @@
 
 namespace ocelli {
 
-TurningVolumeSource::TurningVolumeSource(const SweptSamples& samples, SweptLight still, MovingLight light,
+TurningVolumeSource::TurningVolumeSource(VolumeMoments moments, const DisplayProfile& profile,
                                          const SliceOptions& options, double degreesPerSecond)
-    : samples_(samples),
-      still_(std::move(still)),
-      light_(std::move(light)),
-      slicer_(samples.profile(), options),
+    : moments_(std::move(moments)),
+      sweep_(profile),
+      slicer_(profile, options),
       radiansPerSecond_(radiansFromDegrees(degreesPerSecond)) {}
 
 SourcedVolume TurningVolumeSource::volumeFor(HostTime seen) {
@@ -19,12 +18,17 @@ SourcedVolume TurningVolumeSource::volumeFor(HostTime seen) {
     start_ = seen;
   }
   const double seconds = std::chrono::duration<double>(seen - *start_).count();
-  const int steps = stepsOfAngle(samples_.sweep(), radiansPerSecond_ * seconds);
-  if (!light_ && steps_ == steps) {
+  std::optional<VolumeMoment> moment = moments_(seconds);
+  if (!moment) {
+    return {.kind = SourcedVolume::Kind::kEnd};
+  }
+  const int steps = stepsOfAngle(sweep_, radiansPerSecond_ * seconds);
+  if (moment->samples == shown_.samples && moment->light == shown_.light && steps == steps_) {
     return {.kind = SourcedVolume::Kind::kSame};
   }
+  shown_ = std::move(*moment);
   steps_ = steps;
-  slicer_.slice(samples_, light_ ? light_(seconds) : still_, steps);
+  slicer_.slice(*shown_.samples, *shown_.light, steps);
   return {.kind = SourcedVolume::Kind::kNew, .volume = slicer_.takeShared()};
 }
 

@@ -1,5 +1,5 @@
-// A volume of scalars that turns about the display's axis, or whose transfer function moves, sliced anew for each
-// refresh.
+// A volume of scalars that turns about the display's axis, whose transfer function moves, or that is another one later
+// (a time series), sliced anew for each refresh.
 #pragma once
 
 #include <functional>
@@ -11,26 +11,32 @@
 
 namespace ocelli {
 
-/// The light of a volume so many seconds after the first refresh.
-using MovingLight = std::function<SweptLight(double seconds)>;
+/// What is shown at a moment: the same pointers stand for the same look.
+struct VolumeMoment {
+  const SweptSamples* samples = nullptr;
+  std::shared_ptr<const SweptLight> light{};
+};
+
+/// Seconds since the first refresh; nothing where it has ended.
+using VolumeMoments = std::function<std::optional<VolumeMoment>(double seconds)>;
 
 class TurningVolumeSource final : public VolumeSource {
  public:
-  /// `samples` must outlive it. Positive degrees turn it counter-clockwise seen from above, in steps of the display's
-  /// sweep. Without `light` that of `still` stays.
-  TurningVolumeSource(const SweptSamples& samples, SweptLight still, MovingLight light, const SliceOptions& options,
+  /// The samples of all moments are of `profile`, and must outlive it. Positive degrees turn them counter-clockwise
+  /// seen from above, in steps of the display's sweep.
+  TurningVolumeSource(VolumeMoments moments, const DisplayProfile& profile, const SliceOptions& options,
                       double degreesPerSecond);
 
   SourcedVolume volumeFor(HostTime seen) override;
 
  private:
-  const SweptSamples& samples_;
-  SweptLight still_;
-  MovingLight light_;
+  VolumeMoments moments_;
+  SweepGeometry sweep_;
   VolumeSlicer slicer_;
   double radiansPerSecond_;
   std::optional<HostTime> start_;
-  std::optional<int> steps_;  ///< of the last volume
+  VolumeMoment shown_;  ///< last, turned by so many steps
+  int steps_ = 0;
 };
 
 }  // namespace ocelli

@@ -156,6 +156,26 @@ void forEachSweptRow(const SweptTask& task, const Visit& visit) {
   }
 }
 
+/// The bits of eight voxels: of a channel's field those from kFirstEightBit on are the voxels' from the left.
+constexpr int kFirstEightBit = kSweptLightBits - (kSweptBrickSide - 1);
+
+template <bool kWeighted, bool kShifted, class DitherRow>
+uint64_t litEight(const SweptEntry* entries, const SweptEight& eight, const SweptColumn* columns,
+                  const DitherRow& dither, int column) {
+  constexpr uint64_t kCarries = kSweptOneEach << kSweptLightBits;
+  uint64_t lit = 0;
+  for (int x = 0; x < kSweptBrickSide; ++x) {
+    const SweptEntry entry = entries[eight.codes[x]];
+    const uint64_t light =
+        kWeighted ? lightFields(entry, columns[x], eight.weights[x]) : lightFields(entry, columns[x]);
+    const uint32_t threshold = dither.at(column + x);
+    const uint64_t rest = kShifted ? restOf(threshold, columns[x].shift) : kFullSwept - 1 - threshold;
+    // The first of the eight moves down by seven bits, the last by none.
+    lit = lit >> 1 | ((light + kSweptOneEach * rest) & kCarries);
+  }
+  return lit;
+}
+
 /// A bit for each channel.
 template <class DitherRow, bool kWeighted>
 void sliceOneBit(const SweptTask& task, const VolumeLayout& layout, std::span<uint8_t> planes) {
@@ -167,20 +187,13 @@ void sliceOneBit(const SweptTask& task, const VolumeLayout& layout, std::span<ui
     }
     const DitherRow dither(task.slice, row);
     const SweptColumn* columns = &task.light.column(column);
-    constexpr uint64_t kCarries = kSweptOneEach << kSweptLightBits;
-    uint64_t lit = 0;
-    for (int x = 0; x < kSweptBrickSide; ++x) {
-      const SweptEntry entry = entries[eight.codes[x]];
-      const uint64_t light =
-          kWeighted ? lightFields(entry, columns[x], eight.weights[x]) : lightFields(entry, columns[x]);
-      const uint64_t rest = kSweptOneEach * restOf(dither.at(column + x), columns[x].shift);
-      lit = lit >> 1 | ((light + rest) & kCarries);
-    }
-    // The first of the eight has moved down by seven bits, the last by none.
-    constexpr int kFirstBit = kSweptLightBits - (kSweptBrickSide - 1);
+    const uint64_t lit = task.light.isShifted(column)
+                             ? litEight<kWeighted, true>(entries, eight, columns, dither, column)
+                             : litEight<kWeighted, false>(entries, eight, columns, dither, column);
     const size_t at = static_cast<size_t>(row) * layout.rowBytes + static_cast<size_t>(column / kSweptBrickSide);
     for (size_t channel = 0; channel < kColorChannels; ++channel) {
-      planes[channel * layout.planeBytes + at] = static_cast<uint8_t>(lit >> (channel * kSweptFieldBits + kFirstBit));
+      planes[channel * layout.planeBytes + at] =
+          static_cast<uint8_t>(lit >> (channel * kSweptFieldBits + kFirstEightBit));
     }
   });
 }

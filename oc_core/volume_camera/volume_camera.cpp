@@ -47,7 +47,11 @@ VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& re
   if (namesConstructor(nameOrFile)) {
     return multiperspectiveAt(nameOrFile, reference, scene);
   }
-  const CameraChoice choice = cameraChoice(nameOrFile);
+  return volumeCamera(cameraChoice(nameOrFile), reference, firstHits, progress);
+}
+
+VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& reference,
+                          const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
   if (!choice.hasImages()) {
     throw InputError("\"" + choice.name + "\" is a mesh, which has no rays", "--camera", "choose a camera, such as di");
   }

@@ -30,4 +30,8 @@ struct VolumeCamera {
 VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& reference, const VolumeScene& scene,
                           const std::function<const RayTarget&()>& firstHits, const Progress& progress = {});
 
+/// The same of a camera with options, such as one that is being edited; none of graph and curved ray cameras.
+VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& reference,
+                          const std::function<const RayTarget&()>& firstHits, const Progress& progress = {});
+
 }  // namespace ocelli

@@ -1,5 +1,10 @@
 #include "display_sim/volume_slicing/transfer_blend.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
 namespace ocelli {
 namespace {
 

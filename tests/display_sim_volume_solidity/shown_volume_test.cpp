@@ -1,5 +1,12 @@
 #include "display_sim/volume_solidity/shown_volume.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <memory>
+
 #include "oc_core/base/error.h"
 #include "tests/display_sim_volume_slicing/swept_scenes.h"
 

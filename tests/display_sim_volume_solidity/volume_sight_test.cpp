@@ -1,5 +1,7 @@
 #include "display_sim/volume_solidity/volume_sight.h"
 
+#include <gtest/gtest.h>
+
 #include "oc_core/base/error.h"
 #include "tests/display_sim_volume_slicing/swept_scenes.h"
 

@@ -1,5 +1,9 @@
 #include "display_sim/volume_solidity/volume_truth.h"
 
+#include <gtest/gtest.h>
+
+#include <cmath>
+
 #include "display_sim/solidity/solidity.h"
 #include "display_sim/volume_solidity/shown_volume.h"
 #include "oc_core/image/color.h"

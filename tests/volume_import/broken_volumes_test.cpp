@@ -88,7 +88,7 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenVolume{"NiftiTooShort", "upright.nii", "", "", "360 bytes of voxels, 60 fewer"},
         BrokenVolume{"NiftiGzipTooShort", "upright.nii.gz", "", "", "compressed voxels end too early", 12},
         BrokenVolume{"NiftiOtherMagic", "upright.nii", std::string("n+1\0", 4), std::string("n-1\0", 4),
-                     "no NIfTI file that can be read"},
+                     "no NIfTI file of one piece"},
         BrokenVolume{"NiftiColours", "upright.nii", niftiType(4, 16), niftiType(128, 24),
                      "NIFTI_TYPE_RGB24 are not read"},
         BrokenVolume{"NiftiComplex", "upright.nii", niftiType(4, 16), niftiType(32, 64), "COMPLEX64 are not read"},
