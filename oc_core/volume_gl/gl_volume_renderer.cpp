@@ -70,7 +70,7 @@ GlObject uploadTable(GlContext& context, const OpticalTable& table) {
     texels(i, 0) = entry.integral;
     texels(i, 1) = entry.rest;
     texels(i, 2) = entry.at;
-    texels(i, 3) = entry.change;
+    texels(i, 3) = entry.halfChange;
   }
   GlObject texture = makeTexture(context, GL_RGBA32F, texels.width(), kRows);
   context.gl().TextureSubImage2D(texture.id(), 0, 0, 0, texels.width(), kRows, GL_RGBA, GL_FLOAT, texels.data());
