@@ -96,7 +96,7 @@ EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
 }
 
 /// What is measured against.
-struct Truth {
+struct EvaluateTruth {
   Mesh mesh;
   std::unique_ptr<const VolumeFirstHits> volume;
   std::unique_ptr<const EvaluatedScene> scene;
@@ -104,9 +104,9 @@ struct Truth {
   std::string key;    ///< tells it from any other scene, with options and `more`
 };
 
-Truth truthOf(const EvaluateChoice& choice, const EvaluationOptions& options, const std::string& more,
-              const Progress& progress, const CommandContext& context) {
-  Truth truth;
+EvaluateTruth truthOf(const EvaluateChoice& choice, const EvaluationOptions& options, const std::string& more,
+                      const Progress& progress, const CommandContext& context) {
+  EvaluateTruth truth;
   if (takesVolume(choice.scene)) {
     truth.volume = std::make_unique<const VolumeFirstHits>(
         loadVolume(choice.scene, choice.volume, context),
@@ -259,7 +259,7 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   EvaluatePage page;  // what it says of the scene
   std::optional<EvaluationWork> work;
   try {
-    const Truth truth = truthOf(
+    const EvaluateTruth truth = truthOf(
         choice, options, fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp()), progress, context);
     page.sceneTriangles = truth.mesh.triangles.size();
     page.sceneParts = truth.parts;

@@ -11,6 +11,7 @@
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/volume_info.h"
+#include "cli/volume_options.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/printable_text.h"
@@ -249,12 +250,13 @@ std::string packInfoAsJson(const PackedScene& scene, const PackSummary& holds) {
 
 /// What a volume is, voxels that are no numbers and all.
 void printVolumeInfo(const SceneChoice& scene, bool asJson, const CommandContext& context) {
-  const VolumeSeries series = loadVolumeSeries(scene.source, {}, context.progress());
+  const VolumeSceneOptions options = volumeSceneOptionsOf(scene, {});
+  const VolumeSeries series = loadVolumeSeries(scene.source, options.series, context.progress());
   for (const std::string& warning : series.warnings) {
-    context.note(warning);
+    options.warn(warning);
   }
-  const std::optional<double>& seconds = scene.options.motion.seconds;
-  const VolumeSummary summary = summaryOf(series, seconds ? series.indexAt(*seconds) : 0, {}, context.progress());
+  const size_t index = options.seconds ? series.indexAt(*options.seconds) : 0;
+  const VolumeSummary summary = summaryOf(series, index, options.level, context.progress());
   context.print(asJson ? volumeInfoAsJson(scene.source, summary) : volumeInfoAsText(scene.source, summary));
 }
 
@@ -278,7 +280,7 @@ void addSceneInfo(CLI::App& parent, const CommandContext& context) {
   command.add_flag("--json", *asJson, "Print the figures as JSON");
   context.finish(command, "  ocelli scene info bunny.obj\n  ocelli scene info bunny.obj --no-fit --shading none",
                  [scene, asJson, context] {
-                   if (isVolumeSource(scene->source)) {
+                   if (takesVolume(*scene)) {
                      printVolumeInfo(*scene, *asJson, context);
                      return;
                    }

@@ -68,6 +68,10 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
                   "Of a volume: the transfer function, which says what its values look like: a preset or a file; by "
                   "default one that fits the volume")
       ->type_name("NAME|FILE.json");
+  command
+      .add_option("--series", choice.options.series,
+                  "Of a folder of DICOM files with several series: the one of this number or UID")
+      ->type_name("NUMBER|UID");
 }
 
 void addMotionOptions(CLI::App& command, SceneChoice& choice) {

@@ -20,9 +20,9 @@ struct SceneChoice {
   bool shadingGiven = false;  ///< whether the user said --shading
 };
 
-/// Adds the argument SCENE, --no-fit, --shading, --no-textures, --point-size, --iso and --transfer. `choice` must
-/// outlive the parsing. What there is to say of the scene that is loaded then, such as a missing texture, becomes a
-/// note of `frame`.
+/// Adds the argument SCENE, --no-fit, --shading, --no-textures, --point-size, --iso, --transfer and --series. `choice`
+/// must outlive the parsing. What there is to say of the scene that is loaded then, such as a missing texture, becomes
+/// a note of `frame`.
 void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context);
 
 /// Adds what there is to say of a SCENE that moves: --time, --animation, --rate and --between.

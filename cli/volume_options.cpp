@@ -22,6 +22,7 @@ void refuseMeshOptions(const SceneChoice& scene) {
   refuse(!scene.options.textures, "--no-textures", "textures");
   refuse(scene.options.points.width.has_value(), "--point-size", "points");
   refuse(!scene.options.motion.animation.empty(), "--animation", "animations");
+  refuse(scene.options.motion.meshesPerSecond.has_value(), "--rate", "meshes");
   refuse(scene.options.motion.between != BetweenMeshes::kHold, "--between", "meshes");
 }
 
@@ -63,10 +64,7 @@ void refuseVolumeOptions(const VolumeChoice& choice) {
 
 VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeChoice& choice) {
   refuseMeshOptions(scene);
-  if (scene.options.motion.seconds) {
-    throw InputError("this volume does not move", "--time", "leave it out");
-  }
-  VolumeSceneOptions options{.fit = scene.options.fit, .transfer = scene.options.transfer, .warn = scene.options.warn};
+  VolumeSceneOptions options = volumeOptionsOf(scene.options);
   for (const std::string& text : choice.clips) {
     const glm::dvec4 halfSpace = halfSpaceFromText(text, kClipOption);
     options.clips.push_back({glm::dvec3(halfSpace), halfSpace.w});
@@ -76,10 +74,14 @@ VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeCh
 
 VolumeScene loadVolume(const SceneChoice& scene, const VolumeChoice& choice, const CommandContext& context) {
   VolumeScene loaded = loadVolumeScene(scene.source, volumeSceneOptionsOf(scene, choice), context.progress());
-  if (scene.shadingGiven) {
-    loaded.appearance.shading.isOn = scene.options.shading == Shading::kLambert;
-  }
+  applyShading(scene, loaded);
   return loaded;
+}
+
+void applyShading(const SceneChoice& scene, VolumeScene& volume) {
+  if (scene.shadingGiven) {
+    volume.appearance.shading.isOn = scene.options.shading == Shading::kLambert;
+  }
 }
 
 }  // namespace ocelli

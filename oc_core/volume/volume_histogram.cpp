@@ -5,10 +5,12 @@
 #include <functional>
 #include <mutex>
 #include <numeric>
+#include <type_traits>
 #include <utility>
 
 #include "oc_core/base/check.h"
 #include "oc_core/volume/volume_scan.h"
+#include "oc_core/volume/voxel_survey.h"
 
 namespace ocelli {
 namespace {
@@ -18,17 +20,9 @@ constexpr size_t kBins = 4096;
 
 /// Which bin a voxel is in, as voxels hold values.
 struct VoxelBins {
-  VoxelBins(const ScalarVolume& volume, const ValueRange& values)
-      : least((values.least - volume.offset()) / volume.scale()),
-        greatest((values.greatest - volume.offset()) / volume.scale()) {
-    if (least > greatest) {
-      std::swap(least, greatest);
-    }
-    const bool isWhole = volume.type() != VoxelType::kFloat32 && volume.type() != VoxelType::kFloat64;
-    if (isWhole) {
-      least = std::round(least);
-      greatest = std::round(greatest);
-    }
+  /// `stored` is the range as voxels hold it.
+  VoxelBins(VoxelType type, const ValueRange& stored) : least(stored.least), greatest(stored.greatest) {
+    const bool isWhole = type != VoxelType::kFloat32 && type != VoxelType::kFloat64;
     countsEach = isWhole && greatest - least < kMaxWholeNumbers;
     if (countsEach) {
       bins = static_cast<size_t>(greatest - least) + 1;
@@ -58,10 +52,20 @@ void countSlice(const ScalarVolume& volume, const Voxel* first, size_t slice, co
   visitRows(
       volume, first, slice,
       [&](size_t /*j*/, const Voxel* row) {
-        for (size_t i = 0; i < width; ++i) {
-          const auto value = static_cast<double>(row[i]);
-          if (std::isfinite(value)) {
-            ++counts[bins.binOf(value)];
+        if constexpr (std::is_floating_point_v<Voxel>) {
+          for (size_t i = 0; i < width; ++i) {
+            if (std::isfinite(row[i])) {
+              ++counts[bins.binOf(static_cast<double>(row[i]))];
+            }
+          }
+        } else if (bins.countsEach) {
+          const auto least = static_cast<int64_t>(bins.least + 0.5);
+          for (size_t i = 0; i < width; ++i) {
+            ++counts[static_cast<size_t>(static_cast<int64_t>(row[i]) - least)];
+          }
+        } else {
+          for (size_t i = 0; i < width; ++i) {
+            ++counts[bins.binOf(static_cast<double>(row[i]))];
           }
         }
       },
@@ -100,8 +104,9 @@ VolumeHistogram VolumeHistogram::withBins(size_t bins) const {
 }
 
 VolumeHistogram histogramOf(const ScalarVolume& volume) {
-  VolumeHistogram histogram{.values = valueRange(volume)};
-  const VoxelBins bins(volume, histogram.values);
+  const VoxelSurvey survey = surveyVoxels(volume);
+  VolumeHistogram histogram{.values = survey.range};
+  const VoxelBins bins(volume.type(), survey.stored);
   histogram.counts.resize(bins.bins);
   std::mutex mutex;
   visitVoxels(volume, [&](const auto* first) {

@@ -25,7 +25,7 @@ struct VolumeHistogram {
 };
 
 /// Of all voxels that are finite numbers, on all threads. Volumes of whole numbers whose range is below 65536 have a
-/// bin for each number, others have 4096.
+/// bin for each number, others have 4096. Of a volume larger than memory ask a level (volume_levels.h): this reads all.
 VolumeHistogram histogramOf(const ScalarVolume& volume);
 
 }  // namespace ocelli

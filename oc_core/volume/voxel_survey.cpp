@@ -95,8 +95,9 @@ class SurveyOfSlices {
   VoxelSurvey result() const {
     VoxelSurvey survey{.notFinite = notFinite_};
     if (bounds_.least <= bounds_.greatest) {
-      const double one = volume_.scale() * static_cast<double>(bounds_.least) + volume_.offset();
-      const double other = volume_.scale() * static_cast<double>(bounds_.greatest) + volume_.offset();
+      survey.stored = {static_cast<double>(bounds_.least), static_cast<double>(bounds_.greatest)};
+      const double one = volume_.scale() * survey.stored.least + volume_.offset();
+      const double other = volume_.scale() * survey.stored.greatest + volume_.offset();
       survey.range = {std::min(one, other), std::max(one, other)};
     }
     if (notFinite_ > 0) {

@@ -11,6 +11,7 @@ namespace ocelli {
 
 struct VoxelSurvey {
   ValueRange range{};            ///< of the finite ones; 0 to 0 where there are none
+  ValueRange stored{};           ///< the same as voxels hold it, before scale and offset
   size_t notFinite = 0;          ///< voxels that are NaN or infinite
   glm::ivec3 firstNotFinite{0};  ///< the first of them in memory
 };

@@ -59,7 +59,7 @@ OpticalTable::OpticalTable(const TransferFunction& transfer, const ValueRange& r
       entry.integral[channel] = static_cast<float>(integral[c]);
       entry.rest[channel] = static_cast<float>(integral[c] - static_cast<double>(entry.integral[channel]));
       entry.at[channel] = static_cast<float>(at[c]);
-      entry.change[channel] = static_cast<float>(next[c] - at[c]);
+      entry.halfChange[channel] = static_cast<float>((next[c] - at[c]) / 2);
     }
     visibleBefore_[static_cast<size_t>(i) + 1] = visibleBefore_[static_cast<size_t>(i)] + (entry.at[0] > 0);
     integral += (at + next) / 2.0;

@@ -33,7 +33,7 @@ class OpticalTable {
     Four integral{};  ///< of `at`, over entries, up to this one: the greater part
     Four rest{};      ///< and what is to be added
     Four at{};
-    Four change{};  ///< to the next entry
+    Four halfChange{};  ///< half of what `at` of the next entry is more
   };
 
   /// `range` is that of the values that will be looked up.

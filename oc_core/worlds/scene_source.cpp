@@ -68,6 +68,14 @@ void refuseUnusedMotion(const std::string& source, const SceneOptions& options) 
 
 }  // namespace
 
+VolumeSceneOptions volumeOptionsOf(const SceneOptions& options) {
+  return {.fit = options.fit,
+          .transfer = options.transfer,
+          .series = options.series,
+          .seconds = options.motion.seconds,
+          .warn = options.warn};
+}
+
 SceneFileOptions fileOptionsOf(const SceneOptions& options) {
   return {.textures = options.textures, .points = options.points};
 }
@@ -83,6 +91,10 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
   if (!isVolume && options.iso) {
     throw InputError("this scene is no volume, so it has no surface at a value", "--iso", "leave it out");
   }
+  if (!isVolume && !options.series.empty()) {
+    throw InputError("this scene is no volume, and only folders of DICOM files have series", "--series",
+                     "leave it out");
+  }
   if (!isVolume && !options.transfer.empty()) {
     throw InputError("this scene is no volume, so it has no transfer function", "--transfer", "leave it out");
   }
@@ -95,8 +107,7 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
 GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
   requireSurfaceOfVolume(source, options);
   refuseUnusedPoints({}, options);
-  const VolumeScene volume =
-      loadVolumeScene(source, {.fit = options.fit, .transfer = options.transfer, .warn = options.warn}, progress);
+  const VolumeScene volume = loadVolumeScene(source, volumeOptionsOf(options), progress);
   const IsosurfaceOptions surface{.value = *options.iso, .isShaded = options.shading == Shading::kLambert};
   GuidedScene loaded;
   loaded.mesh = isosurface(volume, surface, source, progress);
@@ -111,7 +122,7 @@ GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& optio
   refuseOwnFile(source);
   requireSurfaceOfVolume(source, options);
   report(progress, "loading the scene", 0);
-  if (options.iso && !options.motion.seconds) {
+  if (options.iso) {
     return loadVolumeSurface(source, options, progress);
   }
   if (options.motion.seconds) {

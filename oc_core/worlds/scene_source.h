@@ -19,6 +19,8 @@
 
 namespace ocelli {
 
+struct VolumeSceneOptions;
+
 enum class Shading {
   kLambert,  ///< vertex colours times a fixed light, baked (see shading.h)
   kNone,     ///< vertex colours as they are
@@ -43,6 +45,7 @@ struct SceneOptions {
   /// no mesh.
   std::optional<double> iso{};
   std::string transfer{};  ///< of a volume: whose colours it has, as VolumeSceneOptions::transfer
+  std::string series{};    ///< of a folder of DICOM files: as VolumeSceneOptions::series
   /// Is told what the user should know of the scene, a sentence each: a texture that is missing, for example.
   std::function<void(const std::string&)> warn{};
 };
@@ -55,6 +58,9 @@ struct GuidedScene {
   glm::mat4 worldFromScene{1};             ///< what fitted it: a uniform scale and a translation
   std::optional<PointFacts> points = {};   ///< of a scene of points, in its units before it was fitted
 };
+
+/// What of them concerns a volume (oc_core/volume/volume_scene.h).
+VolumeSceneOptions volumeOptionsOf(const SceneOptions& options);
 
 /// What of them concerns the files of a scene.
 SceneFileOptions fileOptionsOf(const SceneOptions& options);

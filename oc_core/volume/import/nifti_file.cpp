@@ -117,6 +117,10 @@ VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch
   if (!image) {
     throw InputError("this is no NIfTI file that can be read: its header is damaged", where, kNiftiExportAgain);
   }
+  if (image->nifti_type != NIFTI_FTYPE_NIFTI1_1 && image->nifti_type != NIFTI_FTYPE_NIFTI2_1) {
+    throw InputError("this is no NIfTI file of one piece, but perhaps one of Analyze", where,
+                     "convert it to one file, .nii or .nii.gz");
+  }
   if (image->iname == nullptr || path != std::filesystem::path(image->iname)) {
     throw InputError("the voxels lie in another file", where, "give the volume as one file, .nii or .nii.gz");
   }
