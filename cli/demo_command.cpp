@@ -5,9 +5,11 @@
 #include "cli/command.h"
 #include "cli/values.h"
 #include "display_driver/demo/demo_page.h"
+#include "display_driver/demo/volume_demo.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/evaluation/evaluation_table.h"
+#include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
 
 namespace ocelli {
@@ -32,12 +34,13 @@ const std::vector<TitledScene> kBuiltinScenes{
     {"Four statues", "builtin:statues", "statues"},
     {"A fence before a wall", "builtin:fence", "fence"},
     {"Behind a double door", "builtin:doors", "doors"},
+    {"A head, as a CT sees it", "builtin:volume,name=skull,size=192", "skull"},
 };
 
 // A mesh file is put into a room, so that there is something that it can hide.
 TitledScene sceneOf(const std::string& argument, size_t index) {
   const std::string name = fmt::format("given-{}", index);
-  if (isBuiltinScene(argument)) {
+  if (isBuiltinScene(argument) || isVolumeSource(argument)) {
     return {argument, argument, name};
   }
   if (argument.find(',') != std::string::npos) {
@@ -67,6 +70,10 @@ void runDemo(const DemoChoice& choice, const CommandContext& context) {
   std::vector<DemoScene> scenes;
   for (const TitledScene& each : wanted) {
     context.note(fmt::format("{} ({})", each.title, each.source));
+    if (isVolumeSource(each.source)) {
+      scenes.push_back(runVolumeDemo(each.title, each.source, choice.output, each.name, options, context.progress()));
+      continue;
+    }
     scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, context.progress()));
     context.print(each.title + "\n" + evaluationTable(scenes.back().figures) + "\n");
   }
@@ -82,7 +89,7 @@ void addDemoCommand(CLI::App& program, const CommandContext& context) {
       *program.add_subcommand("demo", "Run the whole way from scene to display, and leave a page that shows it");
   const auto choice = std::make_shared<DemoChoice>();
   command.add_option("SCENE", choice->scenes,
-                     "More scenes: mesh files, put into a room, or builtin:NAME[,key=value...]");
+                     "More scenes: mesh files, put into a room, volumes, or builtin:NAME[,key=value...]");
   command.add_option("-o,--output", choice->output, "Folder for index.html and its images")->type_name("DIR");
   command.add_flag("--only", choice->only, "Show the given scenes alone, without those that come with it");
   command.add_option("--size", choice->size, "Of the reference images")->type_name("WIDTHxHEIGHT");

@@ -45,8 +45,8 @@ void refuseSlowSlicers(const PresentChoice& choice) {
 }
 
 void refuseOptionsOfMotion(const PresentChoice& choice) {
-  refuse(choice.follow && !choice.turn && choice.eyes.empty(), "nothing moves in this scene", "--follow",
-         "--turn 30, or --eyes FILE.csv");
+  refuse(choice.follow && !choice.turn && choice.eyes.empty() && choice.transferTo.empty(),
+         "nothing moves in this scene", "--follow", "--turn 30, or --eyes FILE.csv");
   refuse(choice.speed != 1, "nothing moves by itself in this scene", "--speed", "leave it out");
 }
 
@@ -72,13 +72,27 @@ void checkPresentChoice(const PresentChoice& choice) {
          "a device log is played as it was, once", "--loop, --tear, --coarse, --seconds, --follow or --timeline",
          "leave it out");
   refuse(choice.fast && !choice.isDeviceLog(), "only a device log can go faster", "--fast", "leave it out");
-  if (choice.turn || !choice.eyes.empty()) {
+  if (choice.isVolume()) {
+    refuse(!choice.eyes.empty(), "a volume is shown for eyes that stay where they are", "--eyes",
+           "--viewer X,Y,Z with --seen-opacity 0.5");
+    refuse(choice.hasCamera(), "a volume is shown straight from its field", "--camera",
+           "leave it out, or show what --viewer sees, with --seen-opacity 0.5");
+    refuse(choice.scene.options.iso && !choice.transferTo.empty(), "a surface has no transfer function",
+           "--transfer-to", "leave it out, or --iso");
+  } else {
+    refuseVolumeOptions(choice.volume);
+    refuseVolumeSlicingOptions(choice.volumeSlicing);
+    refuseVolumeOption(!choice.transferTo.empty(), "--transfer-to");
+  }
+  refuse(choice.transferSeconds != kTransferSeconds && choice.transferTo.empty(), "no transfer function moves",
+         "--transfer-seconds", "add --transfer-to NAME");
+  if (choice.turn || !choice.eyes.empty() || !choice.transferTo.empty()) {
     refuseSlowSlicers(choice);
   }
   refuse(choice.device != "sim" && (choice.simulated.given() || choice.shown.given()),
          "only the simulated display has a link, faults and an observer of its own",
          "--link, --faults, --jitter, --shown or --watch", "--device sim");
-  if (choice.isScene() && !choice.mayPlay()) {
+  if (choice.isScene() && !choice.mayPlay() && !choice.isVolume()) {
     refuseOptionsOfMotion(choice);
   }
   if (choice.device.starts_with("file:")) {
@@ -94,11 +108,21 @@ void addPresentOptions(CLI::App& command, PresentChoice& choice, const CommandCo
   addMotionOptions(command, choice.scene);
   command.get_option("--rate")->description("Meshes a second of a folder of numbered meshes; by default one a refresh");
   command.get_option("SCENE")->description(
-      "A scene, which plays where it moves, the mesh of a reference image (.exr), a volume or recording (.svol), or a "
-      "folder of numbered meshes");
+      "A scene, which plays where it moves, the mesh of a reference image (.exr), a volume of scalars, a display's "
+      "volume or recording (.svol), or a folder of numbered meshes");
   command.add_option("--device", choice.device, deviceHelp())->type_name("DEVICE")->required();
   addProfileOption(command, choice.profile);
   addSlicingOptions(command, choice.slicing);
+  addVolumeOptions(command, choice.volume);
+  addVolumeSlicingOptions(command, choice.volumeSlicing);
+  command
+      .add_option("--transfer-to", choice.transferTo,
+                  "Of a volume: the transfer function becomes this one, and then itself again, over and over")
+      ->type_name("NAME|FILE.json");
+  command.add_option("--transfer-seconds", choice.transferSeconds, "How long that takes, there and back")
+      ->check(numberCheck(0.1, 1e6))
+      ->type_name("SECONDS")
+      ->capture_default_str();
   command.add_option("--seconds", choice.seconds, "Stop after so long; otherwise at the end, or with Ctrl-C")
       ->check(numberCheck(0, 1e9))
       ->type_name("SECONDS");

@@ -10,15 +10,23 @@
 #include "cli/scene_options.h"
 #include "cli/shown_output.h"
 #include "cli/slicing_options.h"
+#include "cli/volume_slicing_options.h"
 #include "oc_core/worlds/scene_motion.h"
 
 namespace ocelli {
+
+/// Of --transfer-seconds.
+inline constexpr double kTransferSeconds = 4;
 
 struct PresentChoice {
   SceneChoice scene;
   std::string device;
   std::string profile;
   SlicingChoice slicing;
+  VolumeChoice volume;
+  VolumeSlicingChoice volumeSlicing;
+  std::string transferTo;
+  double transferSeconds = kTransferSeconds;
   std::optional<double> seconds;
   bool loop = false;
   bool follow = false;
@@ -40,12 +48,15 @@ struct PresentChoice {
   bool json = false;
 
   bool isRecording() const { return scene.source.ends_with(".svol"); }
-  bool isFolder() const { return std::filesystem::is_directory(scene.source); }
+  bool isVolume() const { return isVolumeSource(scene.source); }
+  bool isFolder() const { return std::filesystem::is_directory(scene.source) && !isVolume(); }
   bool isDeviceLog() const { return scene.source.ends_with(".session"); }
   bool isScene() const { return !isRecording() && !isDeviceLog(); }
   bool hasCamera() const { return !camera.empty() && camera != "none"; }
   /// Of a file only loadMotion() tells.
-  bool mayPlay() const { return isScene() && !turn && !scene.options.motion.seconds && mayMove(scene.source); }
+  bool mayPlay() const {
+    return isScene() && !isVolume() && !turn && !scene.options.motion.seconds && mayMove(scene.source);
+  }
 };
 
 /// `choice` must outlive the command.

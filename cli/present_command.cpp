@@ -21,6 +21,7 @@
 #include "cli/slicing_options.h"
 #include "cli/values.h"
 #include "cli/viewed_scene.h"
+#include "cli/volume_slicing_options.h"
 #include "display_driver/devices/device_kinds.h"
 #include "display_driver/pacing/device_log_player.h"
 #include "display_driver/pacing/eye_feed.h"
@@ -32,11 +33,15 @@
 #include "display_driver/pacing/recording_source.h"
 #include "display_driver/pacing/still_source.h"
 #include "display_driver/pacing/turning_source.h"
+#include "display_driver/pacing/turning_volume_source.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/slicing/exact_slicer.h"
+#include "display_sim/volume_slicing/transfer_blend.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/volume/transfer_file.h"
+#include "oc_core/volume/transfer_presets.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
 
@@ -46,6 +51,7 @@ namespace {
 /// What is presented, and what it needs to stand.
 struct Presented {
   std::optional<ViewedScene> scene;
+  ShownSeries volumes;                   ///< of scalars
   std::unique_ptr<MovingImages> images;  ///< of an eye or a scene that moves
   std::unique_ptr<MovingView> view;      ///< of a scene that does
   std::unique_ptr<EyeFeed> feed;
@@ -136,8 +142,78 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
   presented.source = std::move(source);
 }
 
+/// The light of a transfer function that moves: there in the first half of the time, and back in the second.
+using MovingLight = std::function<std::shared_ptr<const SweptLight>(const ShownVolume& volume, double seconds)>;
+
+MovingLight movingLight(const PresentChoice& choice, const ShownVolume& first) {
+  const ScalarVolume& scalars = *first.scene().volume;
+  return [seconds = choice.transferSeconds, from = first.scene().appearance.transfer,
+          to = appearanceOf(transferByName(choice.transferTo), scalars, scalars.grid().meanSpacing()).transfer](
+             const ShownVolume& volume, double passed) {
+    const double turn = passed / seconds - std::floor(passed / seconds);
+    return std::make_shared<const SweptLight>(volume.lightOf(blendedTransfer(from, to, 1 - std::abs(1 - 2 * turn))));
+  };
+}
+
+/// Which volume of a series is shown, and when it ends.
+std::optional<size_t> momentOf(const ShownSeries& series, const PresentChoice& choice, double seconds) {
+  if (series.times.empty()) {
+    return 0;
+  }
+  // The last one stays as long as one does in the mean.
+  const size_t count = series.times.size();
+  const double first = series.times.front();
+  const double length = (series.times.back() - first) * static_cast<double>(count) / static_cast<double>(count - 1);
+  double passed = seconds * choice.speed;
+  if (passed >= length && !choice.loop) {
+    return std::nullopt;
+  }
+  passed -= std::floor(passed / length) * length;
+  const auto next = std::ranges::upper_bound(series.times, first + passed);
+  return static_cast<size_t>(std::max<std::ptrdiff_t>(next - series.times.begin() - 1, 0));
+}
+
+/// A volume of scalars, straight from its field.
+void addScalarVolume(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
+                     const CommandContext& context) {
+  const SliceOptions options = volumeSliceOptionsOf(choice.slicing);
+  presented.volumes = loadShownSeries({choice.scene, choice.volume, choice.volumeSlicing}, profile, context);
+  const ShownSeries& series = presented.volumes;
+  const bool moves = !series.times.empty();
+  if (moves) {
+    refuseSlowSlicers(choice);
+  } else {
+    refuseOptionsOfMotion(choice);
+  }
+  if (!moves && !choice.turn && choice.transferTo.empty()) {
+    VolumeSlicer slicer(profile, options);
+    slicer.slice(series.volumes.front()->samples(), series.volumes.front()->light());
+    presented.source = std::make_unique<StillSource>(slicer.takeVolume());
+    return;
+  }
+  std::vector<std::shared_ptr<const SweptLight>> lights;
+  for (const std::unique_ptr<ShownVolume>& volume : series.volumes) {
+    lights.push_back(std::make_shared<const SweptLight>(volume->light()));
+  }
+  const MovingLight light = choice.transferTo.empty() ? MovingLight{} : movingLight(choice, *series.volumes.front());
+  presented.source = std::make_unique<TurningVolumeSource>(
+      [&series, &choice, lights, light](double seconds) -> std::optional<VolumeMoment> {
+        const std::optional<size_t> moment = momentOf(series, choice, seconds);
+        if (!moment) {
+          return std::nullopt;
+        }
+        const ShownVolume& volume = *series.volumes[*moment];
+        return VolumeMoment{&volume.samples(), light ? light(volume, seconds) : lights[*moment]};
+      },
+      profile, options, choice.turn.value_or(0));
+}
+
 void addSceneSource(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                     const CommandContext& context) {
+  if (choice.isVolume()) {
+    addScalarVolume(presented, choice, profile, context);
+    return;
+  }
   if (std::unique_ptr<SceneMotion> motion = motionOf(choice, profile, context)) {
     addMotionSource(presented, choice, std::move(motion), profile, context);
     return;

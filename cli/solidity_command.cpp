@@ -9,8 +9,10 @@
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "cli/values.h"
+#include "cli/volume_options.h"
 #include "display_sim/slicing/slicer.h"
 #include "display_sim/solidity/solidity_report.h"
+#include "display_sim/volume_solidity/volume_ways.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
@@ -25,7 +27,10 @@ namespace fs = std::filesystem;
 
 struct SolidityChoice {
   SceneChoice scene;
+  VolumeChoice volume;
   std::vector<std::string> cameras{"di", "ddoc"};
+  bool camerasGiven = false;
+  std::vector<std::string> ways;
   std::string cell = "8in";
   std::string view;
   std::string size = "720x480";
@@ -90,6 +95,57 @@ void prepareOutputs(const SolidityChoice& choice) {
   }
 }
 
+void requireImageSide(const SolidityChoice& choice, const DisplayProfile& profile) {
+  constexpr int kMinSide = 16;  // FLIP looks at neighbourhoods
+  if (const int side = choice.imageSide > 0 ? choice.imageSide : profile.height; side < kMinSide) {
+    throw InputError(fmt::format("images of {} pixels are too small to compare", side), "--image-side",
+                     fmt::format("make it {} or more", kMinSide));
+  }
+}
+
+void finish(const SolidityChoice& choice, const SolidityOptions& options, const std::vector<SolidityFigures>& rows,
+            const CommandContext& context) {
+  const std::string json = solidityJson(choice.scene.source, options, rows);
+  context.print(choice.json == "-" ? json : solidityTable(options, rows));
+  if (!choice.json.empty() && choice.json != "-") {
+    writeFile(choice.json, json);
+  }
+  if (!choice.images.empty()) {
+    context.note("wrote images to " + choice.images);
+  }
+}
+
+std::vector<std::string> allWays() {
+  std::vector<std::string> names;
+  for (const VolumeWay& way : volumeWays()) {
+    names.emplace_back(way.name);
+  }
+  return names;
+}
+
+/// Ways to show a volume of scalars, with what it looks like where it absorbs light for their truth.
+void runVolume(const SolidityChoice& choice, const SolidityOptions& options, const PinholeCamera& reference,
+               const ViewCell& cell, const CommandContext& context) {
+  if (choice.camerasGiven) {
+    throw InputError("a volume is compared by ways to show it", "--cameras", "--ways everything,seen");
+  }
+  VolumeWaysToMeasure wanted{.scene = loadVolume(choice.scene, choice.volume, context),
+                             .shown = {.surface = choice.scene.options.iso},
+                             .ways = choice.ways.empty() ? allWays() : choice.ways,
+                             .settings = {.referenceEye = reference.eye(), .cellEyes = {reference.eye()}}};
+  for (const View& corner : cell.edgeViews(reference.view(), 0)) {
+    wanted.settings.cellEyes.push_back(corner.eye);
+  }
+  for (const std::string& way : wanted.ways) {
+    volumeWayByName(way, "--ways");
+  }
+  prepareOutputs(choice);
+  finish(choice, options,
+         measureVolumeWays(wanted, options, context.progress(),
+                           [&](const std::string& way) { return imageWriter(choice.images, way, options); }),
+         context);
+}
+
 void run(const SolidityChoice& choice, const CommandContext& context) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
@@ -99,14 +155,15 @@ void run(const SolidityChoice& choice, const CommandContext& context) {
       .groups = eyesOfCell(reference.view(), cell, choice.interiorViews, choice.seed),
       .imageSide = choice.imageSide,
   };
+  requireImageSide(choice, options.profile);
+  if (isVolumeSource(choice.scene.source)) {
+    return runVolume(choice, options, reference, cell, context);
+  }
+  refuseVolumeOptions(choice.volume);
+  refuseVolumeOption(!choice.ways.empty(), "--ways");
   std::vector<Shown> compared;
   for (const std::string& name : choice.cameras) {
     compared.push_back(shownFromText(name, cell));
-  }
-  constexpr int kMinSide = 16;  // FLIP looks at neighbourhoods
-  if (const int side = choice.imageSide > 0 ? choice.imageSide : options.profile.height; side < kMinSide) {
-    throw InputError(fmt::format("images of {} pixels are too small to compare", side), "--image-side",
-                     fmt::format("make it {} or more", kMinSide));
   }
   prepareOutputs(choice);
   const Mesh scene = loadScene(choice.scene.source, choice.scene.options, context.progress());
@@ -125,14 +182,7 @@ void run(const SolidityChoice& choice, const CommandContext& context) {
                                   : unionMesh(each.images);
     measure(each.name, slice(mesh, options.profile), mesh.triangles.size(), SolidityMeter::Shown::kEverything);
   }
-  const std::string json = solidityJson(choice.scene.source, options, rows);
-  context.print(choice.json == "-" ? json : solidityTable(options, rows));
-  if (!choice.json.empty() && choice.json != "-") {
-    writeFile(choice.json, json);
-  }
-  if (!choice.images.empty()) {
-    context.note("wrote images to " + choice.images);
-  }
+  finish(choice, options, rows, context);
 }
 
 }  // namespace
@@ -142,11 +192,23 @@ void addSolidityCommand(CLI::App& program, const CommandContext& context) {
       "solidity", "Measure how solid a scene looks on a display that emits light and hides nothing");
   const auto choice = std::make_shared<SolidityChoice>();
   addSceneOptions(command, choice->scene, context);
+  addVolumeOptions(command, choice->volume);
   command
-      .add_option("--cameras", choice->cameras,
-                  "What to compare with the full geometry: names of cameras, JSON files, or reference images (.exr)")
+      .add_option_function<std::vector<std::string>>(
+          "--cameras",
+          [choice = choice.get()](const std::vector<std::string>& cameras) {
+            choice->cameras = cameras;
+            choice->camerasGiven = true;
+          },
+          "What to compare with the full geometry: names of cameras, JSON files, or reference images (.exr)")
       ->delimiter(',')
+      ->default_str("di,ddoc")
       ->type_name("NAME,...");
+  std::string waysHelp = "Of a volume: which ways to show it are compared, by default all:";
+  for (const VolumeWay& way : volumeWays()) {
+    waysHelp += fmt::format("\n  {}: {}", way.name, way.summary);
+  }
+  command.add_option("--ways", choice->ways, waysHelp)->delimiter(',')->type_name("NAME,...");
   command.add_option("--cell", choice->cell, "Side of the cube of eyes, in inches at the reference display")
       ->type_name("SIDE");
   addViewOption(command, choice->view);
@@ -165,10 +227,12 @@ void addSolidityCommand(CLI::App& program, const CommandContext& context) {
   addFiguresOption(command, choice->json);
   command.add_option("-o,--output", choice->images, "Also write images from the reference eye and a corner here")
       ->type_name("DIR");
-  context.finish(command,
-                 "  ocelli solidity builtin:statues\n"
-                 "  ocelli solidity bunny.obj --cameras di,ddoc,eoc-hv --cell 4in --json bunny.json -o bunny",
-                 [choice, context] { run(*choice, context); });
+  context.finish(
+      command,
+      "  ocelli solidity builtin:statues\n"
+      "  ocelli solidity bunny.obj --cameras di,ddoc,eoc-hv --cell 4in --json bunny.json -o bunny\n"
+      "  ocelli solidity builtin:volume,name=skull --transfer ct-bone --ways everything,seen,seen-cell -o skull",
+      [choice, context] { run(*choice, context); });
 }
 
 }  // namespace ocelli

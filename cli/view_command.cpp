@@ -10,6 +10,7 @@
 #ifdef OCELLI_WITH_OPENGL
 #include "display_sim/viewer/viewer_run.h"
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/shade/effects.h"
 #endif
@@ -21,6 +22,7 @@ struct ViewChoice {
   SceneChoice scene;
   VolumeChoice volume;
   std::string camera = "ddoc";
+  bool cameraGiven = false;
   std::string view;
   std::string size = "720x480";
   std::string profile = "perspecta";
@@ -33,6 +35,17 @@ struct ViewChoice {
 };
 
 #ifdef OCELLI_WITH_OPENGL
+/// `rays` gets what only volumes take.
+std::string cameraOfPanes(const ViewChoice& choice, std::string& rays) {
+  const bool isVolume = isVolumeSource(choice.scene.source);
+  if (isVolume && choice.cameraGiven && namesConstructor(choice.camera)) {
+    rays = choice.camera;
+  } else if (choice.cameraGiven || !takesVolume(choice.scene)) {
+    return choice.camera;
+  }
+  return takesVolume(choice.scene) ? "di" : "ddoc";  // there is nothing that images of a volume alone could miss
+}
+
 ViewerOptions viewerOptions(const ViewChoice& choice) {
   const ImageSize size = imageSizeFromText(choice.size, "--size");
   ViewerOptions options;
@@ -46,7 +59,7 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
   } else {
     refuseVolumeOptions(choice.volume);
   }
-  options.camera = cameraChoice(choice.camera);
+  options.camera = cameraChoice(cameraOfPanes(choice, options.volumeRays));
   options.reference = readViewOption(choice.view);
   options.width = size.width;
   options.height = size.height;
@@ -112,7 +125,10 @@ void addViewCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli view scan.nrrd --transfer ct-bone\n"
                  "  ocelli view builtin:mirror --effect reflection --by cell\n"
                  "  ocelli view builtin:room --offscreen tour.json -o frames",
-                 [choice, context] { view(*choice, context); });
+                 [choice, context, camera = command.get_option("--camera")] {
+                   choice->cameraGiven = camera->count() > 0;
+                   view(*choice, context);
+                 });
 }
 
 }  // namespace ocelli

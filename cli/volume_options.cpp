@@ -74,10 +74,14 @@ VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeCh
 
 VolumeScene loadVolume(const SceneChoice& scene, const VolumeChoice& choice, const CommandContext& context) {
   VolumeScene loaded = loadVolumeScene(scene.source, volumeSceneOptionsOf(scene, choice), context.progress());
-  if (scene.shadingGiven) {
-    loaded.appearance.shading.isOn = scene.options.shading == Shading::kLambert;
-  }
+  applyShading(scene, loaded);
   return loaded;
+}
+
+void applyShading(const SceneChoice& scene, VolumeScene& volume) {
+  if (scene.shadingGiven) {
+    volume.appearance.shading.isOn = scene.options.shading == Shading::kLambert;
+  }
 }
 
 }  // namespace ocelli

@@ -47,5 +47,7 @@ VolumeSceneOptions volumeSceneOptionsOf(const SceneChoice& scene, const VolumeCh
 
 /// Throws as loadVolumeScene() does. --shading, where given, overrules what the transfer function says.
 VolumeScene loadVolume(const SceneChoice& scene, const VolumeChoice& choice, const CommandContext& context);
+/// What --shading says, of a volume that was loaded in another way.
+void applyShading(const SceneChoice& scene, VolumeScene& volume);
 
 }  // namespace ocelli

@@ -1,5 +1,7 @@
 #include "cli/volume_slicing_options.h"
 
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <glm/matrix.hpp>
 
@@ -7,6 +9,7 @@
 #include "cli/values.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/volume/volume_series.h"
 
 namespace ocelli {
 namespace {
@@ -137,6 +140,34 @@ ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& pr
   VolumeScene scene = loadVolume(choice.scene, choice.volume, context);
   const ShownVolumeOptions options = shownVolumeOptionsOf(choice, scene, context);
   return {std::move(scene), profile, options, context.progress()};
+}
+
+ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context) {
+  ShownSeries shown;
+  if (!choice.scene.options.motion.seconds) {
+    VolumeSeries series = loadVolumeSeries(choice.scene.source, {}, context.progress());
+    if (series.volumes.size() > 1) {
+      const VolumeSceneOptions options = volumeSceneOptionsOf(choice.scene, choice.volume);
+      size_t bytes = 0;
+      for (size_t i = 0; i < series.volumes.size(); ++i) {
+        VolumeScene scene = volumeSceneAt(series, i, options, context.progress());
+        applyShading(choice.scene, scene);
+        const ShownVolumeOptions shownOptions = shownVolumeOptionsOf(choice, scene, context);
+        shown.volumes.push_back(
+            std::make_unique<ShownVolume>(std::move(scene), profile, shownOptions, context.progress()));
+        bytes += shown.volumes.back()->samples().bytes();
+        if (bytes > kMaxSeriesBytes) {
+          throw InputError(fmt::format("{} of {} moments of this series fill {} GiB of memory for the display", i + 1,
+                                       series.volumes.size(), kMaxSeriesBytes >> 30),
+                           choice.scene.source, "--time SECONDS for one moment, or a display with fewer voxels");
+        }
+      }
+      shown.times = series.times;
+      return shown;
+    }
+  }
+  shown.volumes.push_back(std::make_unique<ShownVolume>(loadShownVolume(choice, profile, context)));
+  return shown;
 }
 
 }  // namespace ocelli

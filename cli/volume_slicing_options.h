@@ -1,6 +1,7 @@
 // The options of commands that show volumes on displays, beside those of every volume (volume_options.h).
 #pragma once
 
+#include <cstddef>
 #include <memory>
 #include <optional>
 #include <string>
@@ -46,6 +47,15 @@ struct VolumeToShow {
 /// The options that say what of a volume is shown; `scene` is the volume.
 ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const VolumeScene& scene,
                                         const CommandContext& context);
+
+/// All moments of a time series for a display, or the one of --time or of a volume that does not move: at least 1.
+/// Throws InputError for a series that takes more memory than kMaxSeriesBytes.
+struct ShownSeries {
+  std::vector<std::unique_ptr<ShownVolume>> volumes;
+  std::vector<double> times;  ///< s, one a volume; empty where there is one
+};
+inline constexpr size_t kMaxSeriesBytes = size_t{2} << 30;
+ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context);
 
 /// SCENE, which is a volume, for a display. --iso shows the surface at that value, straight from the field.
 ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context);

@@ -15,6 +15,13 @@ cd "$build"
 ./scene_files_campaign "$seconds" "$(date +%s)" "$build/scene_files_found" &
 campaign=$!
 
+# Those of optional components.
+volumes=""
+if [ -e meta_image_fuzzer ]; then
+  volumes="vti volume_import/samples $seconds
+meta_image volume_import/samples $seconds"
+fi
+
 # A line a target: NAME CORPUS SECONDS. The decoder of what comes over a cable has twice as many. As many run at a time as
 # there are cores.
 status=0
@@ -36,10 +43,12 @@ device_log display_driver_pacing/corpus $seconds
 wire_host display_driver_wire/host_corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
+volume_record volume/record_corpus $seconds
 material scene/image_corpus $seconds
 shade shade/corpus $seconds
 remote_message remote/message_corpus $seconds
 image_codecs image_codecs/corpus $seconds
+$volumes
 END
 wait "$campaign" || status=1
 exit "$status"

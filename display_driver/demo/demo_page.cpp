@@ -133,6 +133,9 @@ std::string summaryTable(const std::vector<DemoScene>& scenes) {
       "strict.</caption>\n<thead><tr><th scope=\"col\">Scene</th><th scope=\"col\">Depth image</th><th "
       "scope=\"col\">OCRI (DDOC)</th></tr></thead>\n<tbody>\n";
   for (size_t i = 0; i < scenes.size(); ++i) {
+    if (scenes[i].figures.empty()) {
+      continue;
+    }
     html += fmt::format("<tr><th scope=\"row\"><a href=\"#scene-{}\">{}</a></th>", i, htmlFromText(scenes[i].title));
     for (const char* name : {"di", "ddoc"}) {
       for (const RepresentationFigures& row : scenes[i].figures) {
@@ -176,7 +179,7 @@ std::string demoPage(const std::vector<DemoScene>& scenes, const DemoOptions& op
     for (size_t r = 0; r < scene.rows.size(); ++r) {
       html += rowBlock(scene.rows[r], fmt::format("flip-{}-{}", i, r), scene.title);
     }
-    html += solidityTable(scene) + figuresTable(scene) + "</section>\n";
+    html += (scene.figures.empty() ? "" : solidityTable(scene) + figuresTable(scene)) + "</section>\n";
   }
   return html + "</main>\n" + pageEnd();
 }

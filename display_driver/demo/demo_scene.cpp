@@ -7,15 +7,14 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/trigonometric.hpp>
-#include <system_error>
 
+#include "display_driver/demo/demo_folder.h"
 #include "display_driver/devices/coarse_frames.h"
 #include "display_driver/wire/bandwidth_plan.h"
 #include "display_sim/observing/observer.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/error.h"
 #include "oc_core/image/color.h"
-#include "oc_core/image/png_file.h"
 #include "oc_core/ocri/image_mesh.h"
 #include "oc_core/ocri/resample.h"
 #include "oc_core/page/html.h"
@@ -40,34 +39,6 @@ struct ShownMesh {
   std::string id;
   std::string name;
   const Mesh* mesh;
-};
-
-class DemoFolder {
- public:
-  DemoFolder(std::filesystem::path folder, std::string name) : folder_(std::move(folder)), name_(std::move(name)) {
-    std::error_code error;
-    std::filesystem::create_directories(folder_ / name_, error);
-    if (error) {
-      throw WorkError("cannot make this folder (" + error.message() + ")", (folder_ / name_).string(),
-                      "choose another one with -o");
-    }
-  }
-
-  DemoImage write(const std::string& file, const Image<glm::vec3>& image, const std::string& name,
-                  const std::string& caption) const {
-    return write(file, srgbFromLinear(image), name, caption);
-  }
-
-  DemoImage write(const std::string& file, const Image<Rgb8>& image, const std::string& name,
-                  const std::string& caption) const {
-    const std::string path = name_ + "/" + file + ".png";
-    writePng(folder_ / path, image);
-    return {path, name, caption, image.width(), image.height()};
-  }
-
- private:
-  std::filesystem::path folder_;
-  std::string name_;
 };
 
 Image<glm::vec3> imageOf(const ReferenceImage& image) {

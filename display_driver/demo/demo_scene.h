@@ -33,7 +33,7 @@ struct DemoScene {
   std::vector<DemoRow> rows;
   size_t geometryTriangles = 0;
   double geometrySliceMilliseconds = 0;
-  std::vector<RepresentationFigures> figures;  ///< of the depth image first
+  std::vector<RepresentationFigures> figures;  ///< of the depth image first; empty where there are rows alone
   std::vector<std::string> solidityEyes;       ///< where the eyes are of the figures that follow
   std::vector<SolidityFigures> solidity;       ///< of the full geometry first
 };

@@ -3,6 +3,7 @@
 #include <chrono>
 
 #include "display_sim/slicing/slicer.h"
+#include "display_sim/volume_solidity/shown_volume.h"
 #include "oc_core/isosurface/isosurface.h"
 
 namespace ocelli {
@@ -10,6 +11,19 @@ namespace {
 
 /// Thrown through work that a newer request has made useless.
 struct Superseded {};
+
+/// A volume as a display shows it, whatever its transfer function.
+struct VolumeOnDisplay {
+  std::shared_ptr<const LoadedVolume> volume;
+  std::string profile;
+  std::array<glm::dvec2, 3> kept;
+  VolumeShading shading;
+  ShownVolume shown;
+};
+
+bool isSameLight(const VolumeShading& a, const VolumeShading& b) {
+  return a.isOn == b.isOn && a.ambient == b.ambient && a.diffuse == b.diffuse;  // the rest depends on the eye
+}
 
 std::shared_ptr<const LoadedVolume> loadedVolume(const WorkWanted& wanted, const Progress& progress) {
   VolumeSceneOptions options = wanted.volumeOptions;
@@ -34,6 +48,7 @@ struct BackgroundWork::Done {
   Key cameraKey;
   Key volumeKey;
   Key raysKey;
+  std::optional<VolumeOnDisplay> onDisplay;
 };
 
 BackgroundWork::BackgroundWork() : thread_([this] { run(); }) {}
@@ -156,6 +171,7 @@ LoadedScene BackgroundWork::loaded(const WorkWanted& wanted, const Done& done, c
   const bool stands = done.scene && done.scene->volume && done.scene->volumeRevision == wanted.volumeRevision;
   scene.volume = stands ? done.scene->volume : loadedVolume(wanted, progress);
   scene.volumeRevision = wanted.volumeRevision;
+  scene.volumeOptions = wanted.volumeOptions;
   scene.iso = wanted.sceneOptions.iso;
   scene.bounds = scene.volume->scene.bounds();
   if (scene.iso) {
@@ -163,6 +179,38 @@ LoadedScene BackgroundWork::loaded(const WorkWanted& wanted, const Done& done, c
     scene.mesh = isosurface(scene.volume->scene, options, wanted.source, progress);
   }
   return scene;
+}
+
+SlicedVolume BackgroundWork::sliced(const WorkWanted& wanted, Done& done, const Progress& progress) {
+  report(progress, "slicing", 0);
+  const DisplayProfile profile = loadProfile(wanted.profile);
+  const LoadedScene& scene = *done.scene;
+  const bool isOfVolume = scene.volume && (wanted.sliceScene || scene.mesh.triangles.empty());
+  using Clock = std::chrono::steady_clock;
+  auto start = Clock::now();
+  Volume volume(profile);
+  if (!isOfVolume) {
+    volume = slice(wanted.sliceScene ? scene.mesh : done.camera->representation.mesh, profile);
+  } else {
+    const VolumeAppearance& appearance = wanted.appearance ? *wanted.appearance : scene.volume->scene.appearance;
+    std::optional<VolumeOnDisplay>& there = done.onDisplay;
+    if (!there || there->volume != scene.volume || there->profile != wanted.profile || there->kept != wanted.kept ||
+        !isSameLight(there->shading, appearance.shading)) {
+      there.reset();
+      VolumeScene shown = scene.volume->scene;
+      shown.appearance = appearance;
+      shown.clips = clipsOf(scene.volume->scene, wanted.kept);
+      there.emplace(VolumeOnDisplay{scene.volume, wanted.profile, wanted.kept, appearance.shading,
+                                    ShownVolume(std::move(shown), profile, {}, progress)});
+    }
+    start = Clock::now();
+    VolumeSlicer slicer(profile);
+    slicer.slice(there->shown.samples(), there->shown.lightOf(appearance.transfer));
+    volume = slicer.takeVolume();
+  }
+  const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+  const size_t lit = volume.litVoxels();
+  return {std::move(volume), lit, 1000 * seconds};
 }
 
 void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
@@ -176,8 +224,14 @@ void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
     done.scene = made->scene;
   }
   const Mesh& mesh = done.scene->mesh;
+  const auto makeVolume = [&] {
+    make(wanted, WorkStep::kVolume, done.volumeKey, [&](const Progress& progress) {
+      return WorkResult{.volume = std::make_shared<const SlicedVolume>(sliced(wanted, done, progress))};
+    });
+  };
   if (done.scene->volume && mesh.triangles.empty()) {
-    return;  // what follows is made of triangles
+    makeVolume();
+    return;  // the rest is made of triangles
   }
   const auto builtCamera = make(wanted, WorkStep::kCamera, done.cameraKey, [&](const Progress& progress) {
     report(progress, "building \"" + wanted.camera.name + "\"", 0);
@@ -191,16 +245,7 @@ void BackgroundWork::makeAll(const WorkWanted& wanted, Done& done) {
   if (done.camera == nullptr) {
     return;
   }
-  make(wanted, WorkStep::kVolume, done.volumeKey, [&](const Progress& progress) {
-    report(progress, "slicing", 0);
-    const DisplayProfile profile = loadProfile(wanted.profile);
-    const auto start = std::chrono::steady_clock::now();
-    Volume volume = slice(wanted.sliceScene ? mesh : done.camera->representation.mesh, profile);
-    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-    const size_t lit = volume.litVoxels();
-    return WorkResult{.volume =
-                          std::make_shared<const SlicedVolume>(SlicedVolume{std::move(volume), lit, 1000 * seconds})};
-  });
+  makeVolume();
   make(wanted, WorkStep::kRays, done.raysKey, [&](const Progress& progress) {
     report(progress, "rays of the camera", 0);
     return WorkResult{

@@ -29,6 +29,7 @@ struct LoadedScene {
   PointSceneOptions points{};                         ///< with which it was loaded
   std::shared_ptr<const LoadedVolume> volume = {};    ///< null: the scene is none
   uint64_t volumeRevision = 0;                        ///< of the request of the volume
+  VolumeSceneOptions volumeOptions = {};              ///< with which that was loaded
   std::optional<double> iso = {};                     ///< the value of the surface that the mesh is
 };
 
@@ -94,6 +95,7 @@ class BackgroundWork {
 
   static Key keyOf(const WorkWanted& wanted, WorkStep step);
   void run();
+  static SlicedVolume sliced(const WorkWanted& wanted, Done& done, const Progress& progress);
   static LoadedScene loaded(const WorkWanted& wanted, const Done& done, const Progress& progress);
   void makeAll(const WorkWanted& wanted, Done& done);
   /// Makes what has another key than `done`, and hands it on, or its error; nothing where it stands. Throws Superseded

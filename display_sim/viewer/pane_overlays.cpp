@@ -268,9 +268,9 @@ std::optional<std::vector<std::string>> notesOf(const PanelDrawing& drawing, Pan
     if (!state.volume.on) {
       return {{"the scene is no volume", "no volume"}};
     }
-    return pane == Pane::kVolume ? volumeNotes(state, facts) : transferNotes(state);
+    return pane == Pane::kVolume ? volumeNotes(facts) : transferNotes(state);
   }
-  if (!hasMesh(state)) {
+  if (!hasMesh(state) && pane != Pane::kDisplay) {
     return {{"this pane shows triangles, and a volume has none: choose the value of a surface in the panel, or give "
              "--iso VALUE",
              "needs a surface: --iso"}};

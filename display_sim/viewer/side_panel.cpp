@@ -70,9 +70,7 @@ void SidePanel::draw(const PanelDrawing& drawing) {
     volumeForm_.draw(drawing, valueWidth(drawing.scale));
   }
   drawCamera(drawing);
-  if (hasMesh(drawing.state)) {
-    drawDisplay(drawing);
-  }
+  drawDisplay(drawing);
   if (isOffered(drawing.state, Pane::kEffect)) {
     drawEffectForm(drawing, valueWidth(drawing.scale));
   }
@@ -109,9 +107,11 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
   const ViewerFacts& facts = drawing.facts;
   sectionTitle("Camera");
   ImGui::SetNextItemWidth(-FLT_MIN);
-  if (ImGui::BeginCombo("##camera", state.work.camera.name.c_str(), ImGuiComboFlags_HeightLarge)) {
+  const std::string& rays = state.volume.rays;
+  if (ImGui::BeginCombo("##camera", (rays.empty() ? state.work.camera.name : rays).c_str(),
+                        ImGuiComboFlags_HeightLarge)) {
     for (const CameraName& camera : offeredCameras()) {
-      if (ImGui::Selectable(camera.name, state.work.camera.name == camera.name)) {
+      if (ImGui::Selectable(camera.name, rays.empty() && state.work.camera.name == camera.name)) {
         chooseCamera(state, camera.name);
       }
       if (ImGui::IsItemHovered()) {
@@ -120,7 +120,7 @@ void SidePanel::drawCamera(const PanelDrawing& drawing) {
     }
     ImGui::EndCombo();
   }
-  noteText(descriptionOf(state.work.camera.name));
+  noteText(rays.empty() ? descriptionOf(state.work.camera.name) : "of the volume alone");
   if (drawCameraForm(state.work.camera, valueWidth(drawing.scale))) {
     cameraChanged(state);
   }
@@ -165,7 +165,7 @@ void SidePanel::drawDisplay(const PanelDrawing& drawing) {
     ImGui::EndCombo();
   }
   int sliced = drawing.state.work.sliceScene ? 1 : 0;
-  if (ImGui::Combo("slices of", &sliced, "camera's mesh\0scene itself\0")) {
+  if (hasMesh(drawing.state) && ImGui::Combo("slices of", &sliced, "camera's mesh\0scene itself\0")) {
     drawing.wishes.actions.push_back(ViewerAction::kToggleSliced);
   }
   auto exponent = static_cast<float>(std::log2(display.speed));

@@ -26,8 +26,10 @@ void requireVolume(bool isThere) {
 
 void takeVolume(ViewerState& state, const LoadedVolume& volume) {
   VolumeShown& shown = state.volume;
-  shown = {.on = shown.on};
+  shown = {.on = shown.on, .rays = shown.rays};
   shown.transfer.emplace(volume.scene.appearance);
+  state.work.appearance = shown.transfer->appearance();  // with which it was sliced
+  state.work.kept = shown.kept;
   shown.values = shown.axis = axisFor(volume, *shown.transfer);
 }
 

@@ -37,6 +37,7 @@ Viewer::Viewer(GlContext& context, const ViewerOptions& options)
       gui_(context, 1) {
   state_.work.volumeOptions = options.volumeOptions;
   state_.work.volumeIsShaded = options.volumeIsShaded;
+  state_.volume.rays = options.volumeRays;
   const GlScope scope(context);
   drawing_ = std::make_unique<Drawing>(context);
   facts_.renderer = context.info().renderer;
@@ -241,6 +242,7 @@ void Viewer::take(const WorkResult& result) {
       state_.work.sceneOptions.points = loadedPoints_;
       state_.work.sceneOptions.iso = loadedIso_;
       state_.work.volumeOptions = loadedVolumeOptions_;
+      state_.work.sceneOptions.transfer = loadedVolumeOptions_.transfer;
       state_.work.sceneRevision = loadedRevision_;
       state_.effect = effectBefore_;
       showKindOf(state_, loadedSource_);
@@ -256,7 +258,7 @@ void Viewer::take(const WorkResult& result) {
     loadedPoints_ = result.scene->points;
     loadedRevision_ = result.scene->revision;
     loadedIso_ = result.scene->iso;
-    loadedVolumeOptions_ = state_.work.volumeOptions;
+    loadedVolumeOptions_ = result.scene->volumeOptions;
     if (result.scene->volume != loadedVolume_) {
       loadedVolume_ = result.scene->volume;
       saidUnsaved_ = false;
@@ -282,6 +284,9 @@ void Viewer::update(double seconds) {
   }
   if (!lensPointer_.isDragging()) {  // which what the others build would slow down
     followLenses(state_, false);
+  }
+  if (layout().find(Pane::kDisplay) != nullptr) {
+    displayFollowsVolume(state_);
   }
   work_.want(state_.work);
   while (const std::optional<WorkResult> result = work_.take()) {
@@ -385,12 +390,16 @@ VolumeWanted Viewer::volumeWanted() const {
   wanted.camera = state_.work.camera;
   wanted.cameraRevision = state_.work.cameraRevision;
   wanted.appearance = state_.volume.transfer->appearance();
+  wanted.rays = state_.volume.rays;
   wanted.kept = state_.volume.kept;
   return wanted;
 }
 
 void Viewer::waitUntilMade() {
   followLenses(state_, true);
+  if (layout().find(Pane::kDisplay) != nullptr) {
+    displayFollowsVolume(state_);
+  }
   work_.want(state_.work);
   work_.waitUntilIdle();
   effects_.waitUntilIdle();

@@ -29,6 +29,7 @@ struct ViewerOptions {
   SceneOptions sceneOptions;
   VolumeSceneOptions volumeOptions = {};      ///< of a scene that is a volume, beside those of every scene
   std::optional<bool> volumeIsShaded = {};    ///< nothing: as its transfer function says
+  std::string volumeRays = {};                ///< as VolumeShown::rays
   CameraChoice camera;
   View reference;
   int width = kDefaultWidth;  ///< of the reference image

@@ -21,11 +21,11 @@ PaneLayout paneIn(Pane pane, const WindowRect& rect, float headerHeight) {
           {rect.x, rect.y + header, rect.width, std::max(rect.height - header, 1.0f)}};
 }
 
-/// In two rows.
+/// In two rows; two panes are beside each other.
 void addRows(std::vector<PaneLayout>& panes, const std::vector<Pane>& shown, const WindowRect& area, float gap,
              float header) {
-  const size_t inUpperRow = shown.size() / 2;
-  const float height = std::floor((area.height - gap) / 2);
+  const size_t inUpperRow = shown.size() == 2 ? 2 : shown.size() / 2;
+  const float height = shown.size() == 2 ? area.height : std::floor((area.height - gap) / 2);
   for (size_t i = 0; i < shown.size(); ++i) {
     const bool isLow = i >= inUpperRow;
     const auto columns = static_cast<float>(isLow ? shown.size() - inUpperRow : inUpperRow);
@@ -65,6 +65,7 @@ ViewerLayout viewerLayout(const ViewerState& state, const glm::vec2& windowSize,
   std::copy_if(kPanes.begin(), kPanes.end(), std::back_inserter(shown), [&](Pane pane) {
     return pane != Pane::kTransfer && (state.maximised ? pane == *state.maximised : isOffered(state, pane));
   });
+  std::ranges::stable_partition(shown, [](Pane pane) { return pane == Pane::kVolume; });  // first, where there is one
   // The transfer function belongs to what it acts on: below it, along the whole width.
   const bool hasStrip =
       isOffered(state, Pane::kTransfer) && (!state.maximised || *state.maximised == Pane::kVolume) && !shown.empty();

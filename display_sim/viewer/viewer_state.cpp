@@ -6,6 +6,7 @@
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/viewer/view_motion.h"
 #include "oc_core/base/check.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/ocri/representation_kind.h"
 
 namespace ocelli {
@@ -108,8 +109,9 @@ bool isOffered(const ViewerState& state, Pane pane) {
     case Pane::kScene:
     case Pane::kReference:
     case Pane::kReconstruction:
-    case Pane::kDisplay:
       return hasMesh(state);
+    case Pane::kDisplay:  // volumes are sliced themselves
+      return true;
   }
   OC_CHECK(false, "every pane has a place or none");
 }
@@ -161,12 +163,25 @@ void openScene(ViewerState& state, const std::string& source) {
   if (source != state.work.source) {
     state.work.sceneOptions.points = {};
     state.work.sceneOptions.iso.reset();
+    state.work.sceneOptions.transfer.clear();
     state.work.volumeOptions = {};
     state.work.volumeIsShaded.reset();
   }
   state.work.source = source;
   state.work.sceneRevision = state.work.volumeRevision = ++state.work.lastRevision;
   showKindOf(state, source);
+}
+
+void displayFollowsVolume(ViewerState& state) {
+  if (!state.volume.transfer) {
+    return;
+  }
+  const std::shared_ptr<const VolumeAppearance>& appearance = state.volume.transfer->appearance();
+  if (state.work.appearance != appearance || state.work.kept != state.volume.kept) {
+    state.work.appearance = appearance;
+    state.work.kept = state.volume.kept;
+    displayChanged(state);
+  }
 }
 
 void chooseIso(ViewerState& state, std::optional<double> value) {
@@ -187,6 +202,11 @@ void displayChanged(ViewerState& state) {
 }
 
 void chooseCamera(ViewerState& state, const std::string& nameOrFile) {
+  if (state.volume.on && namesConstructor(nameOrFile)) {
+    state.volume.rays = nameOrFile;
+    return;
+  }
+  state.volume.rays.clear();
   state.work.camera = cameraChoice(nameOrFile, cellOf(state.work.camera));
   state.reference.image = 0;
   state.lenses.chosen.reset();

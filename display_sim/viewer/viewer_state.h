@@ -42,6 +42,9 @@ struct WorkWanted {
 
   std::string profile = "perspecta";
   bool sliceScene = false;  ///< the scene itself, instead of what stands for it
+  /// Of a volume that is sliced itself; null: its own.
+  std::shared_ptr<const VolumeAppearance> appearance;
+  std::array<glm::dvec2, 3> kept = VolumeShown::kWhole;  ///< as in VolumeShown
   uint64_t displayRevision = 0;
 };
 
@@ -158,10 +161,12 @@ void leavePane(ViewerState& state, Pane pane);
 void openScene(ViewerState& state, const std::string& source);
 /// The panes of what `source` is: a volume, or a mesh.
 void showKindOf(ViewerState& state, const std::string& source);
+/// The display shows what the transfer function and the clipping of a volume are now.
+void displayFollowsVolume(ViewerState& state);
 /// The surface of a volume at this value is the mesh that the other panes show; nothing: none is.
 void chooseIso(ViewerState& state, std::optional<double> value);
-/// By its name, or a file; a view cell that was set stays so, unless a file sets one. Throws InputError as
-/// cameraChoice() does.
+/// By its name, or a file; a view cell that was set stays so, unless a file sets one. Of a volume also a constructor of
+/// graph or curved ray cameras (VolumeShown::rays). Throws InputError as cameraChoice() does.
 void chooseCamera(ViewerState& state, const std::string& nameOrFile);
 /// After a change of parameters of `state.work.camera`, or of what is sliced for the display.
 void cameraChanged(ViewerState& state);

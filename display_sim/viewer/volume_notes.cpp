@@ -2,15 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <filesystem>
+
 namespace ocelli {
 
 std::string volumeDetail(const ViewerState& state, const VolumeStatus& status) {
-  const std::string& name = state.work.camera.name;
+  const std::string name = state.volume.rays.empty() ? state.work.camera.name
+                                                     : std::filesystem::path(state.volume.rays).stem().string();
   return status.picture ? fmt::format("{}, {} x {}", name, status.picture->wanted.size.x, status.picture->wanted.size.y)
                         : name;
 }
 
-std::vector<std::string> volumeNotes(const ViewerState& state, const ViewerFacts& facts) {
+std::vector<std::string> volumeNotes(const ViewerFacts& facts) {
   const VolumeStatus& status = facts.volume;
   if (!status.error.empty()) {
     return {status.error};
@@ -26,14 +30,7 @@ std::vector<std::string> volumeNotes(const ViewerState& state, const ViewerFacts
   if (!status.picture->isWhole) {
     text += text.empty() ? "small while it moves" : " (small while it moves)";
   }
-  const VolumeWanted& of = status.picture->wanted;
-  if (hasRaysOfItsOwn(of.camera) || !of.scene->mesh.triangles.empty()) {
-    return text.empty() ? std::vector<std::string>{} : std::vector{text};
-  }
-  const std::string rays =
-      fmt::format("along the rays of a pinhole: those of \"{}\" follow from a surface, which the panel or --iso chooses",
-                  state.work.camera.name);
-  return {text.empty() ? rays : text + "\n" + rays, text.empty() ? "along the rays of a pinhole" : text};
+  return text.empty() ? std::vector<std::string>{} : std::vector{text};
 }
 
 }  // namespace ocelli

@@ -8,6 +8,6 @@ namespace ocelli {
 /// For the header: "di, 640 x 427".
 std::string volumeDetail(const ViewerState& state, const VolumeStatus& status);
 /// What the pane says, from the longest to the shortest form.
-std::vector<std::string> volumeNotes(const ViewerState& state, const ViewerFacts& facts);
+std::vector<std::string> volumeNotes(const ViewerFacts& facts);
 
 }  // namespace ocelli

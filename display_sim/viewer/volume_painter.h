@@ -20,23 +20,17 @@ struct VolumeWanted {
   View view;
   glm::ivec2 size{0};  ///< of the picture, pixels
   CameraChoice camera;
-  uint64_t cameraRevision = 0;                             ///< another one where `camera` is another
+  uint64_t cameraRevision = 0;  ///< another one where `camera` is another
+  std::string rays = {};        ///< as in VolumeShown
   std::shared_ptr<const VolumeAppearance> appearance = {};  ///< another pointer where it is another
-  std::array<glm::dvec2, 3> kept{{{0, 1}, {0, 1}, {0, 1}}};  ///< as in VolumeShown
+  std::array<glm::dvec2, 3> kept = VolumeShown::kWhole;
 
   bool canBePainted() const { return shows && scene != nullptr && scene->volume != nullptr && appearance != nullptr; }
   bool operator==(const VolumeWanted& other) const {
     return shows == other.shows && scene == other.scene && view == other.view && size == other.size &&
-           cameraRevision == other.cameraRevision && appearance == other.appearance && kept == other.kept;
+           cameraRevision == other.cameraRevision && rays == other.rays && appearance == other.appearance && kept == other.kept;
   }
 };
-
-/// The planes that clip a volume in the viewer: those it was loaded with, and what `kept` leaves out.
-std::vector<ClipPlane> clipsOf(const VolumeScene& scene, const std::array<glm::dvec2, 3>& kept);
-
-/// Whether the rays of this camera are known without a mesh of the scene: a pinhole, also one with lenses. Those of
-/// cameras that are built from what a scene shows need one.
-bool hasRaysOfItsOwn(const CameraChoice& camera);
 
 class VolumePainter {
  public:
@@ -45,8 +39,8 @@ class VolumePainter {
   /// Samples of pictures that are smaller than wanted stand so much farther apart.
   static constexpr double kPreviewStep = 2;
 
-  /// Where the camera's rays are not known, and there is no mesh, along those of a pinhole. Throws InputError for views
-  /// that are none, and what `progress` throws.
+  /// As large as the camera's image, which is of another size than `size` where the camera is. Throws InputError for
+  /// views that are none, and as volumeCamera() does (oc_core/volume_camera), and what `progress` throws.
   Image<Rgb8> paint(const VolumeWanted& wanted, const glm::ivec2& size, const Progress& progress = {});
 
  private:

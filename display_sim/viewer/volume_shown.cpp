@@ -2,6 +2,13 @@
 
 namespace ocelli {
 
+std::vector<ClipPlane> clipsOf(const VolumeScene& scene, const std::array<glm::dvec2, 3>& kept) {
+  std::vector<ClipPlane> clips = scene.clips;
+  const std::vector<ClipPlane> more = clipPlanesOf(kept, scene.bounds());
+  clips.insert(clips.end(), more.begin(), more.end());
+  return clips;
+}
+
 std::vector<ClipPlane> clipPlanesOf(const std::array<glm::dvec2, 3>& kept, const Box& bounds) {
   std::vector<ClipPlane> planes;
   const glm::dvec3 lower(bounds.lower);

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/volume/volume_scan.h"
 
 namespace ocelli {
 
@@ -40,6 +41,9 @@ ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor,
         std::ranges::fill(sums, 0.0);
         std::ranges::fill(counts, 0);
         const int firstLayer = static_cast<int>(coarse) * factor.z;
+        // Of volumes larger than memory no more than what is averaged now.
+        const SlicesInMemory layers(volume, static_cast<size_t>(firstLayer),
+                                    static_cast<size_t>(std::min(firstLayer + factor.z, fine.size.z)));
         for (int k = firstLayer; k < std::min(firstLayer + factor.z, fine.size.z); ++k) {
           for (int j = 0; j < fine.size.y; ++j) {
             const auto* row =

@@ -181,7 +181,7 @@ SweptLight::SweptLight(const TransferFunction& transfer, const ValueRange& range
     maxExtinction = std::max(maxExtinction, transfer.at(point.value).extinction);
   }
   for (size_t column = 0; column < paddedColumns(sweep); ++column) {
-    columns_.push_back(columnOf(sweptThickness(sweep, static_cast<int>(column)), maxExtinction * gain));
+    addColumn(columnOf(sweptThickness(sweep, static_cast<int>(column)), maxExtinction * gain));
   }
 }
 
@@ -207,8 +207,18 @@ SweptLight SweptLight::ofSurface(double value, const glm::dvec3& color, const Va
     lit[static_cast<size_t>(std::max(std::ceil(step) - 1, 0.0))] = 1;
   }
   countBefore(lit, light.litSteps_);
-  light.columns_.assign(paddedColumns(sweep), columnOf(1, kOpaque));
+  for (size_t column = 0; column < paddedColumns(sweep); ++column) {
+    light.addColumn(columnOf(1, kOpaque));
+  }
   return light;
+}
+
+void SweptLight::addColumn(const SweptColumn& column) {
+  if (columns_.size() % 8 == 0) {
+    shifted_.push_back(0);
+  }
+  shifted_.back() = static_cast<char>(shifted_.back() | static_cast<char>(column.shift > 0));
+  columns_.push_back(column);
 }
 
 glm::vec3 SweptLight::lightOf(uint16_t code, int column) const {

@@ -77,6 +77,8 @@ class SweptLight {
 
   const SweptEntry* entries() const { return entries_.data(); }
   const SweptColumn& column(int column) const { return columns_[static_cast<size_t>(column)]; }
+  /// Whether one of the eight columns from a multiple of eight on is shifted. Far from the axis none is.
+  bool isShifted(int firstColumn) const { return shifted_[static_cast<size_t>(firstColumn) / 8] != 0; }
 
   /// Whether codes whose reach (sweptReach()) lies in [first, last], in steps of the mean, first < last, may give
   /// light.
@@ -89,9 +91,11 @@ class SweptLight {
 
  private:
   SweptLight() : entries_(kSweptCodes, 0) {}
+  void addColumn(const SweptColumn& column);
 
   std::vector<SweptEntry> entries_;
-  std::vector<SweptColumn> columns_;
+  std::vector<SweptColumn> columns_;         ///< a multiple of eight
+  std::vector<char> shifted_;                ///< by eight columns
   std::array<int, kSweptMeans> litSteps_{};  ///< how many of the segments between the steps before each may be lit
 };
 

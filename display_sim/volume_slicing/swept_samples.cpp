@@ -329,7 +329,6 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
       }
     });
   });
-  weights_ = sampledWeights_;
   report(progress, "sampling the volume", 1);
 }
 
@@ -357,12 +356,12 @@ uint16_t SweptSamples::codeAt(int slice, int column, int row) const {
 
 uint8_t SweptSamples::weightAt(int slice, int column, int row) const {
   const std::optional<size_t> place = placeOf(slice, column, row);
-  return place && !weights_.empty() ? weights_[*place] : 255;
+  return place && weights() != nullptr ? weights()[*place] : 255;
 }
 
 void SweptSamples::setPart(const Part& part, const Progress& progress) {
   if (!part) {
-    weights_ = sampledWeights_;
+    weights_.clear();
     return;
   }
   report(progress, "weighing the voxels", 0);

@@ -77,7 +77,11 @@ class SweptSamples {
   const std::vector<SweptSlice>& slices() const { return slices_; }
   size_t bricks() const { return reaches_.size(); }
   const uint16_t* codes() const { return codes_.data(); }  ///< of the first brick; the others follow
-  const uint8_t* weights() const { return weights_.empty() ? nullptr : weights_.data(); }  ///< 255 is full light
+  /// 255 is full light; nullptr where all voxels have that.
+  const uint8_t* weights() const {
+    const std::vector<uint8_t>& given = weights_.empty() ? sampledWeights_ : weights_;
+    return given.empty() ? nullptr : given.data();
+  }
   const std::vector<SweptReach>& reaches() const { return reaches_; }
   size_t bytes() const;
 
@@ -101,7 +105,7 @@ class SweptSamples {
   std::vector<SweptSlice> slices_;
   std::vector<uint16_t> codes_;
   std::vector<uint8_t> sampledWeights_;
-  std::vector<uint8_t> weights_;
+  std::vector<uint8_t> weights_;  ///< with what setPart() was told; empty: the sampled ones
   std::vector<SweptReach> reaches_;
 };
 

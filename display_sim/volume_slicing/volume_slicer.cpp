@@ -1,6 +1,7 @@
 #include "display_sim/volume_slicing/volume_slicer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -81,10 +82,26 @@ SweptTask taskOf(const SweptSamples& samples, const SweptLight& light, int slice
   return {samples, light, slice, sector % half, sector >= half};
 }
 
-/// Eight voxels of a row: the codes and weights from the left of the display.
+/// Eight voxels of a row, from the left of the display.
 struct SweptEight {
-  uint16_t codes[kSweptBrickSide];
-  uint8_t weights[kSweptBrickSide];
+  const uint16_t* codes;
+  const uint8_t* weights;  ///< nullptr where there are none
+};
+
+/// The same mirrored.
+class MirroredEight {
+ public:
+  SweptEight of(const uint16_t* codes, const uint8_t* weights) {
+    std::reverse_copy(codes, codes + kSweptBrickSide, codes_.begin());
+    if (weights != nullptr) {
+      std::reverse_copy(weights, weights + kSweptBrickSide, weights_.begin());
+    }
+    return {codes_.data(), weights != nullptr ? weights_.data() : nullptr};
+  }
+
+ private:
+  std::array<uint16_t, kSweptBrickSide> codes_;
+  std::array<uint8_t, kSweptBrickSide> weights_;
 };
 
 /// Calls `visit(column of the first, row, eight)` for the rows of each brick that may be lit; bricks stand at columns
@@ -100,13 +117,14 @@ void forEachSweptRow(const SweptTask& task, const Visit& visit) {
     for (int row = place.firstBrickRow * kSweptBrickSide;
          row < std::min((place.firstBrickRow + place.brickRows) * kSweptBrickSide, samples.profile().height); ++row) {
       for (int column = 0; column < width; column += kSweptBrickSide) {
-        SweptEight eight;
+        std::array<uint16_t, kSweptBrickSide> codes;
+        std::array<uint8_t, kSweptBrickSide> weights;
         for (int x = 0; x < kSweptBrickSide; ++x) {
           const int from = width - 1 - column - x;
-          eight.codes[x] = from >= 0 ? samples.codeAt(task.source, from, row) : kNothingSwept;
-          eight.weights[x] = from >= 0 ? samples.weightAt(task.source, from, row) : 0;
+          codes[static_cast<size_t>(x)] = from >= 0 ? samples.codeAt(task.source, from, row) : kNothingSwept;
+          weights[static_cast<size_t>(x)] = from >= 0 ? samples.weightAt(task.source, from, row) : uint8_t{0};
         }
-        visit(column, row, eight);
+        visit(column, row, SweptEight{codes.data(), samples.weights() != nullptr ? weights.data() : nullptr});
       }
     }
     return;
@@ -126,17 +144,36 @@ void forEachSweptRow(const SweptTask& task, const Visit& visit) {
       }
       const int from = (place.firstBrickColumn + brickColumn) * kSweptBrickSide;
       const int column = task.isMirrored ? width - kSweptBrickSide - from : from;
+      MirroredEight mirrored;
       for (int y = 0; y < kSweptBrickSide; ++y) {
-        SweptEight eight;
-        for (int x = 0; x < kSweptBrickSide; ++x) {
-          const int at = y * kSweptBrickSide + (task.isMirrored ? kSweptBrickSide - 1 - x : x);
-          eight.codes[x] = brickCodes[at];
-          eight.weights[x] = brickWeights != nullptr ? brickWeights[at] : 255;
-        }
-        visit(column, (place.firstBrickRow + brickRow) * kSweptBrickSide + y, eight);
+        const int row = (place.firstBrickRow + brickRow) * kSweptBrickSide + y;
+        visit(column, row,
+              task.isMirrored ? mirrored.of(brickCodes, brickWeights) : SweptEight{brickCodes, brickWeights});
+        brickCodes += kSweptBrickSide;
+        brickWeights = brickWeights != nullptr ? brickWeights + kSweptBrickSide : nullptr;
       }
     }
   }
+}
+
+/// The bits of eight voxels: of a channel's field those from kFirstEightBit on are the voxels' from the left.
+constexpr int kFirstEightBit = kSweptLightBits - (kSweptBrickSide - 1);
+
+template <bool kWeighted, bool kShifted, class DitherRow>
+uint64_t litEight(const SweptEntry* entries, const SweptEight& eight, const SweptColumn* columns,
+                  const DitherRow& dither, int column) {
+  constexpr uint64_t kCarries = kSweptOneEach << kSweptLightBits;
+  uint64_t lit = 0;
+  for (int x = 0; x < kSweptBrickSide; ++x) {
+    const SweptEntry entry = entries[eight.codes[x]];
+    const uint64_t light =
+        kWeighted ? lightFields(entry, columns[x], eight.weights[x]) : lightFields(entry, columns[x]);
+    const uint32_t threshold = dither.at(column + x);
+    const uint64_t rest = kShifted ? restOf(threshold, columns[x].shift) : kFullSwept - 1 - threshold;
+    // The first of the eight moves down by seven bits, the last by none.
+    lit = lit >> 1 | ((light + kSweptOneEach * rest) & kCarries);
+  }
+  return lit;
 }
 
 /// A bit for each channel.
@@ -150,20 +187,13 @@ void sliceOneBit(const SweptTask& task, const VolumeLayout& layout, std::span<ui
     }
     const DitherRow dither(task.slice, row);
     const SweptColumn* columns = &task.light.column(column);
-    constexpr uint64_t kCarries = kSweptOneEach << kSweptLightBits;
-    uint64_t lit = 0;
-    for (int x = 0; x < kSweptBrickSide; ++x) {
-      const SweptEntry entry = entries[eight.codes[x]];
-      const uint64_t light =
-          kWeighted ? lightFields(entry, columns[x], eight.weights[x]) : lightFields(entry, columns[x]);
-      const uint64_t rest = kSweptOneEach * restOf(dither.at(column + x), columns[x].shift);
-      lit = lit >> 1 | ((light + rest) & kCarries);
-    }
-    // The first of the eight has moved down by seven bits, the last by none.
-    constexpr int kFirstBit = kSweptLightBits - (kSweptBrickSide - 1);
+    const uint64_t lit = task.light.isShifted(column)
+                             ? litEight<kWeighted, true>(entries, eight, columns, dither, column)
+                             : litEight<kWeighted, false>(entries, eight, columns, dither, column);
     const size_t at = static_cast<size_t>(row) * layout.rowBytes + static_cast<size_t>(column / kSweptBrickSide);
     for (size_t channel = 0; channel < kColorChannels; ++channel) {
-      planes[channel * layout.planeBytes + at] = static_cast<uint8_t>(lit >> (channel * kSweptFieldBits + kFirstBit));
+      planes[channel * layout.planeBytes + at] =
+          static_cast<uint8_t>(lit >> (channel * kSweptFieldBits + kFirstEightBit));
     }
   });
 }
@@ -183,7 +213,8 @@ void sliceLevels(const SweptTask& task, const VolumeLayout& layout, int bits, bo
     const size_t at = static_cast<size_t>(row) * layout.rowBytes + static_cast<size_t>(column / kSweptBrickSide);
     for (int x = 0; x < kSweptBrickSide; ++x) {
       const SweptColumn& of = task.light.column(column + x);
-      const uint64_t light = lightFields(entries[eight.codes[x]], of, eight.weights[x]);
+      const uint64_t light =
+          lightFields(entries[eight.codes[x]], of, eight.weights != nullptr ? eight.weights[x] : 255u);
       const uint64_t rest = restOf(dither.at(column + x), 0);
       for (size_t channel = 0; channel < kColorChannels; ++channel) {
         const uint64_t field = light >> (channel * kSweptFieldBits) & ((uint64_t{1} << kSweptFieldBits) - 1);

@@ -232,10 +232,10 @@ RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
     const RayTransition::Arc arc = arcOf(segment, i);
     const Segment next = behind(segment, arc, i);
     const double begin = segment.tOf(arc.t);
+    const RayTransition::Shares shares(bends_[i], arc);
     for (size_t k = 0; k < points; ++k) {
-      const RayTransition::Place place{arc, static_cast<double>(k) / static_cast<double>(points - 1)};
-      path.add(glm::vec3(arc.at(place.parameter)),
-               static_cast<float>(begin + bends_[i].shareAt(place) * (next.t - begin)));
+      const glm::dvec3 point = arc.at(static_cast<double>(k) / static_cast<double>(points - 1));
+      path.add(glm::vec3(point), static_cast<float>(begin + shares.at(point) * (next.t - begin)));
     }
     segment = next;
   }

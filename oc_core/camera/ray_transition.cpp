@@ -168,12 +168,19 @@ std::optional<RayTransition::Place> RayTransition::findBezier(const Epipolar& pl
   return placeOf(inner);
 }
 
-double RayTransition::shareAt(const Place& place) const {
-  const Arc& arc = place.arc;
-  const glm::dvec3 point = arc.at(place.parameter);
-  const double from = planes_.from.height(point) / glm::dot(planes_.from.normal, glm::normalize(arc.s - arc.t));
-  const double to = -planes_.to.height(point) / glm::dot(planes_.to.normal, glm::normalize(arc.q - arc.s));
+RayTransition::Shares::Shares(const RayTransition& transition, const Arc& arc)
+    : transition_(transition),
+      fromCosine_(glm::dot(transition.planes_.from.normal, glm::normalize(arc.s - arc.t))),
+      toCosine_(glm::dot(transition.planes_.to.normal, glm::normalize(arc.q - arc.s))) {}
+
+double RayTransition::Shares::at(const glm::dvec3& point) const {
+  const double from = transition_.planes_.from.height(point) / fromCosine_;
+  const double to = -transition_.planes_.to.height(point) / toCosine_;
   return from + to > 0 ? std::clamp(from / (from + to), 0.0, 1.0) : 0;
+}
+
+double RayTransition::shareAt(const Place& place) const {
+  return Shares(*this, place.arc).at(place.arc.at(place.parameter));
 }
 
 double RayTransition::parameterAt(const Arc& arc, double share) const {

@@ -84,6 +84,18 @@ class RayTransition {
   /// How far along an arc a point is, from 0 to 1: for a ray that does not bend, the share of its length. It grows
   /// along every arc.
   double shareAt(const Place& place) const;
+  /// The same for many points of one arc.
+  class Shares {
+   public:
+    Shares(const RayTransition& transition, const Arc& arc);
+    /// `point` lies on the arc.
+    double at(const glm::dvec3& point) const;
+
+   private:
+    const RayTransition& transition_;
+    double fromCosine_;  ///< between the arc's first way and the normal of t0
+    double toCosine_;    ///< between its last way and the normal of t2
+  };
   /// The parameter at which the share is so much.
   double parameterAt(const Arc& arc, double share) const;
 

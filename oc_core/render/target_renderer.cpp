@@ -65,6 +65,13 @@ FragmentImage TargetRenderer::draw(const GpcCamera& camera) const {
 FragmentImage TargetRenderer::draw(const DdocCamera& camera, const FragmentImage& seen,
                                    const SubdivisionOptions& /*subdivision*/) const {
   FragmentImage fragments = cast(camera, unreachedPart(camera, seen));
+  // What was hit before has a fragment already: only those that differ from it count as displaced.
+  for (size_t i = 0; i < fragments.size(); ++i) {
+    if (fragments[i].covered() && seen[i].covered() && fragments[i].t == seen[i].t &&
+        positionOf(fragments[i], hits_) == positionOf(seen[i], hits_)) {
+      fragments[i] = seen[i];
+    }
+  }
   keepUndisplaced(camera, seen, fragments);
   return fragments;
 }

@@ -7,6 +7,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
+#include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/placement.h"
@@ -18,6 +19,10 @@ Scene unlitScene(const std::string& source, const SceneOptions& options, const P
   if (isPackedScene(source)) {
     throw InputError("a packed scene is one object with its light, and has no relief tiles", source,
                      "give the file that it was packed from, or another role than \"relief\"");
+  }
+  if (isVolumeSource(source)) {
+    throw InputError("the surface of a volume is one object, and has no relief tiles", source,
+                     "write it with ocelli scene export, or give another role than \"relief\"");
   }
   if (options.motion.seconds) {
     throw InputError("a scene that moves has no relief tiles", source, "leave out --time, or the role \"relief\"");

@@ -9,7 +9,7 @@
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/ocri/representation_kind.h"
-#include "oc_core/volume_camera/first_hit_mesh.h"
+#include "oc_core/render/target_renderer.h"
 #include "oc_core/volume_camera/guided_volume.h"
 
 namespace ocelli {
@@ -27,18 +27,17 @@ VolumeCamera multiperspectiveAt(const std::string& nameOrFile, const PinholeCame
       constructCamera(nameOrFile, guidedVolume(scene), reference));
 }
 
-/// What of the scene the camera is made from.
-Mesh seenBy(const CameraChoice& choice, const PinholeCamera& reference,
-            const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
+std::vector<CameraMap> mapsOf(const CameraChoice& choice, const PinholeCamera& reference,
+                              const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
   if (choice.kind->ofViewAlone) {
-    return {};
+    return cameraMaps(choice, reference, Mesh{}, {}, progress);
   }
-  Mesh mesh = firstHitMesh(firstHits(), reference, choice.cellSideRadii, progress);
-  if (mesh.empty()) {
-    throw InputError("camera \"" + choice.name + "\" is made from what hides what, and no ray meets anything opaque",
-                     "--camera", "turn the view to the volume, choose another --transfer, or a camera such as di");
-  }
-  return mesh;
+  const TargetRenderer renderer(firstHits());
+  std::vector<CameraMap> maps = cameraMaps(choice, reference, renderer, {}, progress);
+  // Some cameras are known by their images alone.
+  return maps.empty()
+             ? cameraMaps(choice, reference, renderer, buildReferenceImages(choice, reference, renderer, progress))
+             : maps;
 }
 
 }  // namespace
@@ -48,15 +47,15 @@ VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& re
   if (namesConstructor(nameOrFile)) {
     return multiperspectiveAt(nameOrFile, reference, scene);
   }
-  const CameraChoice choice = cameraChoice(nameOrFile);
+  return volumeCamera(cameraChoice(nameOrFile), reference, firstHits, progress);
+}
+
+VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& reference,
+                          const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
   if (!choice.hasImages()) {
     throw InputError("\"" + choice.name + "\" is a mesh, which has no rays", "--camera", "choose a camera, such as di");
   }
-  const Mesh mesh = seenBy(choice, reference, firstHits, progress);
-  std::vector<CameraMap> maps = cameraMaps(choice, reference, mesh, {}, progress);
-  if (maps.empty()) {  // of pinholes that the images name
-    maps = cameraMaps(choice, reference, mesh, buildReferenceImages(choice, reference, mesh, progress), progress);
-  }
+  std::vector<CameraMap> maps = mapsOf(choice, reference, firstHits, progress);
   if (maps.size() != 1) {
     throw InputError("\"" + choice.name + "\" is a union of " + std::to_string(maps.size()) + " images", "--camera",
                      "choose a camera of one image, such as ddoc or eoc-h");

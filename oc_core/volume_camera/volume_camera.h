@@ -2,9 +2,8 @@
 // of a constructor, or a JSON file, to a ray for each pixel (sections 4.2.1, 4.4.2 and 5.2).
 //
 // Pinholes, general pinholes and panoramas are made from the view alone. Constructors of graph and curved ray cameras
-// know of a volume what guided_volume.h says. Occlusion cameras (DDOC, EOC, ...) are made from what hides what: the
-// places where rays of the reference view and of the corners of the view cell first hit something opaque
-// (first_hit_mesh.h).
+// know of a volume what guided_volume.h says. Occlusion cameras (DDOC, EOC, ...) are made from what hides what, which
+// is told by the places where rays first hit something opaque: as their reference images are (oc_core/volume_ocri).
 #pragma once
 
 #include <functional>
@@ -27,8 +26,12 @@ struct VolumeCamera {
 
 /// `firstHits` is called where the camera needs to know what hides what, and must outlive the call alone. Throws
 /// InputError for a name or a file that is wrong, for cameras of several images and for meshes, where the options do
-/// not fit the volume, and where an occlusion camera sees nothing opaque.
+/// not fit the volume.
 VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& reference, const VolumeScene& scene,
+                          const std::function<const RayTarget&()>& firstHits, const Progress& progress = {});
+
+/// The same of a camera with options, such as one that is being edited; none of graph and curved ray cameras.
+VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& reference,
                           const std::function<const RayTarget&()>& firstHits, const Progress& progress = {});
 
 }  // namespace ocelli

@@ -1,8 +1,7 @@
 // The field of a volume at many places at once, in the instruction set that the file which includes this is compiled
 // for (hwy/foreach_target.h).
 //
-// Two neighbours along i lie in one word of 32 bits where voxels are small, so a word is gathered for both. Nothing is
-// read beyond the last voxel.
+// Nothing is read beyond the last voxel.
 #if defined(OCELLI_MARCH_FIELD_INL_H) == defined(HWY_TARGET_TOGGLE)
 #ifdef OCELLI_MARCH_FIELD_INL_H
 #undef OCELLI_MARCH_FIELD_INL_H
@@ -13,6 +12,7 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -25,7 +25,8 @@ HWY_BEFORE_NAMESPACE();
 namespace ocelli::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using Floats = hn::ScalableTag<float>;
+/// Eight at most: in wider groups more of a ray is looked at beyond where it ends.
+using Floats = hn::CappedTag<float, 8>;
 using Ints = hn::RebindToSigned<Floats>;
 using FloatVec = hn::Vec<Floats>;
 using IntVec = hn::Vec<Ints>;
@@ -57,6 +58,9 @@ HWY_INLINE Quad subtractQuads(const Quad& a, const Quad& b) {
 HWY_INLINE Quad multiplyQuads(const Quad& a, const Quad& b) {
   return eachOfQuad([&](int i) { return a.v[i] * b.v[i]; });
 }
+HWY_INLINE Quad multiplyAddQuads(const Quad& a, const Quad& b, const Quad& c) {
+  return eachOfQuad([&](int i) { return a.v[i] * b.v[i] + c.v[i]; });
+}
 #else
 using Quads = hn::Full128<float>;
 using Quad = hn::Vec<Quads>;
@@ -78,7 +82,12 @@ HWY_ATTR HWY_INLINE Quad subtractQuads(Quad a, Quad b) {
 HWY_ATTR HWY_INLINE Quad multiplyQuads(Quad a, Quad b) {
   return hn::Mul(a, b);
 }
+HWY_ATTR HWY_INLINE Quad multiplyAddQuads(Quad a, Quad b, Quad c) {
+  return hn::MulAdd(a, b, c);
+}
 #endif
+
+constexpr size_t kLanes = HWY_LANES(float) < 8 ? HWY_LANES(float) : 8;
 
 struct Point {
   FloatVec x;
@@ -92,22 +101,20 @@ HWY_ATTR HWY_INLINE IntVec gatherWords(const void* first, IntVec offsets) {
 #if HWY_TARGET == HWY_AVX2 || HWY_TARGET == HWY_AVX3 || HWY_TARGET == HWY_AVX3_DL
   return hn::GatherOffset(di, static_cast<const int32_t*>(first), offsets);
 #else
-  constexpr size_t kCount = HWY_LANES(int32_t);
-  HWY_ALIGN int32_t at[kCount];
-  HWY_ALIGN int32_t words[kCount];
+  HWY_ALIGN int32_t at[kLanes];
+  HWY_ALIGN int32_t words[kLanes];
   hn::Store(offsets, di, at);
-  for (size_t i = 0; i < kCount; ++i) {
+  for (size_t i = 0; i < kLanes; ++i) {
     std::memcpy(&words[i], static_cast<const char*>(first) + at[i], sizeof(int32_t));
   }
   return hn::Load(di, words);
 #endif
 }
 
-/// Whether NativeField can read it: offsets are words, and rows have neighbours.
+/// Whether NativeField can read it: numbers of voxels are words, and all have neighbours along i.
 inline bool fitsWords(const ScalarVolume& volume) {
   return std::endian::native == std::endian::little && volume.grid().size.x > 1 &&
-         volume.voxels().size() >= sizeof(int32_t) &&
-         volume.voxels().size() <= size_t(std::numeric_limits<int32_t>::max());
+         volume.grid().voxelCount() <= size_t(std::numeric_limits<int32_t>::max());
 }
 
 /// The cell of eight voxels around a point, and where in the cell it is. A volume may be one voxel thick.
@@ -149,6 +156,24 @@ class CellFinder {
   glm::ivec3 cells_;
 };
 
+/// Differences of a field between a voxel after and a voxel before places, along i, j and k: kLanes of each.
+template <class Field>
+HWY_ATTR HWY_INLINE void readSlopesByField(const Field& field, const Point& index, size_t count, float* slopes) {
+  const Floats d;
+  const FloatVec one = hn::Set(d, 1.0f);
+  const Point p = field.centerNear(index);
+  HWY_ALIGN float after[kLanes];
+  HWY_ALIGN float before[kLanes];
+  const auto difference = [&](const Point& a, const Point& b, float* slope) HWY_ATTR {
+    field.read(a, count, after);
+    field.read(b, count, before);
+    hn::Store(hn::Sub(hn::Load(d, after), hn::Load(d, before)), d, slope);
+  };
+  difference({hn::Add(p.x, one), p.y, p.z}, {hn::Sub(p.x, one), p.y, p.z}, slopes);
+  difference({p.x, hn::Add(p.y, one), p.z}, {p.x, hn::Sub(p.y, one), p.z}, slopes + kLanes);
+  difference({p.x, p.y, hn::Add(p.z, one)}, {p.x, p.y, hn::Sub(p.z, one)}, slopes + 2 * kLanes);
+}
+
 /// Any type and size: voxel by voxel.
 class AnyField {
  public:
@@ -156,19 +181,20 @@ class AnyField {
 
   HWY_ATTR HWY_INLINE Point centerNear(const Point& p) const { return finder_.centerNear(p); }
 
-  /// The numbers in the voxels, interpolated, less the first of the table.
-  HWY_ATTR HWY_NOINLINE FloatVec at(const Point& index) const {
+  /// What findEntries() has to take from what read() gives: of numbers that floats hold badly, that is done here.
+  double first() const { return 0; }
+  /// The numbers in the voxels, interpolated, at the first `count` places; 0 at the others.
+  HWY_ATTR HWY_NOINLINE void read(const Point& index, size_t count, float* values) const {
     const Floats d;
     const Ints di;
-    constexpr size_t kCount = HWY_LANES(float);
     const auto cells = finder_.find(index);
-    HWY_ALIGN int32_t i[kCount];
-    HWY_ALIGN int32_t j[kCount];
-    HWY_ALIGN int32_t k[kCount];
-    HWY_ALIGN float u[kCount];
-    HWY_ALIGN float v[kCount];
-    HWY_ALIGN float w[kCount];
-    HWY_ALIGN float values[kCount];
+    HWY_ALIGN int32_t i[kLanes];
+    HWY_ALIGN int32_t j[kLanes];
+    HWY_ALIGN int32_t k[kLanes];
+    HWY_ALIGN float u[kLanes];
+    HWY_ALIGN float v[kLanes];
+    HWY_ALIGN float w[kLanes];
+    hn::Store(hn::Zero(d), d, values);
     hn::Store(cells.i, di, i);
     hn::Store(cells.j, di, j);
     hn::Store(cells.k, di, k);
@@ -180,7 +206,7 @@ class AnyField {
     const size_t nextJ = size(1) > 1 ? size(0) : 0;
     const size_t nextK = size(2) > 1 ? size(0) * size(1) : 0;
     visitVoxels(volume_, [&](const auto* voxels) {
-      for (size_t lane = 0; lane < kCount; ++lane) {
+      for (size_t lane = 0; lane < count; ++lane) {
         const auto* cell = voxels + (static_cast<size_t>(k[lane]) * size(1) + static_cast<size_t>(j[lane])) * size(0) +
                            static_cast<size_t>(i[lane]);
         const auto mix = [](double a, double b, float share) { return a + (b - a) * static_cast<double>(share); };
@@ -191,7 +217,9 @@ class AnyField {
         values[lane] = static_cast<float>(mix(plane(cell), plane(cell + nextK), w[lane]) - first_);
       }
     });
-    return hn::Load(d, values);
+  }
+  HWY_ATTR void readSlopes(const Point& index, size_t count, float* slopes) const {
+    readSlopesByField(*this, index, count, slopes);
   }
 
  private:
@@ -200,80 +228,181 @@ class AnyField {
   CellFinder finder_;
 };
 
-/// Of a volume that fitsWords().
+#if HWY_TARGET != HWY_SCALAR
+/// Of a volume that fitsWords(): the eight voxels of a cell are read as four pairs, which takes less time than to
+/// gather them for all places at once.
 template <class Voxel>
 class NativeField {
  public:
   explicit NativeField(const MarchSetup& setup)
-      : any_(setup),
-        voxels_(reinterpret_cast<const Voxel*>(setup.volume->voxels().data())),
-        first_(static_cast<float>(setup.firstNumber)),
+      : voxels_(reinterpret_cast<const Voxel*>(setup.volume->voxels().data())),
+        first_(setup.firstNumber),
         finder_(*setup.volume),
         nextJ_(finder_.size().y > 1 ? finder_.size().x : 0),
-        nextK_(finder_.size().z > 1 ? finder_.size().x * finder_.size().y : 0),
-        lastWord_(static_cast<int>(setup.volume->voxels().size() - sizeof(int32_t))) {}
+        nextK_(finder_.size().z > 1 ? finder_.size().x * finder_.size().y : 0) {}
 
   HWY_ATTR HWY_INLINE Point centerNear(const Point& p) const { return finder_.centerNear(p); }
 
-  HWY_ATTR HWY_INLINE FloatVec at(const Point& index) const {
+  double first() const { return first_; }
+  /// As AnyField.
+  HWY_ATTR HWY_INLINE void read(const Point& index, size_t count, float* values) const {
     const Floats d;
     const Ints di;
     const auto c = finder_.find(index);
     const IntVec cell =
         hn::Add(hn::Mul(hn::Add(hn::Mul(c.k, hn::Set(di, finder_.size().y)), c.j), hn::Set(di, finder_.size().x)), c.i);
-    if constexpr (sizeof(Voxel) == 1) {
-      // A word at one of the last voxels would end beyond them.
-      if (HWY_UNLIKELY(!hn::AllFalse(di, hn::Gt(cell, hn::Set(di, lastWord_ - nextJ_ - nextK_))))) {
-        return any_.at(index);
-      }
+    HWY_ALIGN int32_t cells[kLanes];
+    HWY_ALIGN float u[kLanes];
+    HWY_ALIGN float v[kLanes];
+    HWY_ALIGN float w[kLanes];
+    hn::Store(cell, di, cells);
+    hn::Store(c.share.x, d, u);
+    hn::Store(c.share.y, d, v);
+    hn::Store(c.share.z, d, w);
+    hn::Store(hn::Zero(d), d, values);
+    const Voxel* near = voxels_;
+    const Voxel* nearNext = near + nextJ_;
+    const Voxel* far = near + nextK_;
+    const Voxel* farNext = far + nextJ_;
+    for (size_t lane = 0; lane < count; ++lane) {
+      const auto at = static_cast<size_t>(cells[lane]);
+      const Quad first = twoPairs(near + at, nearNext + at);
+      const Quad second = twoPairs(far + at, farNext + at);
+      // Along k, then j, then i.
+      const Quad plane = hn::MulAdd(hn::Sub(second, first), setQuad(w[lane]), first);
+      const hn::Half<Quads> pair;
+      const auto row = hn::LowerHalf(pair, plane);
+      const auto rows = hn::MulAdd(hn::Sub(hn::UpperHalf(pair, plane), row), hn::Set(pair, v[lane]), row);
+      const hn::Half<hn::Half<Quads>> one;
+      const auto left = hn::LowerHalf(one, rows);
+      const auto right = hn::UpperHalf(one, rows);
+      values[lane] = hn::GetLane(hn::MulAdd(hn::Sub(right, left), hn::Set(one, u[lane]), left));
     }
-    const auto next = [&](int32_t step) HWY_ATTR { return hn::Add(cell, hn::Set(di, step)); };
-    const FloatVec near = mix(row(cell, c.share.x), row(next(nextJ_), c.share.x), c.share.y);
-    const FloatVec far = mix(row(next(nextK_), c.share.x), row(next(nextJ_ + nextK_), c.share.x), c.share.y);
-    return hn::Sub(mix(near, far, c.share.z), hn::Set(d, first_));
+  }
+
+  /// As readSlopesByField(), but for rounding: what the six points have in common is read once.
+  HWY_ATTR void readSlopes(const Point& index, size_t count, float* slopes) const {
+    const Floats d;
+    const Ints di;
+    const auto c = finder_.find(index);
+    HWY_ALIGN int32_t i[kLanes];
+    HWY_ALIGN int32_t j[kLanes];
+    HWY_ALIGN int32_t k[kLanes];
+    HWY_ALIGN float u[kLanes];
+    HWY_ALIGN float v[kLanes];
+    HWY_ALIGN float w[kLanes];
+    hn::Store(c.i, di, i);
+    hn::Store(c.j, di, j);
+    hn::Store(c.k, di, k);
+    hn::Store(c.share.x, d, u);
+    hn::Store(c.share.y, d, v);
+    hn::Store(c.share.z, d, w);
+    for (int axis = 0; axis < 3; ++axis) {
+      hn::Store(hn::Zero(d), d, slopes + static_cast<size_t>(axis) * kLanes);
+    }
+    const glm::ivec3& size = finder_.size();
+    if (size.y < 2 || size.z < 2) {
+      readSlopesByField(*this, index, count, slopes);
+      return;
+    }
+    const auto mix = [](Quad a, Quad b, Quad share) HWY_ATTR { return hn::MulAdd(hn::Sub(b, a), share, a); };
+    for (size_t lane = 0; lane < count; ++lane) {
+      const Quad alongJ = setQuad(v[lane]);
+      const Quad alongK = setQuad(w[lane]);
+      // The row of the cell, and the ways from it to rows j - 1 and j + 2 and to planes k - 1 and k + 2; those at the
+      // ends stand for what is beyond.
+      const Voxel* row =
+          voxels_ + (static_cast<size_t>(k[lane]) * static_cast<size_t>(size.y) + static_cast<size_t>(j[lane])) *
+                        static_cast<size_t>(size.x);
+      const std::ptrdiff_t nextJ = nextJ_;
+      const std::ptrdiff_t nextK = nextK_;
+      const std::ptrdiff_t lowJ = j[lane] > 0 ? -nextJ : 0;
+      const std::ptrdiff_t highJ = j[lane] + 2 < size.y ? 2 * nextJ : nextJ;
+      const std::ptrdiff_t lowK = k[lane] > 0 ? -nextK : 0;
+      const std::ptrdiff_t highK = k[lane] + 2 < size.z ? 2 * nextK : nextK;
+      // The rows of the cell, from the voxel before it to that behind it.
+      const Quad rows[2][2] = {{fourAlong(row, i[lane]), fourAlong(row + nextJ, i[lane])},
+                               {fourAlong(row + nextK, i[lane]), fourAlong(row + nextJ + nextK, i[lane])}};
+      const Quad near = mix(rows[0][0], rows[0][1], alongJ);  // plane k
+      const Quad far = mix(rows[1][0], rows[1][1], alongJ);   // plane k + 1
+      const Quad low = mix(rows[0][0], rows[1][0], alongK);   // row j
+      const Quad high = mix(rows[0][1], rows[1][1], alongK);  // row j + 1
+      const Quad middle = mix(near, far, alongK);
+      // The same beside the cell, of its own two columns alone: rows j - 1 and j + 2, planes k - 1 and k + 2.
+      const Voxel* cell = row + i[lane];
+      const auto mixPairs = [&](Quad pairs, float share) HWY_ATTR {
+        const hn::Half<Quads> pair;
+        const auto a = hn::LowerHalf(pair, pairs);
+        return hn::MulAdd(hn::Sub(hn::UpperHalf(pair, pairs), a), hn::Set(pair, share), a);
+      };
+      const auto below = mixPairs(twoPairs(cell + lowJ, cell + lowJ + nextK), w[lane]);
+      const auto above = mixPairs(twoPairs(cell + highJ, cell + highJ + nextK), w[lane]);
+      const auto before = mixPairs(twoPairs(cell + lowK, cell + lowK + nextJ), v[lane]);
+      const auto behind = mixPairs(twoPairs(cell + highK, cell + highK + nextJ), v[lane]);
+      const hn::Half<Quads> pair;
+      const hn::Half<hn::Half<Quads>> one;
+      const auto alongI = [&](const auto& two) HWY_ATTR {
+        const auto left = hn::LowerHalf(one, two);
+        return hn::GetLane(hn::MulAdd(hn::Sub(hn::UpperHalf(one, two), left), hn::Set(one, u[lane]), left));
+      };
+      slopes[lane] = alongI(hn::Sub(hn::UpperHalf(pair, middle), hn::LowerHalf(pair, middle)));
+      const auto slopeAt = [&](const auto& outerBefore, Quad innerBefore, Quad innerAfter, const auto& outerAfter,
+                               float share) HWY_ATTR {
+        const auto inner = [&](Quad four)
+                               HWY_ATTR { return hn::LowerHalf(pair, hn::ShiftRightLanes<1>(Quads(), four)); };
+        const auto first = hn::Sub(inner(innerAfter), outerBefore);
+        const auto second = hn::Sub(outerAfter, inner(innerBefore));
+        return alongI(hn::MulAdd(hn::Sub(second, first), hn::Set(pair, share), first));
+      };
+      slopes[kLanes + lane] = slopeAt(below, low, high, above, v[lane]);
+      slopes[2 * kLanes + lane] = slopeAt(before, near, far, behind, w[lane]);
+    }
   }
 
  private:
-  HWY_ATTR static HWY_INLINE FloatVec mix(FloatVec a, FloatVec b, FloatVec share) {
-    return hn::MulAdd(hn::Sub(b, a), share, a);
+  /// The voxels from i - 1 to i + 2 of a row; those at its ends stand for what is beyond.
+  HWY_ATTR HWY_INLINE Quad fourAlong(const Voxel* row, int32_t i) const {
+    const int32_t last = finder_.size().x - 1;
+    if (i > 0 && i + 2 <= last) {
+      if constexpr (std::is_same_v<Voxel, float>) {
+        return hn::LoadU(Quads(), row + i - 1);
+      } else {
+        return twoPairs(row + i - 1, row + i + 1);
+      }
+    }
+    HWY_ALIGN float four[4];
+    for (int32_t n = 0; n < 4; ++n) {
+      four[n] = static_cast<float>(row[std::clamp(i - 1 + n, 0, last)]);
+    }
+    return loadQuad(four);
   }
 
-  /// Between a voxel and its neighbour along i.
-  HWY_ATTR HWY_INLINE FloatVec row(IntVec voxel, FloatVec share) const {
-    const Floats d;
-    const Ints di;
+  /// The voxels at `a` and `b`, each with its neighbour along i.
+  HWY_ATTR static HWY_INLINE Quad twoPairs(const Voxel* a, const Voxel* b) {
+    const Quads quads;
     if constexpr (std::is_same_v<Voxel, float>) {
-      const FloatVec a = hn::GatherIndex(d, voxels_, voxel);
-      const FloatVec b = hn::GatherIndex(d, voxels_ + 1, voxel);
-      return mix(a, b, share);
+      const hn::Half<Quads> pair;
+      return hn::Combine(quads, hn::LoadU(pair, b), hn::LoadU(pair, a));
     } else {
-      constexpr int kBits = 8 * int(sizeof(Voxel));
-      const IntVec words = gatherWords(voxels_, sizeof(Voxel) == 1 ? voxel : hn::ShiftLeft<1>(voxel));
-      // Little-endian: the first voxel is the lowest.
-      const IntVec first = hn::ShiftLeft<32 - kBits>(words);
-      const IntVec second = kBits == 16 ? words : hn::ShiftLeft<32 - 2 * kBits>(words);
-      return mix(number(d, di, first), number(d, di, second), share);
-    }
-  }
-  /// Of the topmost bits.
-  HWY_ATTR static HWY_INLINE FloatVec number(Floats d, Ints di, IntVec words) {
-    constexpr int kShift = 32 - 8 * int(sizeof(Voxel) < 4 ? sizeof(Voxel) : 2);
-    if constexpr (std::is_signed_v<Voxel>) {
-      return hn::ConvertTo(d, hn::ShiftRight<kShift>(words));
-    } else {
-      const hn::RebindToUnsigned<Ints> dw;
-      return hn::ConvertTo(d, hn::BitCast(di, hn::ShiftRight<kShift>(hn::BitCast(dw, words))));
+      using Word = std::conditional_t<sizeof(Voxel) == 1, uint16_t, uint32_t>;
+      using Words = std::conditional_t<sizeof(Voxel) == 1, uint32_t, uint64_t>;
+      Word first;
+      Word second;
+      std::memcpy(&first, a, sizeof(Word));
+      std::memcpy(&second, b, sizeof(Word));
+      const Words both = first | static_cast<Words>(static_cast<Words>(second) << (8 * sizeof(Word)));
+      const auto narrow = hn::BitCast(hn::Simd<Voxel, 4, 0>(), hn::Set(hn::Simd<Words, 1, 0>(), both));
+      return hn::ConvertTo(quads, hn::PromoteTo(hn::Full128<int32_t>(), narrow));
     }
   }
 
-  AnyField any_;
   const Voxel* voxels_;
-  float first_;
+  double first_;
   CellFinder finder_;
   int32_t nextJ_;
   int32_t nextK_;
-  int32_t lastWord_;
 };
+#endif
 
 }  // namespace ocelli::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
@@ -15,112 +16,10 @@
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
-#include "oc_core/volume_render/march_field-inl.h"
+#include "oc_core/volume_render/march_steps-inl.h"
 
 HWY_BEFORE_NAMESPACE();
 namespace ocelli::HWY_NAMESPACE {
-
-/// A piece, in single precision, and where it begins along the rays' part that it belongs to.
-struct MarchPiece {
-  glm::vec3 from;
-  glm::vec3 way;
-  glm::vec3 half;  ///< the direction between that to the light and that to the eye
-  float begin;
-  float t;
-  float tByLength;
-};
-
-/// Pieces that continue each other.
-struct MarchPart {
-  const MarchPiece* pieces;
-  size_t count;
-  float length;
-  float voxelsByLength;  ///< no index coordinate changes faster
-};
-
-struct Places {
-  Point index;
-  Point half;
-};
-
-/// The places at these lengths, which do not fall, from the piece `first` on.
-template <bool kWithHalf>
-HWY_ATTR HWY_INLINE Places placesAt(const MarchPart& part, size_t first, FloatVec length, float last) {
-  const Floats d;
-  const auto along = [&](const MarchPiece& piece) HWY_ATTR {
-    const FloatVec rest = hn::Sub(length, hn::Set(d, piece.begin));
-    Places p{{hn::MulAdd(rest, hn::Set(d, piece.way.x), hn::Set(d, piece.from.x)),
-              hn::MulAdd(rest, hn::Set(d, piece.way.y), hn::Set(d, piece.from.y)),
-              hn::MulAdd(rest, hn::Set(d, piece.way.z), hn::Set(d, piece.from.z))},
-             {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
-    if constexpr (kWithHalf) {
-      p.half = {hn::Set(d, piece.half.x), hn::Set(d, piece.half.y), hn::Set(d, piece.half.z)};
-    }
-    return p;
-  };
-  Places places = along(part.pieces[first]);
-  for (size_t i = first + 1; i < part.count && part.pieces[i].begin <= last; ++i) {
-    const Places next = along(part.pieces[i]);
-    const auto isNext = hn::Ge(length, hn::Set(d, part.pieces[i].begin));
-    const auto choose = [&](FloatVec& a, FloatVec b) HWY_ATTR { a = hn::IfThenElse(isNext, b, a); };
-    choose(places.index.x, next.index.x);
-    choose(places.index.y, next.index.y);
-    choose(places.index.z, next.index.z);
-    if constexpr (kWithHalf) {
-      choose(places.half.x, next.half.x);
-      choose(places.half.y, next.half.y);
-      choose(places.half.z, next.half.z);
-    }
-  }
-  return places;
-}
-
-/// The colour of a place becomes colour * factor + added.
-struct Light {
-  FloatVec factor;
-  FloatVec added;
-};
-
-/// As VolumeLighting::at(). Gradients are central differences.
-template <class Field>
-HWY_ATTR HWY_NOINLINE Light lightAt(const MarchSetup& setup, const Field& field, const Places& places) {
-  const Floats d;
-  const Point p = field.centerNear(places.index);
-  const FloatVec one = hn::Set(d, 1.0f);
-  const FloatVec half = hn::Set(d, 0.5f);
-  const FloatVec gx = hn::Sub(field.at({hn::Add(p.x, one), p.y, p.z}), field.at({hn::Sub(p.x, one), p.y, p.z}));
-  const FloatVec gy = hn::Sub(field.at({p.x, hn::Add(p.y, one), p.z}), field.at({p.x, hn::Sub(p.y, one), p.z}));
-  const FloatVec gz = hn::Sub(field.at({p.x, p.y, hn::Add(p.z, one)}), field.at({p.x, p.y, hn::Sub(p.z, one)}));
-  const glm::mat3& m = setup.worldFromIndexGradient;
-  const auto row = [&](int i) HWY_ATTR {
-    return hn::Mul(half, hn::MulAdd(gx, hn::Set(d, m[0][i]),
-                                    hn::MulAdd(gy, hn::Set(d, m[1][i]), hn::Mul(gz, hn::Set(d, m[2][i])))));
-  };
-  const Point g{row(0), row(1), row(2)};
-  const auto dot = [&](const Point& a, const Point& b)
-                       HWY_ATTR { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); };
-  const FloatVec length = hn::Sqrt(dot(g, g));
-  const FloatVec perLength = hn::Div(one, hn::Max(length, hn::Set(d, 1e-30f)));
-  const FloatVec lit = hn::Min(one, hn::Mul(length, hn::Set(d, setup.litByGradient)));
-  const Point toLight{hn::Set(d, setup.toLight.x), hn::Set(d, setup.toLight.y), hn::Set(d, setup.toLight.z)};
-  const FloatVec cosine = hn::Mul(hn::Abs(dot(g, toLight)), perLength);
-  const FloatVec shade = hn::MulAdd(cosine, hn::Set(d, setup.diffuse), hn::Set(d, setup.ambient));
-  Light light{hn::MulAdd(lit, hn::Sub(shade, one), one), hn::Zero(d)};
-  if (setup.specular > 0) {
-    const FloatVec highlight = hn::Mul(hn::Abs(dot(g, places.half)), perLength);
-    const FloatVec power =
-        hn::Exp(d, hn::Mul(hn::Set(d, setup.shininess), hn::Log(d, hn::Max(highlight, hn::Set(d, 1e-30f)))));
-    light.added = hn::Mul(hn::Mul(lit, hn::Set(d, setup.specular)), power);
-  }
-  return light;
-}
-
-constexpr size_t kLanes = HWY_LANES(float);
-
-/// Extinction, and light of each channel, of the steps of a group: each is that of one sample and the one before it.
-struct Steps {
-  HWY_ALIGN float four[4 * kLanes];  ///< by step: optical depth, and red, green and blue times it
-};
 
 /// What a step needs of the sample before it.
 struct Before {
@@ -128,226 +27,151 @@ struct Before {
   Quad rest;
   Quad at;
   float entry;
+  float moment[2];
 };
 
-/// `entry` are places in the table. `length` are those of the steps that end at each sample.
-HWY_ATTR HWY_INLINE void lookUp(const MarchSetup& setup, FloatVec entry, FloatVec length, Before& before,
-                                Steps& steps) {
-  const Floats d;
-  const Ints di;
-  HWY_ALIGN float entries[kLanes + 1 + 15];
-  HWY_ALIGN int32_t which[kLanes];
-  HWY_ALIGN float shares[kLanes];
-  HWY_ALIGN float byChange[kLanes];
-  HWY_ALIGN float byMean[kLanes];
-  // Beyond the table it is constant: the first and the last two entries are the same.
-  const FloatVec bounded = hn::Min(hn::Max(entry, hn::Zero(d)), hn::Set(d, float(OpticalTable::kEntries - 2)));
-  const IntVec index = hn::ConvertTo(di, bounded);
-  hn::Store(index, di, which);
-  hn::Store(hn::Sub(entry, hn::ConvertTo(d, index)), d, shares);
-  entries[0] = before.entry;
-  hn::StoreU(entry, d, entries + 1);
-  const FloatVec change = hn::Sub(entry, hn::Load(d, entries));
-  // Where the field hardly changes, by the mean of both ends.
-  const auto isSmall = hn::Lt(hn::Abs(change), hn::Set(d, 1.0f));
-  const FloatVec zero = hn::Zero(d);
-  hn::Store(hn::IfThenElse(isSmall, zero, hn::Div(length, hn::IfThenElse(isSmall, hn::Set(d, 1.0f), change))), d,
-            byChange);
-  hn::Store(hn::IfThenElse(isSmall, hn::Mul(length, hn::Set(d, 0.5f)), zero), d, byMean);
-  for (size_t i = 0; i < kLanes; ++i) {
-    const OpticalTable::Entry& e = setup.entries[which[i]];
-    const Quad share = setQuad(shares[i]);
-    const Quad integral = loadQuad(e.integral.data());
-    const Quad first = loadQuad(e.at.data());
-    const Quad growth = multiplyQuads(share, loadQuad(e.change.data()));
-    const Quad at = addQuads(first, growth);
-    const Quad middle = addQuads(first, multiplyQuads(growth, setQuad(0.5f)));
-    const Quad rest = addQuads(loadQuad(e.rest.data()), multiplyQuads(share, middle));
-    const Quad difference = addQuads(subtractQuads(integral, before.integral), subtractQuads(rest, before.rest));
-    const Quad sum = multiplyQuads(addQuads(at, before.at), setQuad(byMean[i]));
-    storeQuad(addQuads(sum, multiplyQuads(difference, setQuad(byChange[i]))), steps.four + 4 * i);
-    before.integral = integral;
-    before.rest = rest;
-    before.at = at;
-  }
-  before.entry = entries[kLanes];
-}
-
-/// A ray on its way.
+/// A ray on its way, a group of samples after the other. The work on a group comes in phases, so that those of several
+/// rays can take turns: what one phase writes number by number, the next reads as vectors, and that waits where it
+/// follows at once.
 template <class Field>
 class March {
  public:
-  HWY_ATTR March(const MarchSetup& setup, const Field& field, bool stopsAtDepth)
-      : setup_(setup), field_(field), stopsAtDepth_(stopsAtDepth) {}
+  void attach(const MarchSetup& setup, const Field& field, bool stopsAtDepth) {
+    setup_ = &setup;
+    field_ = &field;
+    stopsAtDepth_ = stopsAtDepth;
+  }
+  /// The ray that is to be followed.
+  HWY_ATTR void begin(std::span<const RayPiece> pieces);
+  /// Finds the next group, skipping what is empty. False where the ray has ended.
+  HWY_ATTR bool prepare();
+  // The phases of a group, in order.
+  HWY_ATTR void read() { field_->read(index_, count_, values_); }
+  HWY_ATTR void findEntries();
+  HWY_ATTR void weighChanges();
+  HWY_ATTR void lookUp();
+  HWY_ATTR void sum();
+  HWY_ATTR void pass();
+  HWY_ATTR void add();
 
   const MarchResult& result() const { return result_; }
-  bool isDone() const { return isDone_; }
-
-  HWY_ATTR void run(const MarchPart& part) {
-    const Floats d;
-    const auto last = static_cast<int>(std::max(1.0f, std::ceil(part.length / setup_.step - 1e-4f)));  // sample
-    const FloatVec lane = hn::Iota(d, 0.0f);
-    Before before{setQuad(0), setQuad(0), setQuad(0), 0};
-    bool isBefore = false;  // whether `before` is that of the sample before the group
-    bool wasSeen = false;   // whether the brick of that sample shows something
-    size_t piece = 0;
-    for (int k = 0; k <= last && !isDone_;) {
-      const auto lengthAt = [&](int sample) { return std::min(float(sample) * setup_.step, part.length); };
-      while (piece + 1 < part.count && part.pieces[piece + 1].begin <= lengthAt(k)) {
-        ++piece;
-      }
-      const auto lengthsFrom = [&](int sample) HWY_ATTR {
-        const FloatVec number = hn::Add(hn::Set(d, float(sample)), lane);
-        // The last sample is at the end, however long the rest is.
-        const FloatVec length = hn::Min(hn::Mul(number, hn::Set(d, setup_.step)), hn::Set(d, part.length));
-        return hn::IfThenElse(hn::Ge(number, hn::Set(d, float(last))), hn::Set(d, part.length), length);
-      };
-      FloatVec length = lengthsFrom(k);
-      const auto endOf = [&](int sample) {
-        return sample + int(kLanes) - 1 >= last ? part.length : lengthAt(sample + int(kLanes) - 1);
-      };
-      Point index = placesAt<false>(part, piece, length, endOf(k)).index;
-      if (setup_.distances != nullptr) {
-        int distance = 0;
-        const bool isSeen = lookAtBricks(index, distance, lastIsSeen_);
-        if (!isSeen && !wasSeen) {
-          const float way = float((distance - 1) * VolumeBricks::kEdge);
-          k += int(kLanes) + int(way / (part.voxelsByLength * setup_.step) * 0.9999f);
-          isBefore = false;
-          continue;
-        }
-        wasSeen = lastIsSeen_;
-      }
-      if (!isBefore && k > 0) {
-        --k;
-        while (piece > 0 && part.pieces[piece].begin > lengthAt(k)) {
-          --piece;
-        }
-        length = lengthsFrom(k);
-        index = placesAt<false>(part, piece, length, endOf(k)).index;
-        if (setup_.distances != nullptr) {
-          int distance = 0;
-          lookAtBricks(index, distance, lastIsSeen_);
-          wasSeen = lastIsSeen_;
-        }
-      }
-      // The lengths of the steps that end at the samples; none ends at the first one.
-      const FloatVec previous = lengthsFrom(k - 1);
-      FloatVec step = hn::Sub(length, previous);
-      const FloatVec entry = hn::Mul(field_.at(index), hn::Set(d, setup_.entriesByNumber));
-      if (!isBefore) {
-        step = hn::IfThenElse(hn::Lt(lane, hn::Set(d, 0.5f)), hn::Zero(d), step);
-        before.entry = hn::GetLane(entry);
-      }
-      Steps steps;
-      lookUp(setup_, entry, step, before, steps);
-      result_.samples += uint32_t(std::min(int(kLanes), last + 1 - k));
-      add(part, piece, k, length, step, endOf(k), steps);
-      isBefore = true;
-      k += int(kLanes);
-    }
-  }
 
  private:
-  /// Whether the brick of one of the places shows something; the distance of that of the last one, and whether it does.
-  HWY_ATTR HWY_INLINE bool lookAtBricks(const Point& index, int& distance, bool& lastIsSeen) const {
+  static constexpr float kUnseen = 1e-5f;  ///< of a step: less light than this needs no shade
+
+  HWY_ATTR bool nextPart();
+  HWY_ATTR void lookUpMoments();
+  float lengthAt(int sample) const { return std::min(float(sample) * setup_->step, part_.length); }
+  HWY_ATTR HWY_INLINE FloatVec lengthsFrom(int sample) const {
+    const Floats d;
+    const FloatVec number = hn::Add(hn::Set(d, float(sample)), hn::Iota(d, 0.0f));
+    // The last sample is at the end, however long the rest is.
+    const FloatVec length = hn::Min(hn::Mul(number, hn::Set(d, setup_->step)), hn::Set(d, part_.length));
+    return hn::IfThenElse(hn::Ge(number, hn::Set(d, float(last_))), hn::Set(d, part_.length), length);
+  }
+  /// The places of the samples from next_ on.
+  HWY_ATTR HWY_INLINE void placeGroup() {
+    while (piece_ > 0 && part_.pieces[piece_].begin > lengthAt(next_)) {
+      --piece_;
+    }
+    while (piece_ + 1 < part_.count && part_.pieces[piece_ + 1].begin <= lengthAt(next_)) {
+      ++piece_;
+    }
+    const int lastOfGroup = next_ + int(kLanes) - 1;
+    end_ = lastOfGroup >= last_ ? part_.length : lengthAt(lastOfGroup);
+    count_ = std::min(kLanes, size_t(last_ + 1 - next_));
+    length_ = lengthsFrom(next_);
+    index_ = placesAt<false>(part_, piece_, length_, end_).index;
+  }
+
+  struct Bricks {
+    uint32_t seen;  ///< bit i: that of place i shows something
+    int distance;   ///< of that of the last place
+  };
+  HWY_ATTR HWY_INLINE Bricks lookAtBricks(const Point& index, size_t count) const {
     const Floats d;
     const Ints di;
     const FloatVec bricksByVoxel = hn::Set(d, 1.0f / float(VolumeBricks::kEdge));
-    const auto along = [&](FloatVec x, int count) HWY_ATTR {
-      return hn::Min(hn::Max(hn::ConvertTo(di, hn::Mul(x, bricksByVoxel)), hn::Zero(di)), hn::Set(di, count - 1));
+    const auto along = [&](FloatVec x, int bricks) HWY_ATTR {
+      return hn::Min(hn::Max(hn::ConvertTo(di, hn::Mul(x, bricksByVoxel)), hn::Zero(di)), hn::Set(di, bricks - 1));
     };
-    const IntVec i = along(index.x, setup_.bricks.x);
-    const IntVec j = along(index.y, setup_.bricks.y);
-    const IntVec k = along(index.z, setup_.bricks.z);
+    const IntVec i = along(index.x, setup_->bricks.x);
+    const IntVec j = along(index.y, setup_->bricks.y);
+    const IntVec k = along(index.z, setup_->bricks.z);
     const IntVec brick =
-        hn::Add(hn::Mul(hn::Add(hn::Mul(k, hn::Set(di, setup_.bricks.y)), j), hn::Set(di, setup_.bricks.x)), i);
-    const IntVec distances = hn::And(gatherWords(setup_.distances, brick), hn::Set(di, 0xff));
+        hn::Add(hn::Mul(hn::Add(hn::Mul(k, hn::Set(di, setup_->bricks.y)), j), hn::Set(di, setup_->bricks.x)), i);
+    const IntVec distances = hn::And(gatherWords(setup_->distances, brick), hn::Set(di, 0xff));
     HWY_ALIGN int32_t all[kLanes];
     hn::Store(distances, di, all);
-    distance = all[kLanes - 1];
-    lastIsSeen = distance == 0;
-    return !hn::AllFalse(di, hn::Eq(distances, hn::Zero(di)));
+    uint8_t bits[8] = {};
+    hn::StoreMaskBits(di, hn::Eq(distances, hn::Zero(di)), bits);
+    return {bits[0] & ((1u << count) - 1), all[count - 1]};
   }
 
-  /// Composites the steps of a group behind all before.
-  HWY_ATTR HWY_INLINE void add(const MarchPart& part, size_t piece, int sample, FloatVec length, FloatVec step,
-                               float end, const Steps& steps) {
+  /// At these lengths along the ray, where `isWanted`.
+  HWY_ATTR HWY_INLINE Light lightOfSteps(FloatVec length, hn::Mask<Floats> isWanted) const {
     const Floats d;
-    FloatVec depth;
-    FloatVec red;
-    FloatVec green;
-    FloatVec blue;
-    hn::LoadInterleaved4(d, steps.four, depth, red, green, blue);
-    const FloatVec zero = hn::Zero(d);
-    depth = hn::Max(depth, zero);
-    const auto isSome = hn::Gt(depth, zero);
-    if (hn::AllFalse(d, isSome)) {
-      return;
+    const size_t count = hn::CountTrue(d, isWanted);
+    if (count == 0) {
+      return {hn::Set(d, 1.0f), hn::Zero(d)};
     }
-    HWY_ALIGN float sums[kLanes];
-    HWY_ALIGN float passes[kLanes + 16];  // how much light passes all steps up to this one
-    hn::Store(depth, d, sums);
-    float sum = 0;
-    for (size_t i = 0; i < kLanes; ++i) {
-      sum += sums[i];
-      sums[i] = sum;
+    size_t piece = piece_;
+    while (piece > 0 && part_.pieces[piece].begin > hn::GetLane(length)) {
+      --piece;
     }
-    passes[0] = 1;
-    hn::StoreU(hn::Exp(d, hn::Neg(hn::Load(d, sums))), d, passes + 1);
-    const FloatVec before = hn::Set(d, result_.transmittance);
-    const FloatVec kept = hn::Mul(before, hn::Sub(hn::Load(d, passes), hn::LoadU(d, passes + 1)));
-    const FloatVec byDepth = hn::Div(kept, hn::IfThenElse(isSome, depth, hn::Set(d, 1.0f)));
-    red = hn::Mul(red, byDepth);
-    green = hn::Mul(green, byDepth);
-    blue = hn::Mul(blue, byDepth);
-    if (setup_.isShaded && !hn::AllFalse(d, hn::Gt(kept, hn::Set(d, kUnseen)))) {
-      // In the middle of each step.
-      const FloatVec middle = hn::MulAdd(step, hn::Set(d, -0.5f), length);
-      while (piece > 0 && part.pieces[piece].begin > hn::GetLane(middle)) {
-        --piece;
-      }
-      const Light light = lightAt(setup_, field_, placesAt<true>(part, piece, middle, end));
-      const FloatVec white = hn::Mul(kept, light.added);
-      red = hn::MulAdd(red, light.factor, white);
-      green = hn::MulAdd(green, light.factor, white);
-      blue = hn::MulAdd(blue, light.factor, white);
+    Places places = placesAt<true>(part_, piece, length, end_);
+    if (count == kLanes) {
+      return lightAt(*setup_, *field_, places, count);
     }
-    const float transmittance = result_.transmittance * passes[kLanes];
-    if (!result_.isDeep && 1 - transmittance >= setup_.depthOpacity) {
-      const float share = findDepth(part, sample, length, step, sums);
-      if (stopsAtDepth_) {
-        addBeforeDepth(red, green, blue, kept, share);
-        return;
-      }
+    const auto keep = [&](FloatVec& x) HWY_ATTR { x = hn::Compress(x, isWanted); };
+    keep(places.index.x);
+    keep(places.index.y);
+    keep(places.index.z);
+    if (setup_->specular > 0) {
+      keep(places.half.x);
+      keep(places.half.y);
+      keep(places.half.z);
     }
-    result_.color[0] += hn::GetLane(hn::SumOfLanes(d, red));
-    result_.color[1] += hn::GetLane(hn::SumOfLanes(d, green));
-    result_.color[2] += hn::GetLane(hn::SumOfLanes(d, blue));
-    result_.transmittance = transmittance;
-    isDone_ = transmittance <= setup_.endTransmittance;
+    const Light light = lightAt(*setup_, *field_, places, count);
+    HWY_ALIGN float factors[kLanes];
+    HWY_ALIGN float added[kLanes];
+    HWY_ALIGN float spreadFactors[kLanes];
+    HWY_ALIGN float spreadAdded[kLanes];
+    hn::Store(light.factor, d, factors);
+    hn::Store(light.added, d, added);
+    hn::Store(hn::Set(d, 1.0f), d, spreadFactors);
+    hn::Store(hn::Zero(d), d, spreadAdded);
+    uint8_t bits[8] = {};
+    hn::StoreMaskBits(d, isWanted, bits);
+    uint32_t left = bits[0];
+    for (size_t i = 0; i < count; ++i, left &= left - 1) {
+      const auto lane = static_cast<size_t>(std::countr_zero(left));
+      spreadFactors[lane] = factors[i];
+      spreadAdded[lane] = added[i];
+    }
+    return {hn::Load(d, spreadFactors), hn::Load(d, spreadAdded)};
   }
 
   /// Where the opacity reaches its threshold within a group: sets t; returns the step, and how much of it, as a sum.
-  HWY_ATTR float findDepth(const MarchPart& part, int /*sample*/, FloatVec length, FloatVec step, const float* sums) {
+  HWY_ATTR float findDepth() {
     const Floats d;
     HWY_ALIGN float lengths[kLanes];
     HWY_ALIGN float stepLengths[kLanes];
-    hn::Store(length, d, lengths);
-    hn::Store(step, d, stepLengths);
-    const float wanted = std::max(0.0f, std::log(result_.transmittance / (1 - setup_.depthOpacity)));
+    hn::Store(length_, d, lengths);
+    hn::Store(step_, d, stepLengths);
+    const float wanted = std::max(0.0f, std::log(result_.transmittance / (1 - setup_->depthOpacity)));
     size_t i = 0;
-    while (i + 1 < kLanes && sums[i] < wanted) {
+    while (i + 1 < kLanes && sums_[i] < wanted) {
       ++i;
     }
-    const float first = i > 0 ? sums[i - 1] : 0;
-    const float share = sums[i] > first ? std::clamp((wanted - first) / (sums[i] - first), 0.0f, 1.0f) : 0.0f;
+    const float first = i > 0 ? sums_[i - 1] : 0;
+    const float share = sums_[i] > first ? std::clamp((wanted - first) / (sums_[i] - first), 0.0f, 1.0f) : 0.0f;
     const float at = lengths[i] - (1 - share) * stepLengths[i];
     size_t piece = 0;
-    while (piece + 1 < part.count && part.pieces[piece + 1].begin <= at) {
+    while (piece + 1 < part_.count && part_.pieces[piece + 1].begin <= at) {
       ++piece;
     }
-    result_.t = part.pieces[piece].t + (at - part.pieces[piece].begin) * part.pieces[piece].tByLength;
+    result_.t = part_.pieces[piece].t + (at - part_.pieces[piece].begin) * part_.pieces[piece].tByLength;
     result_.isDeep = true;
     return float(i) + share;
   }
@@ -362,7 +186,7 @@ class March {
     hn::Store(blue, d, channels[2]);
     hn::Store(kept, d, seen);
     const auto whole = std::min(static_cast<size_t>(depth), kLanes - 1);
-    float left = result_.transmittance - (1 - setup_.depthOpacity);  // to be kept before the threshold is reached
+    float left = result_.transmittance - (1 - setup_->depthOpacity);  // to be kept before the threshold is reached
     for (size_t i = 0; i <= whole; ++i) {
       const float share = i < whole ? 1 : seen[i] > 0 ? std::clamp(left / seen[i], 0.0f, 1.0f) : 0;
       for (size_t c = 0; c < 3; ++c) {
@@ -370,73 +194,393 @@ class March {
       }
       left -= seen[i];
     }
-    result_.transmittance = 1 - setup_.depthOpacity;
+    result_.transmittance = 1 - setup_->depthOpacity;
     isDone_ = true;
   }
 
-  static constexpr float kUnseen = 1e-5f;  ///< of a step: less light than this needs no shade
-
-  const MarchSetup& setup_;
-  const Field& field_;
+  const MarchSetup* setup_;
+  const Field* field_;
   bool stopsAtDepth_;
   MarchResult result_;
-  bool isDone_ = false;
-  bool lastIsSeen_ = false;
+  bool isDone_;
+
+  std::array<MarchPiece, RayPath::kMaxPoints> pieces_;
+  size_t pieceCount_;
+  size_t nextPiece_;  ///< the first of the next part
+
+  MarchPart part_;
+  size_t piece_;   ///< of the first sample of the group
+  int next_;       ///< sample of the part
+  int last_;       ///< sample of the part
+  bool isBefore_;  ///< whether before_ is that of the sample before the group
+  bool wasSeen_;   ///< whether that sample's brick shows something
+  Before before_;
+
+  // Of the group.
+  size_t count_;  ///< samples; the other lanes mean nothing
+  float end_;     ///< length of the last lane
+  FloatVec length_;
+  FloatVec step_;  ///< lengths of the steps that end at each sample
+  Point index_;
+  FloatVec entry_;
+  HWY_ALIGN float values_[kLanes];
+  HWY_ALIGN float entries_[2 * kLanes];  ///< that of the sample before comes first
+  HWY_ALIGN int32_t which_[kLanes];
+  HWY_ALIGN float shares_[kLanes];
+  HWY_ALIGN float byChange_[kLanes];
+  HWY_ALIGN float byMean_[kLanes];
+  HWY_ALIGN float depths_[4 * kLanes];    ///< by step: optical depth, and red, green and blue times it
+  HWY_ALIGN float ends_[4 * kLanes + 4];  ///< at the sample before and at each: OpticalTable::Entry::at
+  HWY_ALIGN float moments_[kLanes];       ///< by step: optical depth times the entry that it is of, on average
+  FloatVec depth_;
+  FloatVec red_;
+  FloatVec green_;
+  FloatVec blue_;
+  bool isSeen_;
+  HWY_ALIGN float sums_[kLanes];        ///< of optical depths
+  HWY_ALIGN float passes_[2 * kLanes];  ///< how much light passes all steps up to this one
 };
 
 template <class Field>
-HWY_ATTR MarchResult marchWith(const MarchSetup& setup, std::span<const RayPiece> pieces, bool stopsAtDepth) {
-  const Field field(setup);
-  March<Field> march(setup, field, stopsAtDepth);
-  std::array<MarchPiece, RayPath::kMaxPoints> marched;
-  size_t begin = 0;
-  while (begin < pieces.size() && !march.isDone()) {
-    double length = 0;
-    double rate = 0;
-    size_t end = begin;
-    do {
-      const RayPiece& p = pieces[end];
-      const glm::vec3 between = setup.toLight - glm::vec3(p.direction);
-      const float betweenLength = glm::length(between);
-      marched[end - begin] = {glm::vec3(p.from),
-                              glm::vec3(p.way),
-                              betweenLength > 0 ? between / betweenLength : glm::vec3(0),
-                              static_cast<float>(length),
-                              static_cast<float>(p.t),
-                              static_cast<float>(p.tByLength)};
-      length += p.length;
-      rate = std::max({rate, std::abs(p.way.x), std::abs(p.way.y), std::abs(p.way.z)});
-      ++end;
-    } while (end < pieces.size() && pieces[end].continues);
-    march.run({marched.data(), end - begin, static_cast<float>(length), static_cast<float>(rate)});
-    begin = end;
+HWY_ATTR void March<Field>::begin(std::span<const RayPiece> pieces) {
+  result_ = {};
+  isDone_ = false;
+  pieceCount_ = pieces.size();
+  nextPiece_ = 0;
+  double length = 0;
+  for (size_t i = 0; i < pieces.size(); ++i) {
+    const RayPiece& p = pieces[i];
+    length = p.continues ? length : 0;
+    glm::vec3 between(0);
+    if (setup_->isShaded) {
+      between = setup_->toLight - glm::vec3(p.direction);
+      between /= std::max(glm::length(between), 1e-6f);
+    }
+    pieces_[i] = {glm::vec3(p.from),
+                  glm::vec3(p.way),
+                  between,
+                  static_cast<float>(length),
+                  static_cast<float>(length + p.length),
+                  static_cast<float>(p.t),
+                  static_cast<float>(p.tByLength),
+                  p.continues};
+    length += p.length;
   }
-  return march.result();
+  isDone_ = !nextPart();
 }
 
-HWY_ATTR MarchResult marchRay(const MarchSetup& setup, std::span<const RayPiece> pieces, bool stopsAtDepth) {
-  if (pieces.empty()) {
-    return {};
+/// The pieces from nextPiece_ on that continue each other. False where there are none.
+template <class Field>
+HWY_ATTR bool March<Field>::nextPart() {
+  if (nextPiece_ >= pieceCount_) {
+    return false;
   }
+  part_ = {&pieces_[nextPiece_], 0, 0, 0};
+  do {
+    const MarchPiece& piece = pieces_[nextPiece_++];
+    ++part_.count;
+    part_.length = piece.end;
+    part_.voxelsByLength =
+        std::max({part_.voxelsByLength, std::abs(piece.way.x), std::abs(piece.way.y), std::abs(piece.way.z)});
+  } while (nextPiece_ < pieceCount_ && pieces_[nextPiece_].continues);
+  piece_ = 0;
+  next_ = 0;
+  last_ = static_cast<int>(std::max(1.0f, std::ceil(part_.length / setup_->step - 1e-4f)));
+  isBefore_ = false;
+  wasSeen_ = false;
+  before_ = {setQuad(0), setQuad(0), setQuad(0), 0, {0, 0}};
+  return true;
+}
+
+template <class Field>
+HWY_ATTR bool March<Field>::prepare() {
+  while (!isDone_) {
+    if (next_ > last_) {
+      isDone_ = !nextPart();
+      continue;
+    }
+    placeGroup();
+    if (setup_->distances == nullptr) {
+      break;
+    }
+    Bricks bricks = lookAtBricks(index_, count_);
+    if (bricks.seen == 0 && !wasSeen_) {
+      const float way = float((bricks.distance - 1) * VolumeBricks::kEdge);
+      next_ += int(count_) + int(way / (part_.voxelsByLength * setup_->step) * 0.9999f);
+      isBefore_ = false;
+      continue;
+    }
+    const int first = std::max(next_ + std::countr_zero(bricks.seen) - 1, 0);
+    if (!isBefore_ && first != next_) {
+      // Begin with the sample before the first one that is seen.
+      next_ = first;
+      placeGroup();
+      bricks = lookAtBricks(index_, count_);
+    }
+    // And end with the sample behind the last one.
+    const auto behind = static_cast<size_t>(std::bit_width(bricks.seen)) + 1;
+    wasSeen_ = behind > count_;
+    count_ = std::min(count_, behind);
+    break;
+  }
+  if (isDone_) {
+    return false;
+  }
+  // None ends at the first sample of all, and what is behind the last one has none.
+  const Floats d;
+  const FloatVec lane = hn::Iota(d, 0.0f);
+  const auto isStep =
+      hn::And(hn::Lt(lane, hn::Set(d, float(count_))), hn::Ge(lane, hn::Set(d, isBefore_ ? 0.0f : 1.0f)));
+  step_ = hn::IfThenElseZero(isStep, hn::Sub(length_, lengthsFrom(next_ - 1)));
+  result_.samples += uint32_t(count_);
+  next_ += int(count_);
+  return true;
+}
+
+template <class Field>
+HWY_ATTR void March<Field>::findEntries() {
+  const Floats d;
+  const Ints di;
+  const FloatVec number = hn::Sub(hn::Load(d, values_), hn::Set(d, static_cast<float>(field_->first())));
+  entry_ = hn::Mul(number, hn::Set(d, setup_->entriesByNumber));
+  // Beyond the table it is constant: the first and the last two entries are the same.
+  const FloatVec bounded = hn::Min(hn::Max(entry_, hn::Zero(d)), hn::Set(d, float(OpticalTable::kEntries - 2)));
+  const IntVec index = hn::ConvertTo(di, bounded);
+  hn::Store(index, di, which_);
+  hn::Store(hn::Sub(entry_, hn::ConvertTo(d, index)), d, shares_);
+  entries_[0] = isBefore_ ? before_.entry : hn::GetLane(entry_);
+  hn::StoreU(entry_, d, entries_ + 1);
+}
+
+template <class Field>
+HWY_ATTR void March<Field>::weighChanges() {
+  const Floats d;
+  const FloatVec change = hn::Sub(entry_, hn::Load(d, entries_));
+  // Where the field hardly changes, by the mean of both ends.
+  const auto isSmall = hn::Lt(hn::Abs(change), hn::Set(d, 1.0f));
+  const FloatVec byChange = hn::Div(step_, hn::IfThenElse(isSmall, hn::Set(d, 1.0f), change));
+  hn::Store(hn::IfThenZeroElse(isSmall, byChange), d, byChange_);
+  hn::Store(hn::IfThenElseZero(isSmall, hn::Mul(step_, hn::Set(d, 0.5f))), d, byMean_);
+}
+
+template <class Field>
+HWY_ATTR void March<Field>::lookUp() {
+  Before before = before_;
+  storeQuad(before.at, ends_);
+  for (size_t i = 0; i < count_; ++i) {
+    const OpticalTable::Entry& e = setup_->entries[which_[i]];
+    const Quad share = setQuad(shares_[i]);
+    const Quad integral = loadQuad(e.integral.data());
+    const Quad half = loadQuad(e.halfChange.data());
+    const Quad middle = multiplyAddQuads(share, half, loadQuad(e.at.data()));
+    const Quad at = multiplyAddQuads(share, half, middle);
+    const Quad rest = multiplyAddQuads(share, middle, loadQuad(e.rest.data()));
+    const Quad difference = addQuads(subtractQuads(integral, before.integral), subtractQuads(rest, before.rest));
+    const Quad sum = multiplyQuads(addQuads(at, before.at), setQuad(byMean_[i]));
+    storeQuad(multiplyAddQuads(difference, setQuad(byChange_[i]), sum), depths_ + 4 * i);
+    storeQuad(at, ends_ + 4 * (i + 1));
+    before.integral = integral;
+    before.rest = rest;
+    before.at = at;
+  }
+  for (size_t i = count_; i < kLanes; ++i) {
+    storeQuad(setQuad(0), depths_ + 4 * i);
+    storeQuad(setQuad(0), ends_ + 4 * (i + 1));
+  }
+  before.entry = entries_[count_];
+  before_ = before;
+  isBefore_ = true;
+  if (setup_->isShaded) {
+    lookUpMoments();
+  }
+}
+
+/// Of extinction, over the steps.
+template <class Field>
+HWY_ATTR void March<Field>::lookUpMoments() {
+  float before = before_.moment[0];
+  float beforeRest = before_.moment[1];
+  for (size_t i = 0; i < count_; ++i) {
+    const auto entry = static_cast<size_t>(which_[i]);
+    const OpticalTable::Entry& e = setup_->entries[entry];
+    const float part = shares_[i] * (e.at[0] + shares_[i] * e.halfChange[0]);
+    const float moment = setup_->moments[entry][0];
+    const float rest = setup_->moments[entry][1] + (entries_[i + 1] - 0.5f * shares_[i]) * part;
+    moments_[i] = ((moment - before) + (rest - beforeRest)) * byChange_[i];
+    before = moment;
+    beforeRest = rest;
+  }
+  std::fill(moments_ + count_, moments_ + kLanes, 0.0f);
+  before_.moment[0] = before;
+  before_.moment[1] = beforeRest;
+}
+
+template <class Field>
+HWY_ATTR void March<Field>::sum() {
+  const Floats d;
+  hn::LoadInterleaved4(d, depths_, depth_, red_, green_, blue_);
+  depth_ = hn::Max(depth_, hn::Zero(d));
+  isSeen_ = !hn::AllFalse(d, hn::Gt(depth_, hn::Zero(d)));
+  if (!isSeen_) {
+    return;
+  }
+  float sum = 0;
+  for (size_t i = 0; i < kLanes; ++i) {
+    sum += std::max(depths_[4 * i], 0.0f);
+    sums_[i] = sum;
+  }
+}
+
+template <class Field>
+HWY_ATTR void March<Field>::pass() {
+  if (isSeen_) {
+    const Floats d;
+    passes_[0] = 1;
+    hn::StoreU(hn::Exp(d, hn::Neg(hn::Load(d, sums_))), d, passes_ + 1);
+  }
+}
+
+/// Composites the steps of the group behind all before.
+template <class Field>
+HWY_ATTR void March<Field>::add() {
+  if (!isSeen_) {
+    return;
+  }
+  const Floats d;
+  const FloatVec one = hn::Set(d, 1.0f);
+  const FloatVec before = hn::Load(d, passes_);
+  const FloatVec after = hn::LoadU(d, passes_ + 1);
+  const FloatVec transmittance = hn::Set(d, result_.transmittance);
+  const FloatVec kept = hn::Mul(transmittance, hn::Sub(before, after));
+  const FloatVec perDepth = hn::Div(one, hn::IfThenElse(hn::Gt(depth_, hn::Zero(d)), depth_, one));
+  Ends first;
+  Ends last;
+  hn::LoadInterleaved4(d, ends_, first.extinction, first.red, first.green, first.blue);
+  hn::LoadInterleaved4(d, ends_ + 4, last.extinction, last.red, last.green, last.blue);
+  // Of a step that is seen by a peak within it, rather than by what its ends have, these say little.
+  const FloatVec byEnds = hn::Mul(hn::Mul(hn::Add(first.extinction, last.extinction), step_), hn::Set(d, 0.5f));
+  const FloatVec likeEnds = hn::Min(hn::Mul(byEnds, perDepth), one);
+  const FloatVec through = hn::Mul(transmittance, hn::Sqrt(hn::Mul(before, after)));
+  const ColorOrder order(first.extinction, last.extinction, depth_, hn::Mul(through, likeEnds));
+  const auto seen = [&](FloatVec byDepth, FloatVec atFirst, FloatVec atLast) HWY_ATTR {
+    const FloatVec mean = hn::Mul(byDepth, perDepth);
+    return hn::MulAdd(mean, kept, order.light(mean, atFirst, atLast));
+  };
+  red_ = seen(red_, first.red, last.red);
+  green_ = seen(green_, first.green, last.green);
+  blue_ = seen(blue_, first.blue, last.blue);
+  if (setup_->isShaded) {
+    const FloatVec center = centerOfLight(hn::Load(d, entries_), entry_, hn::Mul(hn::Load(d, moments_), perDepth));
+    const Light light = lightOfSteps(hn::NegMulAdd(step_, center, length_), hn::Gt(kept, hn::Set(d, kUnseen)));
+    const FloatVec white = hn::Mul(kept, light.added);
+    red_ = hn::MulAdd(red_, light.factor, white);
+    green_ = hn::MulAdd(green_, light.factor, white);
+    blue_ = hn::MulAdd(blue_, light.factor, white);
+  }
+  const float left = result_.transmittance * passes_[kLanes];
+  if (!result_.isDeep && 1 - left >= setup_->depthOpacity) {
+    const float depth = findDepth();
+    if (stopsAtDepth_) {
+      addBeforeDepth(red_, green_, blue_, kept, depth);
+      return;
+    }
+  }
+  result_.color[0] += hn::GetLane(hn::SumOfLanes(d, red_));
+  result_.color[1] += hn::GetLane(hn::SumOfLanes(d, green_));
+  result_.color[2] += hn::GetLane(hn::SumOfLanes(d, blue_));
+  result_.transmittance = left;
+  isDone_ = left <= setup_->endTransmittance;
+}
+
+/// Some rays at once, in turns, until none is left.
+template <class Field>
+HWY_ATTR void marchWith(const MarchSetup& setup, size_t count, const PiecesOfRay& piecesOfRay, bool stopsAtDepth,
+                        MarchResult* results) {
+  constexpr size_t kRays = 8;
+  const Field field(setup);
+  std::array<March<Field>, kRays> marches;
+  std::array<size_t, kRays> rays;
+  std::array<size_t, kRays> order;  // of those that are on their way, the first `active`
+  VolumeExtent::Pieces pieces;
+  size_t next = 0;
+  // The next ray that has a group. False where none is left.
+  const auto start = [&](size_t slot) HWY_ATTR {
+    while (next < count) {
+      rays[slot] = next++;
+      marches[slot].begin(std::span(pieces).first(piecesOfRay(rays[slot], pieces)));
+      if (marches[slot].prepare()) {
+        return true;
+      }
+      results[rays[slot]] = marches[slot].result();
+    }
+    return false;
+  };
+  size_t active = 0;
+  for (size_t slot = 0; slot < kRays; ++slot) {
+    marches[slot].attach(setup, field, stopsAtDepth);
+    if (start(slot)) {
+      order[active++] = slot;
+    }
+  }
+  while (active > 0) {
+    for (size_t i = 0; i < active; ++i) {
+      marches[order[i]].read();
+    }
+    for (size_t i = 0; i < active; ++i) {
+      marches[order[i]].findEntries();
+    }
+    for (size_t i = 0; i < active; ++i) {
+      marches[order[i]].weighChanges();
+    }
+    for (size_t i = 0; i < active; ++i) {
+      marches[order[i]].lookUp();
+    }
+    for (size_t i = 0; i < active; ++i) {
+      marches[order[i]].sum();
+    }
+    for (size_t i = 0; i < active; ++i) {
+      marches[order[i]].pass();
+    }
+    for (size_t i = 0; i < active;) {
+      March<Field>& march = marches[order[i]];
+      march.add();
+      if (march.prepare()) {
+        ++i;
+        continue;
+      }
+      results[rays[order[i]]] = march.result();
+      if (start(order[i])) {
+        ++i;
+      } else {
+        order[i] = order[--active];
+      }
+    }
+  }
+}
+
+HWY_ATTR void marchRays(const MarchSetup& setup, size_t count, const PiecesOfRay& piecesOfRay, bool stopsAtDepth,
+                        MarchResult* results) {
+#if HWY_TARGET != HWY_SCALAR
   if (fitsWords(*setup.volume)) {
     switch (setup.volume->type()) {
       case VoxelType::kUint8:
-        return marchWith<NativeField<uint8_t>>(setup, pieces, stopsAtDepth);
+        return marchWith<NativeField<uint8_t>>(setup, count, piecesOfRay, stopsAtDepth, results);
       case VoxelType::kInt8:
-        return marchWith<NativeField<int8_t>>(setup, pieces, stopsAtDepth);
+        return marchWith<NativeField<int8_t>>(setup, count, piecesOfRay, stopsAtDepth, results);
       case VoxelType::kUint16:
-        return marchWith<NativeField<uint16_t>>(setup, pieces, stopsAtDepth);
+        return marchWith<NativeField<uint16_t>>(setup, count, piecesOfRay, stopsAtDepth, results);
       case VoxelType::kInt16:
-        return marchWith<NativeField<int16_t>>(setup, pieces, stopsAtDepth);
+        return marchWith<NativeField<int16_t>>(setup, count, piecesOfRay, stopsAtDepth, results);
       case VoxelType::kFloat32:
-        return marchWith<NativeField<float>>(setup, pieces, stopsAtDepth);
+        return marchWith<NativeField<float>>(setup, count, piecesOfRay, stopsAtDepth, results);
       case VoxelType::kUint32:
       case VoxelType::kInt32:
       case VoxelType::kFloat64:
         break;
     }
   }
-  return marchWith<AnyField>(setup, pieces, stopsAtDepth);
+#endif
+  marchWith<AnyField>(setup, count, piecesOfRay, stopsAtDepth, results);
 }
 
 const char* marchTarget() {
@@ -449,11 +593,11 @@ HWY_AFTER_NAMESPACE();
 #if HWY_ONCE
 namespace ocelli {
 
-HWY_EXPORT(marchRay);
+HWY_EXPORT(marchRays);
 HWY_EXPORT(marchTarget);
 
-MarchResult march(const MarchSetup& setup, std::span<const RayPiece> pieces, bool stopsAtDepth) {
-  return HWY_DYNAMIC_DISPATCH(marchRay)(setup, pieces, stopsAtDepth);
+void march(const MarchSetup& setup, const PiecesOfRay& piecesOfRay, bool stopsAtDepth, std::span<MarchResult> results) {
+  HWY_DYNAMIC_DISPATCH(marchRays)(setup, results.size(), piecesOfRay, stopsAtDepth, results.data());
 }
 
 std::string marchInstructionSet() {

@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
@@ -23,6 +24,7 @@ struct MarchSetup {
   double firstNumber = 0;
   float entriesByNumber = 0;
   const OpticalTable::Entry* entries = nullptr;
+  const std::array<float, 2>* moments = nullptr;  ///< of OpticalTable
 
   const uint8_t* distances = nullptr;  ///< of VolumeOccupancy; null: no sample is left out
   glm::ivec3 bricks{0};
@@ -49,8 +51,11 @@ struct MarchResult {
   uint32_t samples = 0;
 };
 
-/// `stopsAtDepth`: what lies beyond t has no part in the result.
-MarchResult march(const MarchSetup& setup, std::span<const RayPiece> pieces, bool stopsAtDepth);
+/// Writes the pieces of a ray, by its number, and returns how many they are.
+using PiecesOfRay = std::function<size_t(size_t ray, VolumeExtent::Pieces& pieces)>;
+
+/// One result a ray, which do not depend on each other. `stopsAtDepth`: what lies beyond t has no part in the result.
+void march(const MarchSetup& setup, const PiecesOfRay& piecesOfRay, bool stopsAtDepth, std::span<MarchResult> results);
 
 /// Of the vectors that march() uses on this machine: "AVX3".
 std::string marchInstructionSet();

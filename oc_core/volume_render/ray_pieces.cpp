@@ -8,6 +8,12 @@
 namespace ocelli {
 namespace {
 
+/// Bits of the half spaces of the box that a point is not in.
+unsigned outsideOf(const glm::dvec3& upper, const glm::dvec3& p) {
+  return unsigned(p.x < -0.5) | unsigned(p.y < -0.5) << 1 | unsigned(p.z < -0.5) << 2 | unsigned(p.x > upper.x) << 3 |
+         unsigned(p.y > upper.y) << 4 | unsigned(p.z > upper.z) << 5;
+}
+
 /// A half space cuts a segment: `from` and `to` are how far within it the ends lie. False where nothing is left.
 bool narrow(double from, double to, SegmentPart& part) {
   if (from < 0 && to < 0) {
@@ -35,10 +41,16 @@ size_t VolumeExtent::cut(const RayPath& ray, double end, Pieces& pieces) const {
     return 0;
   }
   glm::dvec3 next(indexFromWorld_ * glm::dvec4(ray[0], 1));
+  unsigned nextOutside = outsideOf(upper_, next);
   double lastEnd = -1;  // where the piece before ends: segments and shares of them
   for (size_t i = 0; i + 1 < ray.size(); ++i) {
     const glm::dvec3 from = next;
+    const unsigned outside = nextOutside;
     next = glm::dvec3(indexFromWorld_ * glm::dvec4(ray[i + 1], 1));
+    nextOutside = outsideOf(upper_, next);
+    if ((outside & nextOutside) != 0) {
+      continue;  // both ends lie beyond one face
+    }
     const double t0 = static_cast<double>(ray.t(i));
     const double tLength = static_cast<double>(ray.t(i + 1)) - t0;
     if (t0 >= end) {
@@ -46,7 +58,7 @@ size_t VolumeExtent::cut(const RayPath& ray, double end, Pieces& pieces) const {
     }
     SegmentPart part;
     bool isSome = true;
-    for (int axis = 0; axis < 3 && isSome; ++axis) {
+    for (int axis = 0; axis < 3 && isSome && (outside | nextOutside) != 0; ++axis) {
       isSome = narrow(from[axis] + 0.5, next[axis] + 0.5, part) &&
                narrow(upper_[axis] - from[axis], upper_[axis] - next[axis], part);
     }

@@ -64,6 +64,7 @@ struct VolumeRenderer::Impl {
     setup.firstNumber = (table->firstValue() - volume.offset()) / volume.scale();
     setup.entriesByNumber = static_cast<float>(table->entriesByValue() * volume.scale());
     setup.entries = table->entries().data();
+    setup.moments = table->moments().data();
     setup.distances = options.skipEmpty ? occupancy->distances().data() : nullptr;
     setup.bricks = occupancy->size();
     setup.step = static_cast<float>(options.step * volume.grid().meanSpacing());
@@ -87,12 +88,20 @@ struct VolumeRenderer::Impl {
     if (surfaces) {
       surfaces->hits(rays, hits);
     }
-    VolumeExtent::Pieces pieces;
+    const auto surfaceOf = [&](size_t i) { return surfaces && hits[i] ? &*hits[i] : nullptr; };
+    std::vector<MarchResult> results(rays.size());
+    march(
+        setup,
+        [&](size_t i, VolumeExtent::Pieces& pieces) {
+          const Hit* surface = surfaceOf(i);
+          return extent.cut(
+              rays[i], surface != nullptr ? static_cast<double>(surface->t) : std::numeric_limits<double>::infinity(),
+              pieces);
+        },
+        stopsAtDepth, results);
     for (size_t i = 0; i < rays.size(); ++i) {
-      const Hit* surface = surfaces && hits[i] ? &*hits[i] : nullptr;
-      const double end = surface != nullptr ? static_cast<double>(surface->t) : std::numeric_limits<double>::infinity();
-      const size_t count = extent.cut(rays[i], end, pieces);
-      const MarchResult result = march(setup, std::span(pieces).first(count), stopsAtDepth);
+      const Hit* surface = surfaceOf(i);
+      const MarchResult& result = results[i];
       VolumePixel& pixel = pixels[i];
       pixel = {};
       pixel.color = {result.color[0], result.color[1], result.color[2], 1 - result.transmittance};

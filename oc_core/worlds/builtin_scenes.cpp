@@ -4,6 +4,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/volume/builtin_volumes.h"
 #include "oc_core/worlds/builtin_list.h"
 
 namespace ocelli {
@@ -45,7 +46,7 @@ const std::vector<BuiltinScene>& listBuiltinScenes() {
 }
 
 bool isBuiltinScene(std::string_view source) {
-  return source.substr(0, kPrefix.size()) == kPrefix;
+  return source.substr(0, kPrefix.size()) == kPrefix && !isBuiltinVolume(std::string(source));
 }
 
 Scene makeBuiltinScene(const std::string& source) {

@@ -29,6 +29,22 @@ TEST(Demo, LeavesAPageWithItsImages) {
   EXPECT_EQ(images, 46u);
 }
 
+TEST(Demo, ShowsVolumesByPinholesAndByBentRays) {
+  const TemporaryFolder folder;
+  const std::string page = (folder / "page").string();
+  const ProgramResult result = runProgram(std::string(kSmall) + "builtin:volume,name=skull,size=48 -o '" + page + "'");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  const std::string html = fileBytes(page + "/index.html");
+  EXPECT_THAT(html, testing::HasSubstr("Curved ray camera"));
+  // It has no meshes to measure.
+  EXPECT_THAT(html, testing::Not(testing::HasSubstr("Errors and times")));
+  std::set<std::string> images;
+  for (const char* name : {"front", "above", "curved"}) {
+    images.insert(fileBytes(page + "/given-1/" + name + ".png"));
+  }
+  EXPECT_EQ(images.size(), 3u);
+}
+
 TEST(Demo, SaysWhichMeshItCannotRead) {
   const TemporaryFolder folder;
   const ProgramResult result =

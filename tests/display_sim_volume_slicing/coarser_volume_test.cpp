@@ -1,6 +1,11 @@
 #include "display_sim/volume_slicing/coarser_volume.h"
 
+#include <gtest/gtest.h>
+
+#include <memory>
 #include <numeric>
+#include <span>
+#include <vector>
 
 namespace ocelli {
 namespace {

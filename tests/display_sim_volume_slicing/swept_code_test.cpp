@@ -1,5 +1,9 @@
 #include "display_sim/volume_slicing/swept_code.h"
 
+#include <gtest/gtest.h>
+
+#include <cmath>
+
 namespace ocelli {
 namespace {
 

@@ -1,5 +1,10 @@
 #include "display_sim/volume_slicing/swept_light.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
 #include "tests/display_sim_volume_slicing/swept_scenes.h"
 
 namespace ocelli {

@@ -1,5 +1,9 @@
 #include "display_sim/volume_slicing/swept_samples.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "display_sim/volume_slicing/volume_slice_reference.h"

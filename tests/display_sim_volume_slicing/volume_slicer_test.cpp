@@ -1,6 +1,13 @@
 #include "display_sim/volume_slicing/volume_slicer.h"
 
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
+#include <map>
+#include <utility>
+#include <vector>
 
 #include "display_sim/dither/voxel_dither.h"
 #include "display_sim/volume_slicing/volume_slice_reference.h"

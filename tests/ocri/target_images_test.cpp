@@ -20,7 +20,10 @@ void expectSame(const ReferenceImages& images, const ReferenceImages& wanted) {
   for (size_t i = 0; i < images.size(); ++i) {
     EXPECT_TRUE(sameBytes(images[i].t, wanted[i].t));
     EXPECT_TRUE(sameBytes(images[i].held, wanted[i].held));
-    EXPECT_TRUE(sameBytes(images[i].color, wanted[i].color));
+    // Of weights at the corners of a triangle, which may differ by rounding where the point is the same.
+    for (size_t pixel = 0; pixel < wanted[i].color.size(); ++pixel) {
+      EXPECT_LT(glm::distance(images[i].color[pixel], wanted[i].color[pixel]), 1e-6f);
+    }
     EXPECT_TRUE(sameBytes(images[i].displacement, wanted[i].displacement));
     EXPECT_TRUE(sameBytes(images[i].position, wanted[i].position));
     EXPECT_EQ(images[i].camera, wanted[i].camera);
@@ -44,8 +47,8 @@ TEST_P(TargetImages, AreThoseOfTheMeshThatRaysAreCastAt) {
 INSTANTIATE_TEST_SUITE_P(Cameras, TargetImages,
                          testing::Values("di", "gpc", "spoc", "di+spoc", "ddoc", "ddoc-paper", "eoc-h", "eoc-v",
                                          "eoc-forward", "eoc-hv", "eoc-hv+ddoc", "cell", "panorama", "cylinder"),
-                         [](const auto& info) {
-                           std::string name = info.param;
+                         [](const auto& each) {
+                           std::string name = each.param;
                            std::ranges::replace_if(
                                name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
                            return name;

@@ -81,12 +81,16 @@ TEST(ViewerLayout, aTransferFunctionLiesBelowItsVolume) {
     ViewerState shown = state;
     shown.maximised = maximised;
     const ViewerLayout layout = viewerLayout(shown, {1280, 800}, 1);
-    ASSERT_EQ(layout.panes.size(), 2U);
+    ASSERT_EQ(layout.panes.size(), maximised ? 2U : 3U);
     const PaneLayout& volume = *layout.find(Pane::kVolume);
     const PaneLayout& transfer = *layout.find(Pane::kTransfer);
     EXPECT_GT(volume.image.height, 1.5f * transfer.image.height);
     EXPECT_GT(transfer.header.y, volume.image.bottom());
-    EXPECT_EQ(transfer.image.width, volume.image.width);
+    if (const PaneLayout* display = layout.find(Pane::kDisplay)) {
+      EXPECT_GT(display->image.x, volume.image.right()) << "beside the volume";
+      EXPECT_EQ(display->image.height, volume.image.height);
+      EXPECT_EQ(transfer.image.right(), display->image.right());
+    }
   }
   ViewerState alone = state;
   alone.maximised = Pane::kTransfer;

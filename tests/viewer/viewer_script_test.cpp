@@ -231,6 +231,17 @@ TEST(ViewerScript, theOneThroughEffectsTakesEachStepOfThem) {
   EXPECT_EQ(taken, 7U);
 }
 
+TEST(ViewerScript, theOneWithAVolumeTakesEachStepOfThem) {
+  const ViewerScript volume = readViewerScript(OCELLI_VIEWER_VOLUME);
+  size_t taken = 0;
+  for (const ScriptStep& step : volume.steps) {
+    taken |= std::holds_alternative<TransferStep>(step) ? 1 : 0;
+    taken |= std::holds_alternative<SaveVolumePictureStep>(step) ? 2 : 0;
+    taken |= std::holds_alternative<SaveTransferStep>(step) ? 4 : 0;
+  }
+  EXPECT_EQ(taken, 7U);
+}
+
 TEST(ViewerScript, aMissingFileIsAnError) {
   EXPECT_THROW(readViewerScript("no-such-script.json"), InputError);
 }

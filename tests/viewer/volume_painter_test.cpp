@@ -4,7 +4,12 @@
 #include <gmock/gmock.h>
 
 #include "display_sim/viewer/volume_work.h"
+#include "oc_core/base/error.h"
 #include "oc_core/camera/gpc_camera.h"
+#include "oc_core/volume_camera/volume_camera.h"
+#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_render/volume_target.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/viewer/lens_state.h"
 #include "tests/viewer/transfer_state.h"
 
@@ -12,6 +17,11 @@ namespace ocelli {
 namespace {
 
 using test::kSmallVolume;
+
+/// Looks past the scene, and turns back to it.
+constexpr const char* kCurvedCamera = R"({"camera": "curved", "turns": [
+    {"from": {"point": [4, 0, 3], "normal": [-0.25, 0, -1]}, "middle": {"point": [4, 0, 3], "normal": [0, 0, -1]},
+     "to": {"point": [4, 0, 3], "normal": [0.25, 0, -1]}, "viewpoint": [-2, 0, 8]}]})";
 
 std::shared_ptr<const LoadedScene> smallVolume() {
   static const auto scene = [] {
@@ -106,14 +116,31 @@ TEST(VolumePainter, followsTheRaysOfLenses) {
   EXPECT_NE(picture, renderedVolume(wanted, pinholeOf(wanted)));
 }
 
-TEST(VolumePainter, camerasThatNeedASurfaceSeeAsAPinholeWithoutOne) {
-  EXPECT_TRUE(hasRaysOfItsOwn(cameraChoice("di")));
-  EXPECT_TRUE(hasRaysOfItsOwn(cameraChoice("gpc")));
-  EXPECT_FALSE(hasRaysOfItsOwn(cameraChoice("ddoc")));
+TEST(VolumePainter, followsTheRaysOfOcclusionCamerasAndOfConstructors) {
   VolumePainter painter;
   VolumeWanted wanted = wantedVolume();
+  const VolumeRenderer renderer(wanted.scene->volume->scene);
+  const VolumeTarget target(renderer);
+  const auto expected = [&](const std::string& name) {
+    const VolumeCamera camera =
+        volumeCamera(name, pinholeOf(wanted), renderer.scene(), [&]() -> const RayTarget& { return target; });
+    return srgbFromLinear(pictureBefore(glm::vec3(0), renderer.render(camera.size.x, camera.size.y, camera.ray)));
+  };
   wanted.camera = cameraChoice("ddoc");
-  EXPECT_EQ(painter.paint(wanted, wanted.size), renderedVolume(wanted, pinholeOf(wanted)));
+  EXPECT_EQ(painter.paint(wanted, wanted.size), expected("ddoc"));
+  const test::TemporaryFolder folder;
+  wanted.view = {};
+  wanted.rays = folder.write("curved.json", kCurvedCamera).string();
+  const Image<Rgb8> curved = painter.paint(wanted, wanted.size);
+  EXPECT_EQ(curved, expected(wanted.rays));
+  EXPECT_NE(curved, renderedVolume(wanted, pinholeOf(wanted)));
+}
+
+TEST(VolumePainter, saysWhichCamerasHaveNoRays) {
+  VolumePainter painter;
+  VolumeWanted wanted = wantedVolume();
+  wanted.camera = cameraChoice("eoc-hv+ddoc");
+  EXPECT_THROW(painter.paint(wanted, wanted.size), InputError);
 }
 
 TEST(VolumePainter, progressMayEndIt) {

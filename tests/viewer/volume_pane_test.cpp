@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 
 #include "display_sim/viewer/transfer_pointer.h"
+#include "display_sim/volume_solidity/shown_volume.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/error.h"
 #include "oc_core/isosurface/isosurface.h"
 #include "oc_core/volume/transfer_presets.h"
@@ -43,7 +45,8 @@ TEST_P(VolumePaneTest, aVolumeHasItsOwnPanes) {
   const ViewerState& state = test.viewer.state();
   EXPECT_EQ(state.active, Pane::kVolume);
   for (const Pane pane : kPanes) {
-    EXPECT_EQ(isOffered(state, pane), pane == Pane::kVolume || pane == Pane::kTransfer) << titleOf(pane);
+    EXPECT_EQ(isOffered(state, pane), pane == Pane::kVolume || pane == Pane::kTransfer || pane == Pane::kDisplay)
+        << titleOf(pane);
   }
   EXPECT_GT(countNear(test.paneImage(Pane::kTransfer), bytesOf(kGuiBorder), 3), 100U) << "its grid";
   const VolumePicture& picture = *test.viewer.facts().volume.picture;
@@ -60,7 +63,7 @@ TEST_P(VolumePaneTest, aVolumeHasItsOwnPanes) {
 
 TEST_P(VolumePaneTest, panesOfTrianglesSayWhatTheyNeed) {
   VolumeViewer test(GetParam());
-  for (const Key key : {Key::k1, Key::k2, Key::k3, Key::k4, Key::k5, Key::k6}) {
+  for (const Key key : {Key::k1, Key::k2, Key::k3, Key::k5, Key::k6}) {
     test.key(key);
     test.settle();
     const Pane pane = *test.viewer.state().maximised;
@@ -83,6 +86,27 @@ TEST_P(VolumePaneTest, aPointThatIsDraggedChangesThePicture) {
   EXPECT_EQ(test.picture(), before);
   test.key(Key::kY, {.control = true});
   EXPECT_EQ(test.picture(), after);
+}
+
+TEST_P(VolumePaneTest, theDisplayShowsTheVolumeAsItIsEdited) {
+  VolumeViewer test(GetParam());
+  ASSERT_TRUE(test.viewer.facts().data->volume) << test.viewer.facts().message;
+  const size_t before = test.viewer.facts().data->volume->litVoxels;
+  EXPECT_GT(before, 1000U);
+  test.player.play(ClickStep{test.placeOf(1)});
+  for (int i = 0; i < 40; ++i) {
+    test.key(Key::kDown);
+  }
+  test.settle();
+  const size_t after = test.viewer.facts().data->volume->litVoxels;
+  EXPECT_LT(after, before);
+  // As `ocelli slice` makes it.
+  VolumeScene scene = loadVolumeScene(kSmallVolume);
+  scene.appearance = *test.editor().appearance();
+  const DisplayProfile profile = loadProfile("test");
+  const ShownVolume shown(std::move(scene), profile, {});
+  VolumeSlicer slicer(profile);
+  EXPECT_EQ(slicer.slice(shown.samples(), shown.light()).litVoxels(), after);
 }
 
 TEST_P(VolumePaneTest, twoClicksAddAPointAndDeleteRemovesIt) {
@@ -189,7 +213,7 @@ TEST_P(VolumePaneTest, scenesOfEitherKindFollowEachOther) {
   EXPECT_FALSE(test.viewer.facts().messageIsError) << test.viewer.facts().message;
   test.player.play(OpenStep{kSmallVolume});
   test.settle();
-  EXPECT_EQ(test.viewer.state().active, Pane::kVolume);
+  EXPECT_EQ(test.viewer.state().maximised, Pane::kTransfer) << "which a volume has";
   test.key(Key::k0);
   EXPECT_EQ(test.picture(), before);
   test.player.play(OpenStep{"no-such-volume.nrrd"});

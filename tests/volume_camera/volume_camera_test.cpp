@@ -117,7 +117,6 @@ TEST_F(VolumeCameras, RefuseWhatAVolumeDoesNotKnow) {
   EXPECT_THAT(errorOf("path"), HasSubstr("path"));
   EXPECT_THAT(errorOf("nonsense"), HasSubstr("there is no camera"));
   EXPECT_THAT(errorOf((folder_ / "missing.json").string()), HasSubstr("missing.json"));
-  EXPECT_THAT(errorOf("ddoc", View{.target = {0, 0, 20}, .fovVerticalDegrees = 30}), HasSubstr("opaque"));
 }
 
 }  // namespace

@@ -4,20 +4,19 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <filesystem>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <ostream>
 
 #include "oc_core/volume/volume_reader.h"
+#include "tests/volume_import/volume_samples.h"
 
 namespace ocelli {
 namespace {
 
-namespace fs = std::filesystem;
+using test::volumeSample;
 
-const fs::path kSamples = VOLUME_SAMPLES;
 const glm::ivec3 kSize(7, 6, 5);
 /// NIfTI has positions of float32, and DICOM of nine digits: a millionth of the 50 mm that the block reaches.
 constexpr double kTolerance = 1e-4;
@@ -73,7 +72,7 @@ class VolumeSampleFile : public testing::TestWithParam<VolumeSample> {};
 
 TEST_P(VolumeSampleFile, HasItsMarkersWhereTheyAreInThePatient) {
   const VolumeSample& sample = GetParam();
-  const VolumeFile file = readVolumeFile(kSamples / sample.file);
+  const VolumeFile file = readVolumeFile(volumeSample(sample.file));
   ASSERT_EQ(file.volumes.size(), 1U);
   EXPECT_TRUE(file.times.empty());
   const ScalarVolume& volume = file.volumes.front();
@@ -108,6 +107,8 @@ INSTANTIATE_TEST_SUITE_P(Files, VolumeSampleFile,
                                          VolumeSample{"teem_detached.nhdr", true, true, VoxelType::kInt16},
                                          VolumeSample{"dicom_upright", false, true, VoxelType::kUint16, 1, -1024},
                                          VolumeSample{"dicom_oblique", true, true, VoxelType::kUint16, 2, -1000},
+                                         VolumeSample{"dicom_slopes", true, true, VoxelType::kFloat32},
+                                         VolumeSample{"dicom_frames.dcm", true, true, VoxelType::kUint16, 1, -1024},
                                          VolumeSample{"ascii.vti", false, false, VoxelType::kFloat32},
                                          VolumeSample{"binary.vti", false, false, VoxelType::kInt16},
                                          VolumeSample{"binary_zlib.vti", false, false, VoxelType::kInt16},
@@ -123,13 +124,13 @@ INSTANTIATE_TEST_SUITE_P(Files, VolumeSampleFile,
 
 // VTK writes no orientation into MetaImages, but their letters: the axes are those of LPS all the same.
 TEST(VolumeSamples, ReadAMetaImageOfVtk) {
-  const VolumeFile file = readVolumeFile(kSamples / "vtk.mha");
+  const VolumeFile file = readVolumeFile(volumeSample("vtk.mha"));
   expectBlock(file.volumes.front(), markers(false), 0);
 }
 
 // Teem's plain NRRD says how far apart voxels are, and not where the first one is.
 TEST(VolumeSamples, ReadANrrdWithoutASpace) {
-  const VolumeFile file = readVolumeFile(kSamples / "teem_plain.nrrd");
+  const VolumeFile file = readVolumeFile(volumeSample("teem_plain.nrrd"));
   std::map<double, glm::dvec3> expected = markers(false);
   for (auto& [value, position] : expected) {
     position -= glm::dvec3(-10, 20, 30);
@@ -139,7 +140,7 @@ TEST(VolumeSamples, ReadANrrdWithoutASpace) {
 }
 
 TEST(VolumeSamples, ReadASeriesWithItsTimes) {
-  const VolumeFile file = readVolumeFile(kSamples / "series_nifti2.nii.gz");
+  const VolumeFile file = readVolumeFile(volumeSample("series_nifti2.nii.gz"));
   EXPECT_THAT(file.times, testing::ElementsAre(0, 2.5, 5));
   ASSERT_EQ(file.volumes.size(), 3U);
   for (size_t at = 0; at < 3; ++at) {
@@ -148,7 +149,7 @@ TEST(VolumeSamples, ReadASeriesWithItsTimes) {
 }
 
 TEST(VolumeSamples, KeepWhatDicomSaysOfItsValues) {
-  const VolumeFacts facts = readVolumeFile(kSamples / "dicom_upright").volumes.front().facts();
+  const VolumeFacts facts = readVolumeFile(volumeSample("dicom_upright")).volumes.front().facts();
   EXPECT_EQ(facts.modality, "CT");
   EXPECT_EQ(facts.valueUnit, "HU");
   EXPECT_EQ(facts.format, "DICOM");

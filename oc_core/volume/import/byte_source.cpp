@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
@@ -40,6 +41,8 @@ FileSource::FileSource(const std::filesystem::path& path, ReadingBudget* budget)
     failSystem(name(), reason);
   }
   size_ = static_cast<uint64_t>(info.st_size);
+  constexpr uint64_t kBlockBytes = 512;  // of st_blocks, whatever those of the disk are
+  storedBytes_ = std::min(size_, kBlockBytes * static_cast<uint64_t>(info.st_blocks));
   if (budget != nullptr) {
     budget->addFile(size_);
   }

@@ -21,6 +21,8 @@ class ByteSource {
   /// For messages: a path.
   const std::string& name() const { return name_; }
   virtual uint64_t size() const = 0;
+  /// How many of them take room on a disk: fewer, where the file has holes.
+  virtual uint64_t storedBytes() const { return size(); }
   /// All of `into`. Throws InputError where the bytes end before.
   virtual void read(uint64_t offset, std::span<std::byte> into) const = 0;
   /// The first byte from there on that is not known to be zero: what lies before is a hole of a sparse file.
@@ -37,12 +39,14 @@ class FileSource : public ByteSource {
   ~FileSource() override;
 
   uint64_t size() const override { return size_; }
+  uint64_t storedBytes() const override { return storedBytes_; }
   void read(uint64_t offset, std::span<std::byte> into) const override;
   uint64_t skipHole(uint64_t offset) const override;
 
  private:
   int file_ = -1;
   uint64_t size_ = 0;
+  uint64_t storedBytes_ = 0;
 };
 
 /// The bytes must outlive it.

@@ -5,17 +5,21 @@
 #include <gdcmImageReader.h>
 #include <gdcmReader.h>
 #include <gdcmSequenceOfItems.h>
+#include <gdcmTrace.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
 #include <glm/geometric.hpp>
+#include <iostream>
 #include <optional>
+#include <sstream>
 #include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/dicom_slices.h"
 #include "oc_core/volume/import/number_list.h"
+#include "oc_core/volume/import/reading_note.h"
 #include "oc_core/volume/volume_formats.h"
 
 namespace ocelli {
@@ -115,6 +119,7 @@ glm::dvec3 threeFrom(const std::vector<double>& numbers, size_t first) {
 
 /// The slices of a file, without their pixels; none where it is no image, such as an index of the folder.
 std::vector<DicomSlice> slicesOf(const fs::path& file) {
+  noteFileRead(file);
   gdcm::Reader reader;
   reader.SetFileName(file.c_str());
   if (!reader.ReadUpToTag(kPixelData)) {
@@ -188,7 +193,9 @@ std::vector<fs::path> filesOf(const fs::path& path) {
   }
   std::vector<fs::path> files;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
-    if (isDicomFile(at->path())) {
+    const VolumeFormat* named = volumeFormatOfName(at->path());
+    const bool isNamed = named != nullptr && named->name == kDicomFormat && at->is_regular_file(error);
+    if (isNamed || isDicomFile(at->path())) {
       files.push_back(at->path());
     }
   }
@@ -198,6 +205,21 @@ std::vector<fs::path> filesOf(const fs::path& path) {
   std::sort(files.begin(), files.end());
   return files;
 }
+
+/// What GDCM says while this lives, instead of on the terminal: it reads damaged files, and warns.
+class DicomWarnings {
+ public:
+  DicomWarnings() { gdcm::Trace::SetStream(text_); }
+  ~DicomWarnings() { gdcm::Trace::SetStream(std::cerr); }
+  DicomWarnings(const DicomWarnings&) = delete;
+  DicomWarnings& operator=(const DicomWarnings&) = delete;
+
+  /// Whether it was that pixels are missing or damaged: each such warning ends with these words.
+  bool tellOfDamage() const { return text_.str().find("at own risk") != std::string::npos; }
+
+ private:
+  std::ostringstream text_;
+};
 
 struct DicomPixels {
   StoredType type = StoredType::kUint8;
@@ -219,9 +241,11 @@ void keepStoredBits(std::vector<char>& bytes, unsigned stored, bool isSigned) {
 }
 
 DicomPixels pixelsOf(const fs::path& file, VolumeRecord& record) {
+  noteFileRead(file);
+  const DicomWarnings warnings;
   gdcm::ImageReader reader;
   reader.SetFileName(file.c_str());
-  if (!reader.Read()) {
+  if (!reader.Read() || warnings.tellOfDamage()) {
     failDicom("the pixels of this DICOM file are damaged, or coded in a way that is not read", file,
               "export it without compression");
   }

@@ -12,6 +12,7 @@
 #include "oc_core/base/child_process.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/reading_budget.h"
+#include "oc_core/volume/import/reading_note.h"
 #include "oc_core/volume/import/volume_file_readers.h"
 #include "oc_core/volume/volume_reader.h"
 
@@ -45,6 +46,8 @@ int runVolumeReader(std::span<char*> arguments) {
     return kReaderFailed;
   }
   endWithParent(std::atoi(arguments[1]));
+  noteCrashes();
+  noteFileRead(arguments[5]);
   try {
     readVolume({arguments[5], arguments[4]}, arguments[2], arguments[3]);
     return kReaderDone;

@@ -106,13 +106,13 @@ void ScratchOutput::fail(int reason) const {
       "file to NRRD without compression");
 }
 
-void ScratchOutput::expect(uint64_t bytes) {
+void ScratchOutput::expect(uint64_t bytes, uint64_t holeBytes) {
   if (file_ < 0) {
     return;
   }
   std::error_code ignored;
   const std::filesystem::space_info space = std::filesystem::space(folder_, ignored);
-  if (!ignored && space.available < bytes) {
+  if (!ignored && space.available < bytes - std::min(bytes, holeBytes)) {
     fail(ENOSPC);
   }
   if (budget_ != nullptr) {
@@ -269,14 +269,14 @@ void placeVoxels(VolumeRecord& record, uint64_t volumes, const StoredVoxels& sto
     }
     return;
   }
-  if (isAsItMustBe && static_cast<double>(bytes) > kGibibyteOfVoxels) {
+  if (isAsItMustBe && static_cast<double>(std::min(bytes, source.storedBytes())) > kGibibyteOfVoxels) {
     record.warnings.push_back(
         fmt::format("the {:.1f} GiB of voxels are copied first, as they begin at byte {} of their file, which is no "
                     "multiple of the "
                     "{} bytes of a voxel; in a file of their own they would be read from there",
                     static_cast<double>(bytes) / kGibibyteOfVoxels, stored.offset, bytesOf(stored.type)));
   }
-  scratch.expect(volumes * record.volumeBytes());
+  scratch.expect(volumes * record.volumeBytes(), stored.isDeflated ? 0 : source.size() - source.storedBytes());
   VoxelWriter writer(record, volumes, stored.type, stored.isSwapped, scratch);
   if (stored.isDeflated) {
     copyDeflated(stored, source, writer);

@@ -39,8 +39,9 @@ class ScratchOutput {
   ScratchOutput(const ScratchOutput&) = delete;
   ScratchOutput& operator=(const ScratchOutput&) = delete;
 
-  /// So many bytes will be written at most. Throws WorkError where the disk has no room for them.
-  void expect(uint64_t bytes);
+  /// So many bytes will be written at most, all but `holeBytes` of them onto the disk. Throws WorkError where that has
+  /// no room for them.
+  void expect(uint64_t bytes, uint64_t holeBytes = 0);
   /// Throws WorkError where the disk is full.
   void write(std::span<const std::byte> bytes);
   /// Zeros, as a hole.

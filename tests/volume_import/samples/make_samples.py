@@ -24,8 +24,8 @@ import sys
 
 import nibabel
 import numpy
-from pydicom.dataset import FileDataset, FileMetaDataset
-from pydicom.uid import CTImageStorage, ExplicitVRLittleEndian, RLELossless
+from pydicom.dataset import Dataset, FileDataset, FileMetaDataset
+from pydicom.uid import CTImageStorage, EnhancedCTImageStorage, ExplicitVRLittleEndian, RLELossless
 from vtkmodules.util.numpy_support import numpy_to_vtk
 from vtkmodules.vtkCommonDataModel import vtkImageData
 from vtkmodules.vtkIOImage import vtkMetaImageWriter
@@ -94,52 +94,94 @@ def write_nifti(folder):
     nibabel.save(image, folder / "series_nifti2.nii.gz")
 
 
-def write_dicom(folder, name, affine, values, syntax, slope, intercept):
-    """Slices [:, :, k]; stored values are (values - intercept) / slope."""
+def dicom_of(name, number, instance, shape, is_signed):
+    """A data set of CT, of 12 bits in 16, without its pixels and where they lie."""
+    meta = FileMetaDataset()
+    meta.MediaStorageSOPClassUID = CTImageStorage
+    series = f"1.2.826.0.1.3680043.8.498.{number}"
+    meta.MediaStorageSOPInstanceUID = f"{series}.{instance}"
+    meta.TransferSyntaxUID = ExplicitVRLittleEndian
+    data = FileDataset(None, {}, file_meta=meta, preamble=b"\0" * 128)
+    data.is_little_endian = True
+    data.is_implicit_VR = False
+    data.SOPClassUID = CTImageStorage
+    data.SOPInstanceUID = meta.MediaStorageSOPInstanceUID
+    data.PatientName = "Made^Block"
+    data.PatientID = "1"
+    data.StudyInstanceUID = "1.2.826.0.1.3680043.8.498.1"
+    data.SeriesInstanceUID = series
+    data.SeriesNumber = number
+    data.SeriesDescription = name
+    data.Modality = "CT"
+    data.InstanceNumber = instance
+    data.SamplesPerPixel = 1
+    data.PhotometricInterpretation = "MONOCHROME2"
+    data.Columns, data.Rows = shape
+    data.BitsAllocated = 16
+    data.BitsStored = 12
+    data.HighBit = 11
+    data.PixelRepresentation = 1 if is_signed else 0
+    return data
+
+
+def decimals(numbers):
+    return [f"{x:.9g}" for x in numbers]
+
+
+def orientation(affine):
+    """Rows of DICOM run along i, its columns along j."""
+    return decimals((*(affine[:3, 0] / SPACING[0]), *(affine[:3, 1] / SPACING[1])))
+
+
+def pixels(plane, slope, intercept):
+    """Of 12 bits: nothing stands in the upper four, no sign either."""
+    stored = numpy.rint((plane.T - intercept) / slope).astype(numpy.int16)
+    return numpy.ascontiguousarray(stored.view(numpy.uint16) & 0xFFF).tobytes()
+
+
+def write_dicom(folder, name, number, affine, values, syntax, slopes, intercept, is_signed=False):
+    """A file for each slice [:, :, k], named against the order of their positions."""
     target = folder / name
     target.mkdir(exist_ok=True)
-    step = affine[:3, 2]
-    series = f"1.2.826.0.1.3680043.8.498.{sum(name.encode())}"
     for k in range(values.shape[2]):
-        meta = FileMetaDataset()
-        meta.MediaStorageSOPClassUID = CTImageStorage
-        meta.MediaStorageSOPInstanceUID = f"{series}.{k + 1}"
-        meta.TransferSyntaxUID = ExplicitVRLittleEndian
-        data = FileDataset(None, {}, file_meta=meta, preamble=b"\0" * 128)
-        data.is_little_endian = True
-        data.is_implicit_VR = False
-        data.SOPClassUID = CTImageStorage
-        data.SOPInstanceUID = meta.MediaStorageSOPInstanceUID
-        data.PatientName = "Made^Block"
-        data.PatientID = "1"
-        data.StudyInstanceUID = "1.2.826.0.1.3680043.8.498.1"
-        data.SeriesInstanceUID = series
-        data.SeriesNumber = 7
-        data.SeriesDescription = name
-        data.Modality = "CT"
-        data.InstanceNumber = values.shape[2] - k
-        data.ImagePositionPatient = [f"{x:.9g}" for x in affine[:3, 3] + k * step]
-        # DICOM's rows run along i, its columns along j.
-        data.ImageOrientationPatient = [
-            f"{x:.9g}" for x in (*(affine[:3, 0] / SPACING[0]), *(affine[:3, 1] / SPACING[1]))]
-        data.PixelSpacing = [f"{SPACING[1]:g}", f"{SPACING[0]:g}"]
+        data = dicom_of(name, number, values.shape[2] - k, values.shape[:2], is_signed)
+        slope = slopes[k % len(slopes)]
+        data.ImagePositionPatient = decimals(affine[:3, 3] + k * affine[:3, 2])
+        data.ImageOrientationPatient = orientation(affine)
+        data.PixelSpacing = decimals((SPACING[1], SPACING[0]))
         data.SliceThickness = f"{SPACING[2]:g}"
         data.RescaleSlope = f"{slope:g}"
         data.RescaleIntercept = f"{intercept:g}"
-        data.SamplesPerPixel = 1
-        data.PhotometricInterpretation = "MONOCHROME2"
-        data.Rows = values.shape[1]
-        data.Columns = values.shape[0]
-        data.BitsAllocated = 16
-        data.BitsStored = 12
-        data.HighBit = 11
-        data.PixelRepresentation = 0
-        stored = numpy.rint((values[:, :, k].T - intercept) / slope).astype(numpy.uint16)
-        data.PixelData = numpy.ascontiguousarray(stored).tobytes()
+        data.PixelData = pixels(values[:, :, k], slope, intercept)
         if syntax == RLELossless:
             data.compress(RLELossless)
-        # Names that sort against the positions.
         data.save_as(target / f"im{(k * 3) % 5}.dcm", write_like_original=False)
+
+
+def write_dicom_frames(folder, name, number, affine, values):
+    """One file with a frame for each slice, from the last to the first."""
+    data = dicom_of(name, number, 1, values.shape[:2], False)
+    data.file_meta.MediaStorageSOPClassUID = data.SOPClassUID = EnhancedCTImageStorage
+    data.NumberOfFrames = values.shape[2]
+    shared, measures, plane, meaning = Dataset(), Dataset(), Dataset(), Dataset()
+    measures.PixelSpacing = decimals((SPACING[1], SPACING[0]))
+    plane.ImageOrientationPatient = orientation(affine)
+    meaning.RescaleSlope, meaning.RescaleIntercept, meaning.RescaleType = "1", "-1024", "HU"
+    shared.PixelMeasuresSequence = [measures]
+    shared.PlaneOrientationSequence = [plane]
+    shared.PixelValueTransformationSequence = [meaning]
+    data.SharedFunctionalGroupsSequence = [shared]
+    frames = []
+    stored = b""
+    for k in reversed(range(values.shape[2])):
+        frame, position = Dataset(), Dataset()
+        position.ImagePositionPatient = decimals(affine[:3, 3] + k * affine[:3, 2])
+        frame.PlanePositionSequence = [position]
+        frames.append(frame)
+        stored += pixels(values[:, :, k], 1, -1024)
+    data.PerFrameFunctionalGroupsSequence = frames
+    data.PixelData = stored
+    data.save_as(folder / f"{name}.dcm", write_like_original=False)
 
 
 def write_vti(folder):
@@ -200,7 +242,7 @@ def write_nrrd(folder):
     raw = folder / "block.raw"
     raw.write_bytes(values.tobytes(order="F"))
     make = ["teem-unu", "make", "-i", raw, "-t", "short", "-s", *SIZE, "-en", "little", "-e", "raw"]
-    run(*make, "-sp", *SPACING, "-c", "node node node", "-o", folder / "teem_plain.nrrd")
+    run(*make, "-sp", *SPACING, "-o", folder / "teem_plain.nrrd")
     flipped = block(numpy.int16)[:, ::-1, :]
     raw.write_bytes(flipped.tobytes(order="F"))
     ras = LPS_FROM_RAS @ oblique()
@@ -226,8 +268,11 @@ def main():
     folder = pathlib.Path(sys.argv[1])
     os.environ["LC_ALL"] = "C"
     write_nifti(folder)
-    write_dicom(folder, "dicom_upright", upright(), block(numpy.int16), ExplicitVRLittleEndian, 1, -1024)
-    write_dicom(folder, "dicom_oblique", oblique(), block(numpy.int16)[:, ::-1, :], RLELossless, 2, -1000)
+    flipped = block(numpy.int16)[:, ::-1, :]
+    write_dicom(folder, "dicom_upright", 7, upright(), block(numpy.int16), ExplicitVRLittleEndian, (1,), -1024)
+    write_dicom(folder, "dicom_oblique", 8, oblique(), flipped, RLELossless, (2,), -1000)
+    write_dicom(folder, "dicom_slopes", 9, oblique(), flipped, ExplicitVRLittleEndian, (0.5, 0.25), 200, True)
+    write_dicom_frames(folder, "dicom_frames", 10, oblique(), flipped)
     write_vti(folder)
     write_nrrd(folder)
     write_itk(folder)

@@ -1,0 +1,188 @@
+// Files that are damaged, of another kind, or not of scalars, through the process that reads them: a clear error, which
+// names the file.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstring>
+#include <ostream>
+
+#include "oc_core/base/error.h"
+#include "oc_core/volume/volume_reader.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/volume_import/volume_samples.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+using test::fileBytes;
+using test::TemporaryFolder;
+using test::volumeSample;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+
+struct BrokenVolume {
+  std::string name;  ///< of the test
+  std::string file;  ///< the sample that it is made of
+  std::string from;  ///< what is replaced in it; empty: its last bytes are cut off
+  std::string to;
+  std::string message;  ///< a part of the error
+  size_t cut = 60;      ///< bytes, where some are cut off
+};
+
+void PrintTo(const BrokenVolume& broken, std::ostream* out) {
+  *out << broken.name;
+}
+
+std::string littleEndian(int16_t number) {
+  std::array<char, 2> bytes{};
+  std::memcpy(bytes.data(), &number, 2);
+  return {bytes.data(), 2};
+}
+
+/// Two fields of a NIfTI-1 header: the type and its bits.
+std::string niftiType(int16_t type, int16_t bits) {
+  return littleEndian(type) + littleEndian(bits);
+}
+
+class BrokenVolumeFile : public testing::TestWithParam<BrokenVolume> {};
+
+TEST_P(BrokenVolumeFile, IsAClearError) {
+  const BrokenVolume& broken = GetParam();
+  std::string bytes = fileBytes(volumeSample(broken.file));
+  if (broken.from.empty()) {
+    bytes.resize(bytes.size() - broken.cut);
+  } else {
+    const size_t at = bytes.find(broken.from);
+    ASSERT_NE(at, std::string::npos);
+    bytes.replace(at, broken.from.size(), broken.to);
+  }
+  const TemporaryFolder folder;
+  const fs::path path = folder.write(broken.file, bytes);
+  EXPECT_THAT([&] { readVolumeFile(path); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr(folder.path().string()), HasSubstr(broken.message), HasSubstr("\n  try: "))));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Files, BrokenVolumeFile,
+    testing::Values(
+        BrokenVolume{"NrrdTooShort", "teem_ras.nrrd", "", "", "360 bytes of voxels, 60 fewer than its header says"},
+        BrokenVolume{"NrrdGzipTooShort", "teem_gzip.nrrd", "", "", "compressed voxels end too early", 12},
+        BrokenVolume{"NrrdTextTooShort", "teem_ascii.nrrd", "", "", "no NRRD file that can be read"},
+        BrokenVolume{"NrrdOtherMagic", "teem_ras.nrrd", "NRRD", "NARD", "does not begin with \"NRRD\""},
+        BrokenVolume{"NrrdUnknownType", "teem_ras.nrrd", "type: short", "type: shore", "no NRRD file that can be read"},
+        BrokenVolume{"NrrdNoSizes", "teem_ras.nrrd", "sizes: 7 6 5", "sizes: 7 6  ", "no NRRD file that can be read"},
+        BrokenVolume{"NrrdZeroSize", "teem_ras.nrrd", "sizes: 7 6 5", "sizes: 7 0 5", "no NRRD file that can be read"},
+        BrokenVolume{"NrrdHugeSize", "teem_ras.nrrd", "sizes: 7 6 5", "sizes: 7000000 6 5", "7000000 x 6 x 5 voxels"},
+        BrokenVolume{"NrrdTwoDimensions", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 2\nsizes: 7 30\n", "the file has 2 dimensions"},
+        BrokenVolume{"NrrdColours", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 3 7 2 5\nkinds: RGB-color domain domain domain\n", "3 numbers each"},
+        BrokenVolume{"NrrdTimeFirst", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 3 7 2 5\nkinds: list domain domain domain\n", "unu permute -p 1 2 3 0"},
+        BrokenVolume{"NrrdNoDataFile", "teem_detached.nhdr", "teem_detached.raw", "teem_nowhere.raw",
+                     "teem_nowhere.raw"},
+        BrokenVolume{"NiftiTooShort", "upright.nii", "", "", "360 bytes of voxels, 60 fewer"},
+        BrokenVolume{"NiftiGzipTooShort", "upright.nii.gz", "", "", "compressed voxels end too early", 12},
+        BrokenVolume{"NiftiOtherMagic", "upright.nii", std::string("n+1\0", 4), std::string("n-1\0", 4),
+                     "no NIfTI file of one piece"},
+        BrokenVolume{"NiftiColours", "upright.nii", niftiType(4, 16), niftiType(128, 24),
+                     "NIFTI_TYPE_RGB24 are not read"},
+        BrokenVolume{"NiftiComplex", "upright.nii", niftiType(4, 16), niftiType(32, 64), "COMPLEX64 are not read"},
+        BrokenVolume{
+            "NiftiVectors", "upright.nii",
+            littleEndian(3) + littleEndian(7) + littleEndian(6) + littleEndian(5) + littleEndian(1) + littleEndian(1),
+            littleEndian(5) + littleEndian(7) + littleEndian(2) + littleEndian(5) + littleEndian(1) + littleEndian(3),
+            "several numbers each"},
+        BrokenVolume{"MetaTooShort", "itk_oblique.mha", "", "", "60 fewer than its header says"},
+        BrokenVolume{"MetaCompressedTooShort", "vtk.mha", "", "", "compressed voxels end too early", 12},
+        BrokenVolume{"MetaNoDataFile", "itk_oblique.mhd", "itk_oblique.raw", "nowhere.raw",
+                     "nowhere.raw, which is not there"},
+        BrokenVolume{"MetaUnknownType", "itk_oblique.mha", "MET_SHORT", "MET_SHIRT",
+                     "ElementType MET_SHIRT are not read"},
+        BrokenVolume{"VtiTooShort", "appended_raw.vti", "", "", "the file has"},
+        BrokenVolume{"VtiOtherExtent", "appended_raw.vti", "Piece Extent=\"0 6 0 5 0 4", "Piece Extent=\"0 6 0 5 0 5",
+                     "the array has 210 bytes, and its extent and type need 252"},
+        BrokenVolume{"VtiOfAnotherKind", "appended_raw.vti", "type=\"ImageData\"", "type=\"PolyData\" ",
+                     "\"PolyData\""}),
+    [](const auto& test) { return test.param.name; });
+
+/// A folder with DICOM slices of a sample, which a test changes.
+class DicomFolder : public testing::Test {
+ protected:
+  void copy(const std::string& sample, const std::string& prefix = "") const {
+    for (const fs::directory_entry& entry : fs::directory_iterator(volumeSample(sample))) {
+      fs::copy_file(entry.path(), folder_ / (prefix + entry.path().filename().string()));
+    }
+  }
+  void expectError(const testing::Matcher<std::string>& message) const {
+    EXPECT_THAT([&] { readVolumeFile(folder_.path()); }, ThrowsMessage<InputError>(message));
+  }
+
+  TemporaryFolder folder_;
+};
+
+TEST_F(DicomFolder, WithAMissingSliceNamesItsNeighbours) {
+  copy("dicom_upright");
+  // Of slices 0 to 4, which are im0, im3, im1, im4, im2.
+  fs::remove(folder_ / "im1.dcm");
+  expectError(AllOf(HasSubstr("1 slice is missing between im3.dcm and im4.dcm"), HasSubstr("8 mm apart, not 4 mm")));
+}
+
+TEST_F(DicomFolder, WithOneSliceTwiceNamesBoth) {
+  copy("dicom_upright");
+  fs::copy_file(folder_ / "im1.dcm", folder_ / "again.dcm");
+  expectError(AllOf(HasSubstr("again.dcm and im1.dcm stand in one place"), HasSubstr("at 38 mm")));
+}
+
+TEST_F(DicomFolder, WithTwoSeriesListsThemAndTakesOneByNumberOrUid) {
+  copy("dicom_upright");
+  copy("dicom_oblique", "b_");
+  expectError(AllOf(HasSubstr("there are 2 series"),
+                    HasSubstr("series 7: 5 slices of 7 x 6, \"dicom_upright\", UID 1.2.826"), HasSubstr("series 8"),
+                    HasSubstr("--series")));
+  EXPECT_EQ(readVolumeFile(folder_.path(), {"8"}).volumes.front().scale(), 2);
+  EXPECT_EQ(readVolumeFile(folder_.path(), {"1.2.826.0.1.3680043.8.498.7"}).volumes.front().scale(), 1);
+  EXPECT_THAT([&] { readVolumeFile(folder_.path(), {"9"}); },
+              ThrowsMessage<InputError>(HasSubstr("no series \"9\" among the 2 here")));
+}
+
+TEST_F(DicomFolder, WithADamagedFileNamesIt) {
+  copy("dicom_upright");
+  const std::string bytes = fileBytes(folder_ / "im1.dcm");
+  for (const size_t size : {bytes.size() - 1, bytes.size() - 30, size_t{300}}) {
+    folder_.write("im1.dcm", bytes.substr(0, size));
+    expectError(HasSubstr("im1.dcm"));
+  }
+}
+
+TEST_F(DicomFolder, WithADamagedCompressedFileNamesIt) {
+  copy("dicom_oblique");
+  const std::string bytes = fileBytes(folder_ / "im1.dcm");
+  folder_.write("im1.dcm", bytes.substr(0, bytes.size() - 30));
+  expectError(HasSubstr("im1.dcm"));
+}
+
+TEST_F(DicomFolder, PassesOverWhatIsNoDicom) {
+  copy("dicom_upright");
+  folder_.write("readme.txt", "a letter");
+  EXPECT_EQ(readVolumeFile(folder_.path()).volumes.front().grid().size, glm::ivec3(7, 6, 5));
+}
+
+// What is called DICOM is meant to be a slice: at the ends nobody would miss it.
+TEST_F(DicomFolder, NamesAnEmptySlice) {
+  copy("dicom_upright");
+  folder_.write("im0.dcm", "");
+  expectError(HasSubstr("im0.dcm"));
+}
+
+TEST_F(DicomFolder, OneSliceIsNoVolume) {
+  copy("dicom_upright");
+  EXPECT_THAT([&] { readVolumeFile(folder_ / "im0.dcm"); }, ThrowsMessage<InputError>(HasSubstr("give the folder")));
+}
+
+}  // namespace
+}  // namespace ocelli

@@ -1,0 +1,208 @@
+// The process that reads volume files: where voxels come to lie, what becomes of its crashes and nonsense, and folders.
+#include "oc_core/volume/volume_reader.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <fstream>
+
+#include "oc_core/base/error.h"
+#include "oc_core/volume/import/volume_file_readers.h"
+#include "oc_core/volume/volume_formats.h"
+#include "oc_core/volume/volume_scene.h"
+#include "tests/base/temporary_folder.h"
+#include "tests/volume_import/volume_samples.h"
+
+namespace ocelli {
+namespace {
+
+namespace fs = std::filesystem;
+using test::TemporaryFolder;
+using test::volumeSample;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::ThrowsMessage;
+using Clock = std::chrono::steady_clock;
+
+/// 2 x 2 x 2 voxels of int16: 0, 256, ... 1792, as each has its number in the upper byte. The header has `comment` more
+/// bytes.
+std::string smallNrrd(const std::string& comment = "", const std::string& endian = "little") {
+  std::string file = "NRRD0004\n" + comment +
+                     "type: short\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nendian: " + endian +
+                     "\nencoding: raw\n\n";
+  for (char at = 0; at < 8; ++at) {
+    file += endian == "little" ? std::string{'\0', at} : std::string{at, '\0'};
+  }
+  return file;
+}
+
+/// An environment variable while it lives.
+class ReaderVariable {
+ public:
+  ReaderVariable(const char* name, const std::string& value) : name_(name) { setenv(name, value.c_str(), 1); }
+  ~ReaderVariable() { unsetenv(name_); }
+  ReaderVariable(const ReaderVariable&) = delete;
+  ReaderVariable& operator=(const ReaderVariable&) = delete;
+
+ private:
+  const char* name_;
+};
+
+TEST(VolumeReader, HasAReaderForEachFormat) {
+  for (const VolumeFormat& format : volumeFormats()) {
+    EXPECT_TRUE(hasVolumeFileReader(format.name)) << format.name;
+  }
+}
+
+TEST(VolumeReader, KnowsVolumesByTheirNamesAndDicomByItsBytes) {
+  const TemporaryFolder folder;
+  for (const char* name : {"a.nrrd", "a.NHDR", "a.mha", "a.mhd", "a.vti", "a.nii", "a.Nii.Gz", "a.dcm", "a.IMA"}) {
+    EXPECT_TRUE(isVolumeSource(name)) << name;
+  }
+  for (const char* name : {"a.ply", "a.gz", ".nii", "nrrd", "a.vtk"}) {
+    EXPECT_FALSE(isVolumeSource(name)) << name;
+  }
+  EXPECT_FALSE(isVolumeSource(folder.path()));
+  folder.write("IM0001", std::string(128, '\0') + "DICM");
+  EXPECT_TRUE(isVolumeSource(folder / "IM0001"));
+  EXPECT_TRUE(isVolumeSource(folder.path()));
+}
+
+TEST(VolumeReader, MapsVoxelsThatAreAsTheyMustBe) {
+  const TemporaryFolder folder;
+  // The header has an even number of bytes with this.
+  const std::string even = smallNrrd().size() % 2 == 0 ? "" : "#!\n";
+  const fs::path path = folder.write("a.nrrd", smallNrrd(even));
+  const VolumeFile file = readVolumeFile(path);
+  EXPECT_EQ(file.volumes.front().valueAt({1, 1, 1}), 7 * 256);
+  std::fstream(path, std::ios::in | std::ios::out | std::ios::binary).seekp(-1, std::ios::end).put(1);
+  EXPECT_EQ(file.volumes.front().valueAt({1, 1, 1}), 256) << "it stands on the file";
+}
+
+TEST(VolumeReader, CopiesVoxelsThatAreMisplacedOrSwapped) {
+  const TemporaryFolder folder;
+  const std::string odd = smallNrrd().size() % 2 == 1 ? "" : "#!\n";
+  for (const std::string& bytes : {smallNrrd(odd), smallNrrd("", "big")}) {
+    const fs::path path = folder.write("a.nrrd", bytes);
+    const VolumeFile file = readVolumeFile(path);
+    fs::remove(path);
+    EXPECT_EQ(file.volumes.front().valueAt({1, 1, 1}), 7 * 256);
+    EXPECT_EQ(reinterpret_cast<uintptr_t>(file.volumes.front().voxels().data()) % 2, 0U);
+  }
+}
+
+TEST(VolumeReader, OpensSixtyFourGibibytesWithoutReadingThem) {
+  const TemporaryFolder folder;
+  const fs::path data = folder.write("big.raw", "");
+  if (truncate(data.c_str(), off_t{1} << 36U) != 0) {
+    GTEST_SKIP() << "no sparse files of 64 GiB here";
+  }
+  const std::string sizes = "4096 4096 2048";
+  const fs::path nrrd =
+      folder.write("a.nhdr", "NRRD0004\ntype: short\ndimension: 3\nsizes: " + sizes +
+                                 "\nspacings: 1 1 1\nendian: little\nencoding: raw\ndata file: big.raw\n");
+  const fs::path meta = folder.write("a.mhd", "ObjectType = Image\nNDims = 3\nDimSize = " + sizes +
+                                                  "\nElementType = MET_SHORT\nElementDataFile = big.raw\n");
+  // Its voxels begin at an odd byte, and are copied: holes as holes.
+  const std::string header =
+      "NRRD0004\n#\ntype: short\ndimension: 3\nsizes: " + sizes + "\nspacings: 1 1 1\nendian: little\nencoding: raw\n";
+  const fs::path odd = folder.write("b.nrrd", header + (header.size() % 2 == 1 ? "#!\n" : "") + "\n");
+  ASSERT_EQ(fs::file_size(odd) % 2, 1U);
+  ASSERT_EQ(truncate(odd.c_str(), static_cast<off_t>(fs::file_size(odd)) + (off_t{1} << 36U)), 0);
+  for (const fs::path& path : {nrrd, meta, odd}) {
+    const auto start = Clock::now();
+    const VolumeFile file = readVolumeFile(path);
+    EXPECT_EQ(file.volumes.front().valueAt({4095, 4095, 2047}), 0);
+    // Well below a second where nothing else runs; reading them would take minutes.
+    EXPECT_LT(Clock::now() - start, std::chrono::seconds(10)) << path;
+  }
+}
+
+TEST(VolumeReader, TakesAFolderOfNumberedFilesForTimes) {
+  const TemporaryFolder folder;
+  for (const int number : {1, 2, 10}) {
+    std::string bytes = smallNrrd();
+    bytes.back() = static_cast<char>(number);
+    folder.write("t" + std::to_string(number) + ".nrrd", bytes);
+  }
+  folder.write("notes.txt", "passed over");
+  const VolumeFile file = readVolumeFile(folder.path());
+  EXPECT_THAT(file.times, ElementsAre(0, 1, 2));
+  ASSERT_EQ(file.volumes.size(), 3U);
+  EXPECT_EQ(file.volumes[2].valueAt({1, 1, 1}), 2560) << "t10 stands last";
+
+  std::string other = smallNrrd();
+  other.replace(other.find("spacings: 1"), 11, "spacings: 2");
+  folder.write("t11.nrrd", other);
+  EXPECT_THAT([&] { readVolumeFile(folder.path()); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("t11.nrrd"), HasSubstr("differs from that of t1.nrrd"))));
+}
+
+TEST(VolumeReader, AnswersWhereThereIsNone) {
+  const TemporaryFolder folder;
+  EXPECT_THAT([&] { readVolumeFile(folder / "no.nrrd"); }, ThrowsMessage<InputError>(HasSubstr("no such file")));
+  EXPECT_THAT([&] { readVolumeFile(folder.path()); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("no volume"), HasSubstr("NIfTI (.nii, .nii.gz)"))));
+  fs::create_directory(folder / "a.nrrd");
+  EXPECT_THROW(readVolumeFile(folder / "a.nrrd"), InputError);
+}
+
+/// Reads a sound file with a shell script in place of the reader.
+class FakeVolumeReader : public testing::Test {
+ protected:
+  VolumeFile readWith(const std::string& script) const {
+    const fs::path path = folder_.write("reader", "#!/bin/sh\n" + script + "\n");
+    fs::permissions(path, fs::perms::owner_all);
+    const ReaderVariable reader("OCELLI_VOLUME_READER", path.string());
+    return readVolumeFile(file_);
+  }
+
+  TemporaryFolder folder_;
+  fs::path file_ = folder_.write("a.nrrd", smallNrrd());
+};
+
+TEST_F(FakeVolumeReader, EndsAreErrors) {
+  EXPECT_THAT([&] { readWith("echo 'bad chunk'; kill -SEGV $$"); },
+              ThrowsMessage<InputError>(
+                  AllOf(HasSubstr(file_.string()), HasSubstr("the reader crashed"), HasSubstr("bad chunk"))));
+  EXPECT_THAT([&] { readWith("exit 3"); }, ThrowsMessage<InputError>(HasSubstr("OCELLI_VOLUME_MEMORY_GIB")));
+  EXPECT_THAT([&] { readWith("kill -XCPU $$"); }, ThrowsMessage<InputError>(HasSubstr("OCELLI_VOLUME_SECONDS")));
+  EXPECT_THAT([&] { readWith("echo nonsense >&3"); }, ThrowsMessage<WorkError>(HasSubstr("no volume")));
+  EXPECT_THAT([&] { readWith("echo cannot >&2; exit 1"); }, ThrowsMessage<WorkError>(HasSubstr("cannot")));
+}
+
+TEST(VolumeReader, SaysWhichPackagesItTakes) {
+  // What an installation without it says, whose program is not found.
+  EXPECT_THAT(std::string(volumeReader().ifMissing),
+              AllOf(HasSubstr("libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev"),
+                    HasSubstr("OCELLI_WITH_VOLUME_IMPORT=ON")));
+}
+
+TEST(VolumeReader, LeavesNothingBehind) {
+  const TemporaryFolder folder;
+  const fs::path path = folder.write("a.nrrd", smallNrrd("", "big"));
+  const fs::path temporary = folder / "tmp";
+  fs::create_directory(temporary);
+  const ReaderVariable scratch("TMPDIR", temporary.string());
+  const VolumeFile file = readVolumeFile(path);
+  EXPECT_TRUE(fs::is_empty(temporary));
+  EXPECT_EQ(file.volumes.front().valueAt({1, 1, 1}), 7 * 256);
+}
+
+TEST(VolumeReader, GivesScenes) {
+  const VolumeScene scene = loadVolumeScene(volumeSample("oblique.nii").string());
+  EXPECT_NEAR(glm::length(scene.bounds().size()), 2, 1e-5);
+  // The marker at the head (y up) stands above the one at the foot, the one at the left of the patient to the right.
+  const auto at = [&](int i, int j, int k) { return glm::dvec3(scene.worldFromIndex * glm::dvec4(i, j, k, 1)); };
+  EXPECT_GT(at(0, 5, 4).y, at(0, 5, 0).y);
+  EXPECT_GT(at(6, 5, 0).x, at(0, 5, 0).x);
+  EXPECT_LT(at(0, 0, 0).z, at(0, 5, 0).z) << "the back is far, and j is flipped";
+}
+
+}  // namespace
+}  // namespace ocelli
