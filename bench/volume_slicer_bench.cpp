@@ -64,7 +64,9 @@ void measureVolume(const std::string& source, const DisplayProfile& profile, con
                    const std::optional<SliceMesh>& mesh) {
   const VolumeScene scene = loadVolumeScene(source);
   std::optional<SweptSamples> samples;
-  const double sampling = milliseconds([&] { samples.emplace(scene, profile); });
+  double sampling = 0;
+  const double samplingProcessor =
+      processorMilliseconds([&] { sampling = milliseconds([&] { samples.emplace(scene, profile); }); });
   const ValueRange& range = samples->range();
   const double step = (range.greatest - range.least) / 1000;
   const TransferFunction haze = hazeOf(range, scene.appearance.transfer.opacityLength());
@@ -108,8 +110,8 @@ void measureVolume(const std::string& source, const DisplayProfile& profile, con
     }
   }
   const glm::ivec3& size = scene.volume->grid().size;
-  fmt::print("{} ({}x{}x{}): sampled in {:.0f} ms, {:.0f} MB, {:.1f} M voxels of the display\n", source, size.x, size.y,
-             size.z, sampling, static_cast<double>(samples->bytes()) / 1e6,
+  fmt::print("{} ({}x{}x{}): sampled in {:.0f} ms, CPU time {:.0f} ms, {:.0f} MB, {:.1f} M voxels of the display\n",
+             source, size.x, size.y, size.z, sampling, samplingProcessor, static_cast<double>(samples->bytes()) / 1e6,
              static_cast<double>(samples->bricks() * kSweptBrickVoxels) / 1e6);
   for (const Way& way : ways) {
     fmt::print(

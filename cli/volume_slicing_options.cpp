@@ -24,6 +24,8 @@ constexpr const char* kViewerOption = "--viewer";
 }  // namespace
 
 void addVolumeSlicingOptions(CLI::App& command, VolumeSlicingChoice& choice) {
+  command.get_option("--iso")->description(
+      "Of a volume: show the surface at this value alone, a voxel thick, straight from the field");
   command
       .add_option(kMaskOption, choice.mask,
                   "Of a volume: show these values alone, LEAST:GREATEST, or what this second volume, in the same "

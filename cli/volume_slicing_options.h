@@ -26,8 +26,8 @@ struct VolumeSlicingChoice {
   std::optional<double> seenOpacity;
 };
 
-/// Adds --mask, --light-gain, --gradient-light, --cutaway, --seen-opacity and --viewer. `choice` must outlive the
-/// parsing.
+/// After addSceneOptions(), whose --iso it tells otherwise. Adds --mask, --light-gain, --gradient-light, --cutaway,
+/// --seen-opacity and --viewer. `choice` must outlive the parsing.
 void addVolumeSlicingOptions(CLI::App& command, VolumeSlicingChoice& choice);
 /// For scenes that are no volumes: throws InputError where one of them is given.
 void refuseVolumeSlicingOptions(const VolumeSlicingChoice& choice);

@@ -63,7 +63,9 @@ ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor,
       }
     });
   });
-  return {std::move(grid), VoxelType::kUint16, std::as_bytes(std::span(*values)), values, extent / kSteps, range.least};
+  return {
+      std::move(grid), VoxelType::kUint16, std::as_bytes(std::span(*values)), values, extent > 0 ? extent / kSteps : 1,
+      range.least};
 }
 
 }  // namespace ocelli

@@ -51,7 +51,7 @@ SweptPlane::SweptPlane(const glm::dmat4& indexFromScene, const SweepGeometry& sw
   byHeight = linear * glm::dvec3(0, 1, 0);
 }
 
-SweptSlice sweptOutline(const SweptPlane& plane, const glm::ivec3& size, const SweepGeometry& sweep) {
+SweptSlice sweptOutline(const SweptPlane& plane, const glm::dvec3& upper, const SweepGeometry& sweep) {
   const double h = sweep.halfHeight();
   std::vector<glm::dvec2> polygon{{-1, -h}, {1, -h}, {1, h}, {-1, h}};  // (r, y)
   for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
@@ -59,7 +59,7 @@ SweptSlice sweptOutline(const SweptPlane& plane, const glm::ivec3& size, const S
       return plane.origin[axis] + plane.byRadius[axis] * p.x + plane.byHeight[axis] * p.y;
     };
     polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return indexAt(p) + 0.5; });
-    polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return size[axis] - 0.5 - indexAt(p); });
+    polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return upper[axis] - indexAt(p); });
   }
   if (polygon.empty()) {
     return {};

@@ -116,10 +116,10 @@ struct SlicePatch {
 template <class Field>
 class SweptSampler {
  public:
-  SweptSampler(const Field& field, const VolumeGrid& grid, const glm::dmat4& indexFromScene, const SweepGeometry& sweep,
-               const ValueRange& range, const Weighing& weighing)
+  SweptSampler(const Field& field, const glm::dvec3& upper, const glm::dmat4& indexFromScene,
+               const SweepGeometry& sweep, const ValueRange& range, const Weighing& weighing)
       : field_(field),
-        grid_(grid),
+        upper_(upper),
         indexFromScene_(indexFromScene),
         sweep_(sweep),
         least_(static_cast<float>(range.least)),
@@ -192,7 +192,7 @@ class SweptSampler {
 
   bool isIn(const glm::dvec3& index, const glm::dvec3& margin) const {
     for (int axis = 0; axis < 3; ++axis) {
-      if (index[axis] < -0.5 - margin[axis] || index[axis] > grid_.size[axis] - 0.5 + margin[axis]) {
+      if (index[axis] < -0.5 - margin[axis] || index[axis] > upper_[axis] + margin[axis]) {
         return false;
       }
     }
@@ -269,7 +269,7 @@ class SweptSampler {
   }
 
   const Field& field_;
-  const VolumeGrid& grid_;
+  glm::dvec3 upper_;  ///< of the volume's box, in index coordinates
   const glm::dmat4& indexFromScene_;
   const SweepGeometry& sweep_;
   float least_;
@@ -296,10 +296,12 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   }
   const ScalarVolume& volume = coarser ? *coarser : *scene.volume;
   const glm::dmat4 indexFromScene = glm::inverse(sceneFromIndex);
+  // Where a coarser volume's last voxels cover fewer, its box reaches farther than the volume's.
+  const glm::dvec3 upper = glm::dvec3(scene.volume->grid().size) / glm::dvec3(factor) - 0.5;
 
   size_t bricks = 0;
   for (int i = 0; i < sweep_.slicesPerHalfTurn(); ++i) {
-    slices_.push_back(sweptOutline(SweptPlane(indexFromScene, sweep_, i), volume.grid().size, sweep_));
+    slices_.push_back(sweptOutline(SweptPlane(indexFromScene, sweep_, i), upper, sweep_));
     slices_.back().firstBrick = bricks;
     bricks += static_cast<size_t>(slices_.back().brickColumns) * static_cast<size_t>(slices_.back().brickRows);
   }
@@ -319,7 +321,7 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
     sampledWeights_.resize(codes_.size());
   }
   visitSweptField(volume, [&](const auto& field) {
-    const SweptSampler sampler(field, volume.grid(), indexFromScene, sweep_, range_, weighing);
+    const SweptSampler sampler(field, upper, indexFromScene, sweep_, range_, weighing);
     parallelFor(slices_.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const size_t at = slices_[i].firstBrick;

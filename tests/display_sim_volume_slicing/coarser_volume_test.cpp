@@ -49,5 +49,12 @@ TEST(CoarserVolume, HasTheValuesThatVoxelsMean) {
               14.0 / 65535);
 }
 
+TEST(CoarserVolume, OfAnEvenVolumeIsEven) {
+  VolumeGrid grid;
+  grid.size = {4, 4, 4};
+  const ScalarVolume volume(grid, std::vector<float>(64, -7.0f));
+  EXPECT_EQ(coarserVolume(volume, glm::ivec3(2), valueRange(volume)).valueAt({1, 0, 1}), -7);
+}
+
 }  // namespace
 }  // namespace ocelli

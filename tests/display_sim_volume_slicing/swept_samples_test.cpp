@@ -155,6 +155,18 @@ TEST(SweptSamples, MakeVolumesCoarserThatAreFinerThanTheDisplay) {
   }
 }
 
+TEST(SweptSamples, OfCoarserVolumesEndWhereTheVolumeEnds) {
+  // 50 voxels in sixes leave two over.
+  const VolumeScene scene = sceneOfField(
+      50, 0.5, [](const glm::dvec3&) { return 1.0; }, grey(0.5));
+  const SweptSamples samples(scene, sweptProfile(12, 16, 16));
+  // Columns are 0.125 wide: the first one outside has its centre at 0.5625.
+  EXPECT_NE(samples.codeAt(0, 11, 8), kNothingSwept);
+  EXPECT_EQ(samples.codeAt(0, 12, 8), kNothingSwept);
+  EXPECT_NE(samples.codeAt(0, 4, 8), kNothingSwept);
+  EXPECT_EQ(samples.codeAt(0, 3, 8), kNothingSwept);
+}
+
 TEST(SweptSamples, WeighByTheGradient) {
   const auto ball = [](const glm::dvec3& p) { return std::clamp(4 * (0.4 - glm::length(p)), 0.0, 1.0); };
   VolumeScene scene = sceneOfField(48, 0.6, ball, grey(0.5));
