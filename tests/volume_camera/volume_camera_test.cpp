@@ -74,8 +74,8 @@ TEST_F(VolumeCameras, EveryNameIsACameraOrAnError) {
       EXPECT_THAT(error, testing::AnyOf(HasSubstr("is a union of"), HasSubstr("is a mesh, which has no rays")));
     }
   }
-  // di, di-wide, rppc, gpc, spoc, three DDOCs, four EOCs, cell, two panoramas.
-  EXPECT_EQ(cameras, 15u);
+  // di, di-wide, rppc, gpc, spoc, three DDOCs, four EOCs, cell, two panoramas, and ldi-4, which has one layer here.
+  EXPECT_EQ(cameras, 16u);
 }
 
 TEST_F(VolumeCameras, BendAsTheirFileSays) {
