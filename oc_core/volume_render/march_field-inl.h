@@ -12,6 +12,7 @@
 #include <hwy/contrib/math/math-inl.h>
 #include <hwy/highway.h>
 
+#include <algorithm>
 #include <bit>
 #include <cstdint>
 #include <cstring>
@@ -155,6 +156,24 @@ class CellFinder {
   glm::ivec3 cells_;
 };
 
+/// Differences of a field between a voxel after and a voxel before places, along i, j and k: kLanes of each.
+template <class Field>
+HWY_ATTR HWY_INLINE void readSlopesByField(const Field& field, const Point& index, size_t count, float* slopes) {
+  const Floats d;
+  const FloatVec one = hn::Set(d, 1.0f);
+  const Point p = field.centerNear(index);
+  HWY_ALIGN float after[kLanes];
+  HWY_ALIGN float before[kLanes];
+  const auto difference = [&](const Point& a, const Point& b, float* slope) HWY_ATTR {
+    field.read(a, count, after);
+    field.read(b, count, before);
+    hn::Store(hn::Sub(hn::Load(d, after), hn::Load(d, before)), d, slope);
+  };
+  difference({hn::Add(p.x, one), p.y, p.z}, {hn::Sub(p.x, one), p.y, p.z}, slopes);
+  difference({p.x, hn::Add(p.y, one), p.z}, {p.x, hn::Sub(p.y, one), p.z}, slopes + kLanes);
+  difference({p.x, p.y, hn::Add(p.z, one)}, {p.x, p.y, hn::Sub(p.z, one)}, slopes + 2 * kLanes);
+}
+
 /// Any type and size: voxel by voxel.
 class AnyField {
  public:
@@ -198,6 +217,9 @@ class AnyField {
         values[lane] = static_cast<float>(mix(plane(cell), plane(cell + nextK), w[lane]) - first_);
       }
     });
+  }
+  HWY_ATTR void readSlopes(const Point& index, size_t count, float* slopes) const {
+    readSlopesByField(*this, index, count, slopes);
   }
 
  private:
@@ -258,7 +280,103 @@ class NativeField {
     }
   }
 
+  /// As readSlopesByField(), but for rounding: what the six points have in common is read once.
+  HWY_ATTR void readSlopes(const Point& index, size_t count, float* slopes) const {
+    const Floats d;
+    const Ints di;
+    const auto c = finder_.find(index);
+    HWY_ALIGN int32_t i[kLanes];
+    HWY_ALIGN int32_t j[kLanes];
+    HWY_ALIGN int32_t k[kLanes];
+    HWY_ALIGN float u[kLanes];
+    HWY_ALIGN float v[kLanes];
+    HWY_ALIGN float w[kLanes];
+    hn::Store(c.i, di, i);
+    hn::Store(c.j, di, j);
+    hn::Store(c.k, di, k);
+    hn::Store(c.share.x, d, u);
+    hn::Store(c.share.y, d, v);
+    hn::Store(c.share.z, d, w);
+    for (int axis = 0; axis < 3; ++axis) {
+      hn::Store(hn::Zero(d), d, slopes + static_cast<size_t>(axis) * kLanes);
+    }
+    const glm::ivec3& size = finder_.size();
+    if (size.y < 2 || size.z < 2) {
+      readSlopesByField(*this, index, count, slopes);
+      return;
+    }
+    const auto mix = [](Quad a, Quad b, Quad share) HWY_ATTR { return hn::MulAdd(hn::Sub(b, a), share, a); };
+    for (size_t lane = 0; lane < count; ++lane) {
+      const Quad alongJ = setQuad(v[lane]);
+      const Quad alongK = setQuad(w[lane]);
+      // The row of the cell, and the ways from it to rows j - 1 and j + 2 and to planes k - 1 and k + 2; those at the
+      // ends stand for what is beyond.
+      const Voxel* row =
+          voxels_ + (static_cast<size_t>(k[lane]) * static_cast<size_t>(size.y) + static_cast<size_t>(j[lane])) *
+                        static_cast<size_t>(size.x);
+      const std::ptrdiff_t nextJ = nextJ_;
+      const std::ptrdiff_t nextK = nextK_;
+      const std::ptrdiff_t lowJ = j[lane] > 0 ? -nextJ : 0;
+      const std::ptrdiff_t highJ = j[lane] + 2 < size.y ? 2 * nextJ : nextJ;
+      const std::ptrdiff_t lowK = k[lane] > 0 ? -nextK : 0;
+      const std::ptrdiff_t highK = k[lane] + 2 < size.z ? 2 * nextK : nextK;
+      // The rows of the cell, from the voxel before it to that behind it.
+      const Quad rows[2][2] = {{fourAlong(row, i[lane]), fourAlong(row + nextJ, i[lane])},
+                               {fourAlong(row + nextK, i[lane]), fourAlong(row + nextJ + nextK, i[lane])}};
+      const Quad near = mix(rows[0][0], rows[0][1], alongJ);  // plane k
+      const Quad far = mix(rows[1][0], rows[1][1], alongJ);   // plane k + 1
+      const Quad low = mix(rows[0][0], rows[1][0], alongK);   // row j
+      const Quad high = mix(rows[0][1], rows[1][1], alongK);  // row j + 1
+      const Quad middle = mix(near, far, alongK);
+      // The same beside the cell, of its own two columns alone: rows j - 1 and j + 2, planes k - 1 and k + 2.
+      const Voxel* cell = row + i[lane];
+      const auto mixPairs = [&](Quad pairs, float share) HWY_ATTR {
+        const hn::Half<Quads> pair;
+        const auto a = hn::LowerHalf(pair, pairs);
+        return hn::MulAdd(hn::Sub(hn::UpperHalf(pair, pairs), a), hn::Set(pair, share), a);
+      };
+      const auto below = mixPairs(twoPairs(cell + lowJ, cell + lowJ + nextK), w[lane]);
+      const auto above = mixPairs(twoPairs(cell + highJ, cell + highJ + nextK), w[lane]);
+      const auto before = mixPairs(twoPairs(cell + lowK, cell + lowK + nextJ), v[lane]);
+      const auto behind = mixPairs(twoPairs(cell + highK, cell + highK + nextJ), v[lane]);
+      const hn::Half<Quads> pair;
+      const hn::Half<hn::Half<Quads>> one;
+      const auto alongI = [&](const auto& two) HWY_ATTR {
+        const auto left = hn::LowerHalf(one, two);
+        return hn::GetLane(hn::MulAdd(hn::Sub(hn::UpperHalf(one, two), left), hn::Set(one, u[lane]), left));
+      };
+      slopes[lane] = alongI(hn::Sub(hn::UpperHalf(pair, middle), hn::LowerHalf(pair, middle)));
+      const auto slopeAt = [&](const auto& outerBefore, Quad innerBefore, Quad innerAfter, const auto& outerAfter,
+                               float share) HWY_ATTR {
+        const auto inner = [&](Quad four)
+                               HWY_ATTR { return hn::LowerHalf(pair, hn::ShiftRightLanes<1>(Quads(), four)); };
+        const auto first = hn::Sub(inner(innerAfter), outerBefore);
+        const auto second = hn::Sub(outerAfter, inner(innerBefore));
+        return alongI(hn::MulAdd(hn::Sub(second, first), hn::Set(pair, share), first));
+      };
+      slopes[kLanes + lane] = slopeAt(below, low, high, above, v[lane]);
+      slopes[2 * kLanes + lane] = slopeAt(before, near, far, behind, w[lane]);
+    }
+  }
+
  private:
+  /// The voxels from i - 1 to i + 2 of a row; those at its ends stand for what is beyond.
+  HWY_ATTR HWY_INLINE Quad fourAlong(const Voxel* row, int32_t i) const {
+    const int32_t last = finder_.size().x - 1;
+    if (i > 0 && i + 2 <= last) {
+      if constexpr (std::is_same_v<Voxel, float>) {
+        return hn::LoadU(Quads(), row + i - 1);
+      } else {
+        return twoPairs(row + i - 1, row + i + 1);
+      }
+    }
+    HWY_ALIGN float four[4];
+    for (int32_t n = 0; n < 4; ++n) {
+      four[n] = static_cast<float>(row[std::clamp(i - 1 + n, 0, last)]);
+    }
+    return loadQuad(four);
+  }
+
   /// The voxels at `a` and `b`, each with its neighbour along i.
   HWY_ATTR static HWY_INLINE Quad twoPairs(const Voxel* a, const Voxel* b) {
     const Quads quads;

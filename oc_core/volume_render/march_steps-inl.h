@@ -79,24 +79,13 @@ struct Light {
 template <class Field>
 HWY_ATTR HWY_NOINLINE Light lightAt(const MarchSetup& setup, const Field& field, const Places& places, size_t count) {
   const Floats d;
-  const Point p = field.centerNear(places.index);
   const FloatVec one = hn::Set(d, 1.0f);
   const FloatVec half = hn::Set(d, 0.5f);
-  // All are read before any is looked at: what was just written by lanes is slow to be read as a whole.
-  HWY_ALIGN float values[6 * kLanes];
-  field.read({hn::Add(p.x, one), p.y, p.z}, count, values);
-  field.read({hn::Sub(p.x, one), p.y, p.z}, count, values + kLanes);
-  field.read({p.x, hn::Add(p.y, one), p.z}, count, values + 2 * kLanes);
-  field.read({p.x, hn::Sub(p.y, one), p.z}, count, values + 3 * kLanes);
-  field.read({p.x, p.y, hn::Add(p.z, one)}, count, values + 4 * kLanes);
-  field.read({p.x, p.y, hn::Sub(p.z, one)}, count, values + 5 * kLanes);
-  const auto difference = [&](size_t axis) HWY_ATTR {
-    const float* both = values + 2 * axis * kLanes;
-    return hn::Sub(hn::Load(d, both), hn::Load(d, both + kLanes));
-  };
-  const FloatVec gx = difference(0);
-  const FloatVec gy = difference(1);
-  const FloatVec gz = difference(2);
+  HWY_ALIGN float slopes[3 * kLanes];
+  field.readSlopes(places.index, count, slopes);
+  const FloatVec gx = hn::Load(d, slopes);
+  const FloatVec gy = hn::Load(d, slopes + kLanes);
+  const FloatVec gz = hn::Load(d, slopes + 2 * kLanes);
   const glm::mat3& m = setup.worldFromIndexGradient;
   const auto row = [&](int i) HWY_ATTR {
     return hn::Mul(half, hn::MulAdd(gx, hn::Set(d, m[0][i]),
@@ -170,16 +159,15 @@ class ColorOrder {
   FloatVec weight_;
 };
 
-/// How far before its end, as a share of it, the light of a step comes from on average, where extinction is linear.
-HWY_ATTR HWY_INLINE FloatVec centerOfLight(FloatVec before, FloatVec after, FloatVec depth, FloatVec likeEnds) {
+/// How far before its end, as a share of its length, the light of a step comes from: where the field has the entry that
+/// its extinction has on average.
+HWY_ATTR HWY_INLINE FloatVec centerOfLight(FloatVec before, FloatVec after, FloatVec mean) {
   const Floats d;
-  const FloatVec sum = hn::Add(before, after);
-  const auto isSome = hn::Gt(sum, hn::Zero(d));
-  const FloatVec half = hn::Set(d, 0.5f);
-  // (2 before + after) / (3 (before + after)), and nearer to the eye by the step's own extinction.
-  const FloatVec share = hn::Div(hn::Add(sum, before), hn::IfThenElse(isSome, hn::Mul(sum, hn::Set(d, 3.0f)), sum));
-  const FloatVec center = hn::MulAdd(hn::IfThenElse(isSome, hn::Sub(share, half), hn::Zero(d)), likeEnds, half);
-  return hn::Min(hn::MulAdd(depth, hn::Set(d, 1.0f / 12), center), hn::Set(d, 1.0f));
+  const FloatVec change = hn::Sub(after, before);
+  const auto isSmall = hn::Lt(hn::Abs(change), hn::Set(d, 1.0f));
+  const FloatVec one = hn::Set(d, 1.0f);
+  const FloatVec share = hn::Div(hn::Sub(after, mean), hn::IfThenElse(isSmall, one, change));
+  return hn::IfThenElse(isSmall, hn::Set(d, 0.5f), hn::Min(hn::Max(share, hn::Zero(d)), one));
 }
 
 }  // namespace ocelli::HWY_NAMESPACE

@@ -8,7 +8,7 @@
 //   (K(b) - K(a)) / (b - a),    K(v) the integral of either up to v,
 //
 // which does not depend on ds: the step's optical depth tau is ds times the first, exactly, and its light is
-// (1 - exp(-tau)) times the quotient of both: a step's own attenuation does not change the mean of its colours.
+// (1 - exp(-tau)) times the quotient of both, were it not for the order of its colours (march_steps-inl.h).
 //
 // Both are linear between entries, which stand at equal distances of values, and constant beyond the first and last.
 // A peak that is thinner than the distance of two entries keeps its integral. K is kept as the sum of two numbers: the
@@ -40,6 +40,9 @@ class OpticalTable {
   OpticalTable(const TransferFunction& transfer, const ValueRange& range);
 
   const std::vector<Entry>& entries() const { return entries_; }
+  /// The integral of extinction times the number of the entry, over entries, up to each: the greater part, and what is
+  /// to be added. It says where within a step its light comes from.
+  const std::vector<std::array<float, 2>>& moments() const { return moments_; }
   double firstValue() const { return firstValue_; }  ///< of entry 0
   double entriesByValue() const { return entriesByValue_; }
   /// Whether nothing is seen of values from `least` to `greatest`.
@@ -49,6 +52,7 @@ class OpticalTable {
   double firstValue_;
   double entriesByValue_;
   std::vector<Entry> entries_;
+  std::vector<std::array<float, 2>> moments_;
   std::vector<int> visibleBefore_;  ///< how many entries before this one have extinction
 };
 
