@@ -26,11 +26,11 @@ struct LoadedScene {
   uint64_t revision = 0;  ///< of the request
   Mesh mesh;              ///< of a volume that of its surface, or empty
   Box bounds;
-  PointSceneOptions points{};                         ///< with which it was loaded
-  std::shared_ptr<const LoadedVolume> volume = {};    ///< null: the scene is none
-  uint64_t volumeRevision = 0;                        ///< of the request of the volume
-  VolumeSceneOptions volumeOptions = {};              ///< with which that was loaded
-  std::optional<double> iso = {};                     ///< the value of the surface that the mesh is
+  PointSceneOptions points{};                       ///< with which it was loaded
+  std::shared_ptr<const LoadedVolume> volume = {};  ///< null: the scene is none
+  uint64_t volumeRevision = 0;                      ///< of the request of the volume
+  VolumeSceneOptions volumeOptions = {};            ///< with which that was loaded
+  std::optional<double> iso = {};                   ///< the value of the surface that the mesh is
 };
 
 struct BuiltCamera {

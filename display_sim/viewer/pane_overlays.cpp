@@ -268,12 +268,13 @@ std::optional<std::vector<std::string>> notesOf(const PanelDrawing& drawing, Pan
     if (!state.volume.on) {
       return {{"the scene is no volume", "no volume"}};
     }
-    return pane == Pane::kVolume ? volumeNotes(facts) : transferNotes(state);
+    return pane == Pane::kVolume ? volumeNotes(facts) : std::vector<std::string>();
   }
   if (!hasMesh(state) && pane != Pane::kDisplay) {
-    return {{"this pane shows triangles, and a volume has none: choose the value of a surface in the panel, or give "
-             "--iso VALUE",
-             "needs a surface: --iso"}};
+    return {
+        {"this pane shows triangles, and a volume has none: choose the value of a surface in the panel, or give "
+         "--iso VALUE",
+         "needs a surface: --iso"}};
   }
   if (pane == Pane::kEffect) {
     return effectNotes(state, facts.effect, facts.showTimes);

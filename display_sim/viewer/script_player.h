@@ -19,8 +19,8 @@ class ScriptPlayer {
 
   /// Throws InputError where the first scene cannot be loaded or a step closes the viewer before the last one,
   /// WorkError where an image cannot be written or the viewer does not come to rest, GlError. InputError where the
-  /// effect pane, or that of the lenses or of a volume, has nothing to save. All else that goes wrong shows in the window, as it would
-  /// for a person.
+  /// effect pane, or that of the lenses or of a volume, has nothing to save. All else that goes wrong shows in the
+  /// window, as it would for a person.
   void play(const ViewerScript& script);
   void play(const ScriptStep& step);
 

@@ -12,8 +12,8 @@ namespace ocelli {
 /// of its values show.
 void takeVolume(ViewerState& state, const LoadedVolume& volume);
 
-/// A preset by its name, or a file; it can be undone. Throws InputError as transferByName() does, and where the scene is
-/// no volume.
+/// A preset by its name, or a file; it can be undone. Throws InputError as transferByName() does, and where the scene
+/// is no volume.
 void chooseTransfer(ViewerState& state, const LoadedVolume* volume, const std::string& nameOrFile);
 
 /// The JSON file of what is edited, with absolute values: what `--transfer` takes. Throws InputError where the scene is

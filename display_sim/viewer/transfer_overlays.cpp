@@ -178,23 +178,15 @@ std::string transferDetail(const ViewerState& state) {
   if (!state.volume.transfer) {
     return {};
   }
-  const size_t count = state.volume.transfer->points().size();
-  return fmt::format("{} {}{}", count, count == 1 ? "point" : "points",
-                     state.volume.transfer->isSaved() ? "" : ", not saved");
-}
-
-std::vector<std::string> transferNotes(const ViewerState& state) {
-  if (!state.volume.transfer) {
-    return {};
-  }
   const TransferEditor& editor = *state.volume.transfer;
-  if (!editor.chosen()) {
-    return {};
+  const size_t count = editor.points().size();
+  std::string text = fmt::format("{} {}", count, count == 1 ? "point" : "points");
+  if (editor.chosen()) {
+    const TransferPoint& point = editor.points()[*editor.chosen()];
+    text = fmt::format("point {} of {}: value {:.6g}, opacity {:.4g} %", *editor.chosen() + 1, count, point.value,
+                       100 * point.opacity);
   }
-  const TransferPoint& point = editor.points()[*editor.chosen()];
-  return {fmt::format("point {} of {}: value {:.6g}, opacity {:.4g} %", *editor.chosen() + 1, editor.points().size(),
-                      point.value, 100 * point.opacity),
-          fmt::format("{:.6g}, {:.4g} %", point.value, 100 * point.opacity)};
+  return editor.isSaved() ? text : "not saved, " + text;
 }
 
 }  // namespace ocelli

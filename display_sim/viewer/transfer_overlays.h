@@ -15,9 +15,7 @@ std::vector<float> histogramBars(const VolumeHistogram& histogram, const ValueAx
 /// chosen one is larger, with a yellow ring. Below them the colours of all values, and numbers along both axes.
 void drawTransferPlot(const PanelDrawing& drawing, const WindowRect& image);
 
-/// For the header: "6 points, not saved".
+/// For the header: "not saved, point 2 of 6: value 300, opacity 12 %".
 std::string transferDetail(const ViewerState& state);
-/// What the pane says, from the longest to the shortest form; empty where nothing.
-std::vector<std::string> transferNotes(const ViewerState& state);
 
 }  // namespace ocelli

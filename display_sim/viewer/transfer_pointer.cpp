@@ -25,14 +25,15 @@ std::optional<size_t> pointAt(const TransferEditor& editor, const TransferFrame&
 }  // namespace
 
 TransferFrame transferFrame(const ViewerState& state, const WindowRect& image, float lengthScale) {
-  constexpr double kLeft = 44;   // for opacities
+  constexpr double kLeft = 54;   // for opacities
   constexpr double kBelow = 40;  // for colours and values
-  constexpr double kElsewhere = 14;
+  constexpr double kAbove = 14;
+  constexpr double kRight = 28;  // for half of a value
   const auto scale = static_cast<double>(lengthScale);
   TransferFrame frame;
-  frame.corner = glm::dvec2(image.x, image.y) + scale * glm::dvec2(kLeft, kElsewhere);
+  frame.corner = glm::dvec2(image.x, image.y) + scale * glm::dvec2(kLeft, kAbove);
   const glm::dvec2 room(image.width, image.height);
-  frame.size = glm::max(room - scale * glm::dvec2(kLeft + kElsewhere, kBelow + kElsewhere), glm::dvec2(1));
+  frame.size = glm::max(room - scale * glm::dvec2(kLeft + kRight, kBelow + kAbove), glm::dvec2(1));
   frame.axis = state.volume.axis;
   frame.lengthScale = scale;
   return frame;
@@ -89,8 +90,7 @@ void TransferPointer::release(ViewerState& state) {
 
 void TransferPointer::scroll(ViewerState& state, const TransferFrame& frame, const glm::dvec2& at, double up) {
   constexpr double kZoomPerStep = 1.25;
-  state.volume.axis =
-      zoomedAxis(state.volume.axis, state.volume.values, frame.valueAt(at), std::pow(kZoomPerStep, up));
+  state.volume.axis = zoomedAxis(state.volume.axis, state.volume.values, frame.valueAt(at), std::pow(kZoomPerStep, up));
 }
 
 const std::vector<PointerBinding>& transferPointerBindings() {

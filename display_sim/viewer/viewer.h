@@ -27,9 +27,9 @@ namespace ocelli {
 struct ViewerOptions {
   std::string source;
   SceneOptions sceneOptions;
-  VolumeSceneOptions volumeOptions = {};      ///< of a scene that is a volume, beside those of every scene
-  std::optional<bool> volumeIsShaded = {};    ///< nothing: as its transfer function says
-  std::string volumeRays = {};                ///< as VolumeShown::rays
+  VolumeSceneOptions volumeOptions = {};    ///< of a scene that is a volume, beside those of every scene
+  std::optional<bool> volumeIsShaded = {};  ///< nothing: as its transfer function says
+  std::string volumeRays = {};              ///< as VolumeShown::rays
   CameraChoice camera;
   View reference;
   int width = kDefaultWidth;  ///< of the reference image
@@ -194,8 +194,8 @@ class Viewer {
   std::shared_ptr<const LoadedVolume> loadedVolume_;  ///< that the transfer function is of; null: none
   VolumeSceneOptions loadedVolumeOptions_;
   std::optional<double> loadedIso_;
-  bool panelHasKeys_ = false;       ///< after F6
-  bool leavesPanel_ = false;        ///< in the next frame
+  bool panelHasKeys_ = false;  ///< after F6
+  bool leavesPanel_ = false;   ///< in the next frame
   ResizeEvent window_;
   glm::vec2 pointer_{-1};
   std::optional<Drag> drag_;

@@ -14,7 +14,7 @@ struct ViewerData {
   std::shared_ptr<const BuiltCamera> camera;
   std::shared_ptr<const std::vector<RayFunction>> rays;  ///< null until they are known
   std::shared_ptr<const SlicedVolume> volume;
-  std::optional<GlMesh> sceneMesh;  ///< nothing of a scene without triangles
+  std::optional<GlMesh> sceneMesh;   ///< nothing of a scene without triangles
   std::optional<GlMesh> cameraMesh;  ///< of what stands for the scene
   uint64_t version = 0;              ///< counts changes
 

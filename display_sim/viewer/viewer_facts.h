@@ -37,7 +37,7 @@ struct ViewerFacts {
 /// What a person asked for through the panels, other than what they changed in the state themselves.
 struct PanelWishes {
   std::vector<ViewerAction> actions;
-  std::string open;    ///< a scene; empty for none
+  std::string open;      ///< a scene; empty for none
   std::string camera;    ///< the file of one; empty for none
   std::string transfer;  ///< a preset of a transfer function, or a file; empty for none
   bool changesIso = false;

@@ -156,7 +156,8 @@ const std::vector<KeyBinding>& keyBindings() {
       {Key::kY, kPreviousEffect, kEffectGroup, "", "", true},
       {Key::kO, kToggleEffect, kEffectGroup, "O", "the effect pane on, off"},
 
-      {Key::kZ, kUndoTransfer, kVolumeGroup, "Ctrl + Z  Y", "undo, redo a change of the transfer function", false, true},
+      {Key::kZ, kUndoTransfer, kVolumeGroup, "Ctrl + Z  Y", "undo, redo a change of the transfer function", false,
+       true},
       {Key::kY, kRedoTransfer, kVolumeGroup, "", "", false, true},
       {Key::kZ, kRedoTransfer, kVolumeGroup, "", "", true, true},
       {Key::kEnter, kTypeTransferNumbers, kVolumeGroup, "Enter", "type the numbers of a point"},

@@ -199,8 +199,8 @@ const std::map<std::string, StepReader>& stepReaders() {
       {"iso", [](JsonFields& fields, const auto&) { return readIso(fields); }},
       {"save_volume",
        [](JsonFields& fields, const auto&) { return SaveVolumePictureStep{readFileName(fields, "save_volume")}; }},
-      {"save_transfer",
-       [](JsonFields& fields, const auto&) { return SaveTransferStep{readFileName(fields, "save_transfer", ".json")}; }},
+      {"save_transfer", [](JsonFields& fields,
+                           const auto&) { return SaveTransferStep{readFileName(fields, "save_transfer", ".json")}; }},
       {"save_camera",
        [](JsonFields& fields, const auto&) { return SaveCameraStep{readFileName(fields, "save_camera", ".json")}; }},
   };

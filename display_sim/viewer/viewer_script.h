@@ -115,10 +115,10 @@ struct SaveTransferStep {
   std::string file;
 };
 
-using ScriptStep = std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep,
-                                ScrollStep, ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep,
-                                SaveEffectStep, SaveLensPictureStep, SaveCameraStep, TransferStep, IsoStep,
-                                SaveVolumePictureStep, SaveTransferStep>;
+using ScriptStep =
+    std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep, ScrollStep,
+                 ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep, SaveEffectStep, SaveLensPictureStep,
+                 SaveCameraStep, TransferStep, IsoStep, SaveVolumePictureStep, SaveTransferStep>;
 
 struct ViewerScript {
   int width = 1280;

@@ -68,9 +68,9 @@ std::string_view named(std::initializer_list<std::string_view> names, Enum value
 }  // namespace
 
 std::string_view titleOf(Pane pane) {
-  return named({"Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses", "Volume",
-                "Transfer function"},
-               pane);
+  return named(
+      {"Scene", "Reference image", "Reconstruction", "Display", "Effect", "Lenses", "Volume", "Transfer function"},
+      pane);
 }
 
 std::string_view nameOf(ReferenceShown::Quantity quantity) {

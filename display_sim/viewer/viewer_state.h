@@ -29,7 +29,7 @@ struct WorkWanted {
   uint64_t lastRevision = 0;
   std::string source;
   SceneOptions sceneOptions;
-  VolumeSceneOptions volumeOptions;  ///< of a scene that is a volume; `fit` and `warn` are those of sceneOptions
+  VolumeSceneOptions volumeOptions;    ///< of a scene that is a volume; `fit` and `warn` are those of sceneOptions
   std::optional<bool> volumeIsShaded;  ///< nothing: as its transfer function says
   uint64_t sceneRevision = 0;
   uint64_t volumeRevision = 0;  ///< of the volume, where the scene is one: its surface alone changes the scene's

@@ -30,13 +30,26 @@ bool slider(const char* name, double& value, double least, double greatest, cons
   return true;
 }
 
+/// The least and the greatest value.
+ValueRange rangeOf(const LoadedVolume& volume) {
+  ValueRange range = volume.histogram.bounds;
+  const double width = volume.histogram.binWidth();
+  const VoxelType type = volume.scene.volume->type();
+  const bool isWhole = type != VoxelType::kFloat32 && type != VoxelType::kFloat64;
+  if (isWhole && std::abs(width - std::abs(volume.scene.volume->scale())) <= 1e-9 * width) {
+    range.least += width / 2;  // each number has a bin, with itself in the middle
+    range.greatest -= width / 2;
+  }
+  return range;
+}
+
 std::string sizeText(const LoadedVolume& volume) {
   const VolumeGrid& grid = volume.scene.volume->grid();
   const glm::dvec3 spacing = grid.spacing();
+  const ValueRange range = rangeOf(volume);
   return fmt::format("{} x {} x {} voxels of {}, {:.4g} x {:.4g} x {:.4g} {}, values {:.6g} to {:.6g}", grid.size.x,
                      grid.size.y, grid.size.z, nameOf(volume.scene.volume->type()), spacing.x, spacing.y, spacing.z,
-                     grid.unit.empty() ? "units" : grid.unit, volume.histogram.bounds.least,
-                     volume.histogram.bounds.greatest);
+                     grid.unit.empty() ? "units" : grid.unit, range.least, range.greatest);
 }
 
 void drawLight(TransferEditor& editor) {

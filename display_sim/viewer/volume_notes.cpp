@@ -8,8 +8,8 @@
 namespace ocelli {
 
 std::string volumeDetail(const ViewerState& state, const VolumeStatus& status) {
-  const std::string name = state.volume.rays.empty() ? state.work.camera.name
-                                                     : std::filesystem::path(state.volume.rays).stem().string();
+  const std::string name =
+      state.volume.rays.empty() ? state.work.camera.name : std::filesystem::path(state.volume.rays).stem().string();
   return status.picture ? fmt::format("{}, {} x {}", name, status.picture->wanted.size.x, status.picture->wanted.size.y)
                         : name;
 }

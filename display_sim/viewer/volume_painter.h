@@ -20,15 +20,16 @@ struct VolumeWanted {
   View view;
   glm::ivec2 size{0};  ///< of the picture, pixels
   CameraChoice camera;
-  uint64_t cameraRevision = 0;  ///< another one where `camera` is another
-  std::string rays = {};        ///< as in VolumeShown
+  uint64_t cameraRevision = 0;                              ///< another one where `camera` is another
+  std::string rays = {};                                    ///< as in VolumeShown
   std::shared_ptr<const VolumeAppearance> appearance = {};  ///< another pointer where it is another
   std::array<glm::dvec2, 3> kept = VolumeShown::kWhole;
 
   bool canBePainted() const { return shows && scene != nullptr && scene->volume != nullptr && appearance != nullptr; }
   bool operator==(const VolumeWanted& other) const {
     return shows == other.shows && scene == other.scene && view == other.view && size == other.size &&
-           cameraRevision == other.cameraRevision && rays == other.rays && appearance == other.appearance && kept == other.kept;
+           cameraRevision == other.cameraRevision && rays == other.rays && appearance == other.appearance &&
+           kept == other.kept;
   }
 };
 

@@ -14,10 +14,10 @@ namespace ocelli {
 struct VolumeShown {
   static constexpr std::array<glm::dvec2, 3> kWhole{{{0, 1}, {0, 1}, {0, 1}}};
 
-  bool on = false;                         ///< the scene is a volume, or is to be one that is being loaded
+  bool on = false;                           ///< the scene is a volume, or is to be one that is being loaded
   std::optional<TransferEditor> transfer{};  ///< nothing before the volume has come
-  ValueAxis values{};                      ///< all that the pane of the transfer function can show
-  ValueAxis axis{};                        ///< those that it shows
+  ValueAxis values{};                        ///< all that the pane of the transfer function can show
+  ValueAxis axis{};                          ///< those that it shows
   /// What is shown along x, y and z of the scene, as shares of the volume's box: the rest is clipped.
   std::array<glm::dvec2, 3> kept = kWhole;
   /// A constructor of graph or curved ray cameras, by its name or file, along whose rays the volume is seen; empty: the

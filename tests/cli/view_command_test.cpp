@@ -132,13 +132,13 @@ TEST(ViewCommand, aVolumeLooksAsRenderDrawsItAlongTheRaysOfACameraFile) {
     ASSERT_EQ(result.exitCode, 0) << result.error;
     const Image<Rgb8> shown = readPng(folder / "frames/a.png");
     const std::string size = std::to_string(shown.width()) + "x" + std::to_string(shown.height());
-    const ProgramResult rendered = runProgram("render " + volume + more + " --size " + size + " -q -o " +
-                                              inQuotes(folder / "rendered.png"));
+    const ProgramResult rendered =
+        runProgram("render " + volume + more + " --size " + size + " -q -o " + inQuotes(folder / "rendered.png"));
     ASSERT_EQ(rendered.exitCode, 0) << rendered.error;
     EXPECT_EQ(shown, readPng(folder / "rendered.png")) << more;
-    const ProgramResult again = runProgram("render " + volume + more + " --transfer " +
-                                           inQuotes(folder / "frames/a.json") + " -q -o " +
-                                           inQuotes(folder / "again.png"));
+    const ProgramResult again =
+        runProgram("render " + volume + more + " --transfer " + inQuotes(folder / "frames/a.json") + " -q -o " +
+                   inQuotes(folder / "again.png"));
     EXPECT_EQ(again.exitCode, 0) << "what was saved is taken: " << again.error;
   }
 }

@@ -13,8 +13,9 @@ inline LoadedVolume eightVoxels() {
   grid.size = glm::ivec3(2);
   auto volume = std::make_shared<const ScalarVolume>(grid, std::vector<float>{0, 0, 0, 0, 0, 25, 50, 100});
   VolumeHistogram histogram = histogramOf(*volume);
-  VolumeScene scene{.volume = std::move(volume),
-                    .appearance = {TransferFunction({{0, {0, 0, 1}, 0}, {50, {0, 1, 0}, 0.5}, {100, {1, 0, 0}, 1}}, 1)}};
+  VolumeScene scene{
+      .volume = std::move(volume),
+      .appearance = {TransferFunction({{0, {0, 0, 1}, 0}, {50, {0, 1, 0}, 0.5}, {100, {1, 0, 0}, 1}}, 1)}};
   return {std::move(scene), std::move(histogram)};
 }
 

@@ -120,7 +120,8 @@ TEST(ViewerKeys, escapeLeavesTheHelpFirst) {
 
 TEST(ViewerKeys, whatNeedsMoreThanTheStateIsLeftToTheViewer) {
   using enum ViewerAction;
-  for (const ViewerAction action : {kScreenshot, kSaveView, kSaveLenses, kSaveTransfer, kTypeTransferNumbers, kFocusPanel, kQuit}) {
+  for (const ViewerAction action :
+       {kScreenshot, kSaveView, kSaveLenses, kSaveTransfer, kTypeTransferNumbers, kFocusPanel, kQuit}) {
     ViewerState state = keyState();
     EXPECT_FALSE(applyAction(state, action));
   }

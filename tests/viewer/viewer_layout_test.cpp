@@ -75,8 +75,8 @@ TEST(ViewerLayout, aMaximisedPaneIsAlone) {
 }
 
 TEST(ViewerLayout, aTransferFunctionLiesBelowItsVolume) {
-  const ViewerState state = viewerState("builtin:volume,name=marschner-lobb", {}, cameraChoice("di"), View{}, 72, 48,
-                                        "test");
+  const ViewerState state =
+      viewerState("builtin:volume,name=marschner-lobb", {}, cameraChoice("di"), View{}, 72, 48, "test");
   for (const auto maximised : {std::optional<Pane>(), std::optional(Pane::kVolume)}) {
     ViewerState shown = state;
     shown.maximised = maximised;

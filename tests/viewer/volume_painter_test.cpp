@@ -148,7 +148,8 @@ TEST(VolumePainter, progressMayEndIt) {
   VolumePainter painter;
   const VolumeWanted wanted = wantedVolume();
   EXPECT_THROW(painter.paint(wanted, wanted.size, [](std::string_view, double) { throw Ended{}; }), Ended);
-  EXPECT_EQ(painter.paint(wanted, wanted.size), renderedVolume(wanted, pinholeOf(wanted))) << "and is as good as before";
+  EXPECT_EQ(painter.paint(wanted, wanted.size), renderedVolume(wanted, pinholeOf(wanted)))
+      << "and is as good as before";
 }
 
 TEST(VolumeWork, drawsTheNewestWishAndForgetsWhatIsHidden) {

@@ -1,12 +1,11 @@
 // Volumes in the viewer, driven as a person would.
-#include "display_sim/viewer/volume_work.h"
-
 #include <gmock/gmock.h>
 
 #include "display_sim/viewer/transfer_pointer.h"
+#include "display_sim/viewer/volume_work.h"
 #include "display_sim/volume_solidity/shown_volume.h"
-#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/isosurface/isosurface.h"
 #include "oc_core/volume/transfer_presets.h"
 #include "tests/viewer/test_viewer.h"
