@@ -193,7 +193,9 @@ std::vector<fs::path> filesOf(const fs::path& path) {
   }
   std::vector<fs::path> files;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
-    if (isDicomFile(at->path())) {
+    const VolumeFormat* named = volumeFormatOfName(at->path());
+    const bool isNamed = named != nullptr && named->name == kDicomFormat && at->is_regular_file(error);
+    if (isNamed || isDicomFile(at->path())) {
       files.push_back(at->path());
     }
   }
