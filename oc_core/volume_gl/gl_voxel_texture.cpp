@@ -61,7 +61,7 @@ std::string sizeText(const glm::ivec3& size) {
 void requireRoom(const GlContext& context, const glm::ivec3& size, const TexelRow& texel) {
   const GladGLContext& gl = context.gl();
   const char* where = nameOf(context.info().provider);
-  const std::string next = "draw it without --method gl, or make it smaller";
+  const std::string next = "use a smaller volume";
   GLint most = 0;
   gl.GetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &most);
   if (std::max({size.x, size.y, size.z}) > most) {

@@ -21,7 +21,7 @@ inline constexpr double kRoundingTolerance = 3e-4;
 struct VolumeAgreement {
   double color = 0;  ///< the greatest difference of a channel or of the opacity
   double meanOpacity = 0;
-  size_t otherDepths = 0;  ///< pixels whose t is another, by more than a hundredth of a voxel's share of the scene
+  size_t otherDepths = 0;  ///< pixels whose t is another, by more than a thousandth, or held by one image alone
   size_t depths = 0;       ///< pixels with a t
 };
 

@@ -1,5 +1,5 @@
 // A transfer function integrated over values: oc_core/volume_render/optical_table.h. Values are counted in its entries.
-layout(binding = 2) uniform sampler2D optics;  // a column an entry: its integral, rest, at and halfChange
+layout(binding = 2) uniform sampler2D optics;  // a column an entry: its integral, rest, at, halfChange and moment
 
 // The integrals up to a value: extinction, and red, green and blue times extinction.
 struct OpticalPlace {
@@ -7,16 +7,22 @@ struct OpticalPlace {
   vec4 integral;
   vec4 rest;
   vec4 at;
+  vec2 moment;  // of extinction times the entry: the greater part, and what is to be added
 };
+const OpticalPlace kNoOpticalPlace = OpticalPlace(0.0, vec4(0), vec4(0), vec4(0), vec2(0));
 
 OpticalPlace opticalPlace(float entry) {
   // Beyond the table it is constant: the first and the last two entries are the same.
   int i = int(clamp(entry, 0.0, float(textureSize(optics, 0).x - 2)));
   float share = entry - float(i);
-  vec4 first = texelFetch(optics, ivec2(i, 2), 0);
   vec4 halfGrowth = share * texelFetch(optics, ivec2(i, 3), 0);
-  return OpticalPlace(entry, texelFetch(optics, ivec2(i, 0), 0),
-                      texelFetch(optics, ivec2(i, 1), 0) + share * (first + halfGrowth), first + 2.0 * halfGrowth);
+  vec4 halfway = texelFetch(optics, ivec2(i, 2), 0) + halfGrowth;
+  OpticalPlace place = OpticalPlace(entry, texelFetch(optics, ivec2(i, 0), 0),
+                                    texelFetch(optics, ivec2(i, 1), 0) + share * halfway, halfway + halfGrowth, vec2(0));
+#if SHADING
+  place.moment = texelFetch(optics, ivec2(i, 4), 0).xy + vec2(0, (entry - 0.5 * share) * share * halfway.x);
+#endif
+  return place;
 }
 
 // The mean over the values between two places.
@@ -26,4 +32,46 @@ vec4 opticalBetween(OpticalPlace a, OpticalPlace b) {
   vec4 mean = abs(change) < 1.0 ? 0.5 * (a.at + b.at)
                                 : ((b.integral - a.integral) + (b.rest - a.rest)) / change;
   return max(mean, vec4(0));
+}
+
+// A slab between two places, with the mean of extinction and colours times extinction between them, and how much of the
+// light passes all before it, and all before its end.
+struct Slab {
+  OpticalPlace begin;
+  OpticalPlace end;
+  vec4 mean;
+  float size;  // its length
+  float before;
+  float after;
+};
+
+// What the order of colours within a slab adds to its light, which is that of its mean colour: ColorOrder of
+// oc_core/volume_render/march_steps-inl.h.
+vec3 lightOfOrder(Slab slab, vec3 meanColor) {
+  bool isBegin = slab.begin.at.x > 0.0;
+  bool isEnd = slab.end.at.x > 0.0;
+  // An end that shows nothing has no colour: it lies as far from the mean as the other.
+  vec3 first = slab.begin.at.yzw / (isBegin ? slab.begin.at.x : 1.0);
+  vec3 last = slab.end.at.yzw / (isEnd ? slab.end.at.x : 1.0);
+  first = isBegin ? first : 2.0 * meanColor - last;
+  last = isEnd ? last : 2.0 * meanColor - first;
+  float depth = slab.mean.x * slab.size;
+  float square = depth * depth;
+  float series = 1.0 + square * (1.0 / 40.0 + square * (1.0 / 4480.0));
+  // Of a slab that is seen by a peak within it, rather than by what its ends have, these say little.
+  float likeEnds = min(0.5 * (slab.begin.at.x + slab.end.at.x) / slab.mean.x, 1.0);
+  float weight = -square / 12.0 * series * likeEnds * sqrt(slab.before * slab.after);
+  return isBegin || isEnd ? weight * (last - first) : vec3(0);
+}
+
+// How far before its end, as a share of its length, the light of a slab comes from: where the field has the entry that
+// its extinction has on average.
+float centerOfLight(Slab slab) {
+  float change = slab.end.entry - slab.begin.entry;
+  if (abs(change) < 1.0) {
+    return 0.5;
+  }
+  vec2 moment = slab.end.moment - slab.begin.moment;
+  float meanEntry = (moment.x + moment.y) / (change * slab.mean.x);
+  return clamp((slab.end.entry - meanEntry) / change, 0.0, 1.0);
 }

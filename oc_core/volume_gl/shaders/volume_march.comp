@@ -52,7 +52,7 @@ void main() {
   float depthT = kNowhere;
   float samples = 0.0;
   bool isKnown = false;  // whether `known` is that of the place
-  OpticalPlace known = OpticalPlace(0.0, vec4(0), vec4(0), vec4(0));
+  OpticalPlace known = kNoOpticalPlace;
   if (!isFirstPass) {
     Stop stop = stops[stopIndex];
     if (stop.step == kDone) {
@@ -77,13 +77,13 @@ void main() {
   uint turns = 0u;
   while (!isDone && turns < maxTurns) {
     ++turns;
-    // The next slab in which something is seen.
-    vec4 mean = vec4(0);
-    float slabLength = 0.0;
-    float slabT = 0.0;
-    float slabEndT = 0.0;
-    vec3 middle = vec3(0);
-    vec3 direction = vec3(0);
+    // The next slab in which something is seen, and the pieces in which it begins and ends.
+    Slab slab = Slab(kNoOpticalPlace, kNoOpticalPlace, vec4(0), 0.0, 0.0, 0.0);
+    RayPiece slabPiece = kNoPiece;
+    RayPiece slabEndPiece = kNoPiece;
+    float slabEnd = 0.0;  // lengths from where the chain begins
+    float slabChainBegin = 0.0;
+    float slabEndChainBegin = 0.0;
     bool isFound = false;
     while (!isFound && !isDone && turns < maxTurns) {
       ++turns;
@@ -123,15 +123,13 @@ void main() {
         }
         OpticalPlace behind = opticalPlace(entryAt(nextIndex));
         samples += 1.0;
-        slabLength = end - begin;
-        mean = opticalBetween(known, behind);
-        isFound = mean.x * slabLength > 0.0;
-        slabT = piece.t + piece.tByLength * along;
-        slabEndT = next.t + next.tByLength * (end - nextBegin);
-        float halfway = 0.5 * (begin + end);
-        bool isInNext = halfway >= nextBegin;
-        middle = isInNext ? next.from + next.way * (halfway - nextBegin) : piece.from + piece.way * (halfway - place.chainBegin);
-        direction = isInNext ? next.direction : piece.direction;
+        slab = Slab(known, behind, opticalBetween(known, behind), end - begin, 0.0, 0.0);
+        isFound = slab.mean.x * slab.size > 0.0;
+        slabPiece = piece;
+        slabEndPiece = next;
+        slabEnd = end;
+        slabChainBegin = place.chainBegin;
+        slabEndChainBegin = nextBegin;
         known = behind;
       }
       isKnown = !isEmpty && !isLast;
@@ -148,19 +146,28 @@ void main() {
       }
     }
     if (isFound) {
-      float slabDepth = mean.x * slabLength;
-      vec3 color = mean.yzw / mean.x;
-#if SHADING
-      vec2 lit = lightAt(middle, direction);
-      color = color * lit.x + lit.y;
-#endif
-      float before = transmittance;
+      float slabDepth = slab.mean.x * slab.size;
+      slab.before = transmittance;
       opticalDepth += slabDepth;
       transmittance = exp(-opticalDepth);
-      light += max(before - transmittance, 0.0) * color;
+      slab.after = transmittance;
+      float kept = max(slab.before - slab.after, 0.0);
+      vec3 meanColor = slab.mean.yzw / slab.mean.x;
+      vec3 added = kept * meanColor + lightOfOrder(slab, meanColor);
+#if SHADING
+      float center = slabEnd - slab.size * centerOfLight(slab);
+      bool isInNext = center >= slabEndChainBegin;
+      vec3 index = isInNext ? slabEndPiece.from + slabEndPiece.way * (center - slabEndChainBegin)
+                            : slabPiece.from + slabPiece.way * (center - slabChainBegin);
+      vec2 lit = lightAt(index, isInNext ? slabEndPiece.direction : slabPiece.direction);
+      added = added * lit.x + kept * lit.y;
+#endif
+      light += added;
       if (depthT == kNowhere && transmittance <= depthTransmittance) {
-        float share = clamp(log(before / depthTransmittance) / slabDepth, 0.0, 1.0);
-        depthT = slabT + (slabEndT - slabT) * share;
+        float share = clamp(log(slab.before / depthTransmittance) / slabDepth, 0.0, 1.0);
+        float from = slabPiece.t + slabPiece.tByLength * (slabEnd - slab.size - slabChainBegin);
+        float to = slabEndPiece.t + slabEndPiece.tByLength * (slabEnd - slabEndChainBegin);
+        depthT = mix(from, to, share);
       }
       isDone = isDone || transmittance <= endTransmittance;
     }
