@@ -1,5 +1,5 @@
-// Volumes along rays with OpenGL, beside the same on the CPU, in the same run: a pinhole, whose rays the shader makes,
-// a general pinhole, a graph camera and a curved ray camera, whose rays the CPU makes and uploads.
+// Volumes along rays with OpenGL, beside the same on the CPU, in the same run: a pinhole and a general pinhole, whose
+// rays the shader makes, a graph camera and a curved ray camera, whose rays the CPU makes and uploads.
 //
 // Times of the CPU are wall times of all threads. Those of OpenGL end when the GPU has finished and the image has been
 // read back; "kept" leaves it on the GPU. The least of several runs counts, all taken in turn.
@@ -79,7 +79,7 @@ Json measureCamera(const std::string& name, const C& camera, const VolumeRendere
   VolumeImage got;
   VolumeImage filtered;
   const auto keep = [&] {
-    if constexpr (std::is_same_v<C, PinholeCamera>) {
+    if constexpr (std::same_as<C, PinholeCamera> || std::same_as<C, GpcCamera>) {
       const GlVolumeRenderer::Picture picture = exact.drawOnGpu(camera);
       gl.Finish();
     } else {

@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
+#include "oc_core/isosurface/isosurface.h"
 
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"
@@ -173,6 +174,7 @@ std::string asJson(const Findings& findings) {
         {"works", kWithEmulator && findings.usb.emulatorProblem.empty()},
         {"problem", findings.usb.emulatorProblem}}},
       {"remote", {{"built", kWithRemote}}},
+      {"isosurfaces", {{"built", canExtractIsosurfaces()}}},
       {"opengl", anyProvider(findings, "works", true)},
       {"gpu", anyProvider(findings, "software", false)},
       {"providers", findings.providers}};
@@ -236,6 +238,10 @@ std::string asText(const Findings& findings) {
   text += row("remote", kWithRemote ? "works (ocelli remote serve)"
                                     : "built without it (OCELLI_WITH_REMOTE=OFF); ocelli remote serve needs "
                                       "libwebsockets (apt-get install libwebsockets-dev)");
+  text += row("surfaces", canExtractIsosurfaces()
+                              ? "of volumes: work (--iso)"
+                              : "of volumes: built without them (OCELLI_WITH_OPENVDB=OFF); --iso needs OpenVDB "
+                                "(apt-get install libopenvdb-dev)");
   if (kWithOpenGl) {
     text +=
         row("font", findings.font.value_or("none found; panels use a plain one (apt-get install fonts-dejavu-core)"));

@@ -37,15 +37,19 @@ DemoScene runVolumeDemo(const std::string& title, const std::string& source, con
                          const std::string& caption) {
     return images.write(file, pictureBefore(glm::vec3(0), renderVolume(camera, renderer, progress)), what, caption);
   };
-  return {title,
-          source,
-          {{"A volume along bent rays",
-            "Not triangles but a field of numbers, as scanners give: light is gained and lost along each ray. What is "
-            "above a plane is taken away. A curved ray camera sees the front as the pinhole does, and over it into the "
-            "inside: its rays run straight up to the front, and bend down behind it.",
-            {write("front", front, "Pinhole in front", "The inside is hidden."),
-             write("above", above, "Pinhole above", "The inside shows; the front is seen from above, too."),
-             write("curved", bentOver(front), "Curved ray camera", "The front and the inside, in one image.")}}}};
+  DemoScene scene;
+  scene.title = title;
+  scene.source = source;
+  scene.rows.push_back(
+      {"A volume along bent rays",
+       "Not triangles but a field of numbers, as scanners give: light is gained and lost along each ray. What is above "
+       "a "
+       "plane is taken away. A curved ray camera sees the front as the pinhole does, and over it into the inside: its "
+       "rays run straight up to the front, and bend down behind it.",
+       {write("front", front, "Pinhole in front", "The inside is hidden."),
+        write("above", above, "Pinhole above", "The inside shows; the front is seen from above, too."),
+        write("curved", bentOver(front), "Curved ray camera", "The front and the inside, in one image.")}});
+  return scene;
 }
 
 }  // namespace ocelli

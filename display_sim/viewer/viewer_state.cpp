@@ -137,7 +137,6 @@ ViewerState viewerState(const std::string& source, const SceneOptions& options, 
   showKindOf(state, source);
   if (!hasMesh(state)) {  // nothing is missing in a volume
     state.reconstruction.view = reference;
-    state.work.sliceScene = true;
   }
   return state;
 }

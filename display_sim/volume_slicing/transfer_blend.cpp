@@ -11,7 +11,7 @@ namespace ocelli {
 namespace {
 
 /// Points between two points of either: opacity is linear in the value there, and a mean of extinctions is not.
-constexpr int kPiecesBetween = 8;
+constexpr int kPiecesBetween = 16;
 
 /// A step lies between a value and the next number below it.
 std::vector<double> valuesOf(const TransferFunction& from, const TransferFunction& to) {

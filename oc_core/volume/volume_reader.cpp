@@ -29,15 +29,18 @@ void checkVolumePath(const fs::path& path) {
   }
 }
 
-/// Of all that may be read.
-uint64_t bytesBelow(const fs::path& path) {
+/// Of all that may be read: a file, or the files of a folder. Headers may name files beside them.
+uint64_t bytesToRead(const fs::path& path) {
   std::error_code error;
-  if (!fs::is_directory(path, error)) {
+  const fs::path extension = path.extension();
+  const bool isHeader = extension == ".mhd" || extension == ".nhdr";
+  if (!fs::is_directory(path, error) && !isHeader) {
     const uintmax_t bytes = fs::file_size(path, error);
     return error ? 0 : bytes;
   }
+  const fs::path folder = isHeader ? fs::absolute(path).parent_path() : path;
   uint64_t sum = 0;
-  for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error)) {
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
     std::error_code ignored;
     const uintmax_t bytes = at->is_regular_file(ignored) ? at->file_size(ignored) : 0;
     sum += ignored ? 0 : bytes;
@@ -50,7 +53,7 @@ VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const
   const ScratchFile scratch(folder);
   const ReaderResult result =
       runReaderProgram(volumeReader(), {scratch.link().string(), folder.string(), options.series, path.string()}, path,
-                       bytesBelow(path), [&] { report(progress, "loading the volume", 0); });
+                       bytesToRead(path), [&] { report(progress, "loading the volume", 0); });
   const VolumeRecord record = volumeFromRecord(result.record.bytes(), result.program);
   VolumeFile file{{}, record.times, record.warnings};
   const fs::path holder = record.file.empty() ? scratch.link() : fs::path(record.file);
@@ -72,8 +75,9 @@ VolumeFile readNumbered(const std::vector<fs::path>& paths, const VolumeFileOpti
                         const Progress& progress) {
   VolumeFile all;
   for (size_t at = 0; at < paths.size(); ++at) {
-    report(progress, "loading the volumes", static_cast<double>(at) / static_cast<double>(paths.size()));
-    VolumeFile one = readOne(paths[at], options, {});
+    const double share = static_cast<double>(at) / static_cast<double>(paths.size());
+    VolumeFile one =
+        readOne(paths[at], options, [&](std::string_view, double) { report(progress, "loading the volumes", share); });
     if (one.volumes.size() != 1) {
       throw InputError("a folder of volumes has a file with several", paths[at].string(),
                        "give this file alone, or a folder of files with one volume each");

@@ -13,9 +13,9 @@
 namespace ocelli {
 namespace {
 
-/// Turns of the loops of a pixel in a pass. Software renderers end a shader after 65535 turns that it does for up to 16
-/// pixels together; where these take different turns, the turns of all of them count.
-constexpr uint32_t kTurnsOfSoftware = 4000;
+/// Turns of the loops of a pixel in a pass. Software renderers end a shader after 65535 turns, which it does for up to
+/// 16 pixels together; where these take different turns, the turns of all of them count.
+constexpr uint32_t kTurnsOfSoftware = 3500;
 /// So that no pass takes a GPU long enough to be reset.
 constexpr uint32_t kTurnsOfGpu = 16384;
 
@@ -35,13 +35,14 @@ const GlObject& GlVolumeMarch::programOf(const VolumeMarchKind& kind) {
   }
   std::vector<std::string_view> pieces{shaders::kVolumeRay, shaders::kVoxelField, shaders::kEmptyBricks,
                                        shaders::kOpticalTable, shaders::kVolumeLight};
-  if (kind.isPinhole) {
-    pieces.insert(pieces.end(), {shaders::kPinhole, shaders::kPinholeRays});
-  } else {
+  if (kind.rays == VolumeRaysFrom::kList) {
     pieces.push_back(shaders::kListedRays);
+  } else {
+    pieces.insert(pieces.end(), {shaders::kPinhole, shaders::kPinholeRays});
   }
   pieces.push_back(shaders::kVolumeMarchComp);
   const std::string defines = defineOf("BRICK_EDGE", VolumeBricks::kEdge) + defineOf("SHADING", kind.isShaded ? 1 : 0) +
+                              defineOf("LENSES", kind.rays == VolumeRaysFrom::kLenses ? 1 : 0) +
                               defineOf("SURFACES", kind.hasSurfaces ? 1 : 0) +
                               defineOf("HARDWARE_FILTER", kind.isFilteredByHardware ? 1 : 0) +
                               defineOf("MAX_CLIPS", kMaxShaderClips);

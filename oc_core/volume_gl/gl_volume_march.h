@@ -8,9 +8,16 @@
 
 namespace ocelli {
 
+/// Where the shader has its rays from.
+enum class VolumeRaysFrom {
+  kList,     ///< shaders/listed_rays.glsl
+  kPinhole,  ///< shaders/pinhole_rays.glsl
+  kLenses,   ///< the same, of a general pinhole
+};
+
 /// What a variant of the shader is compiled for.
 struct VolumeMarchKind {
-  bool isPinhole = false;  ///< else rays are listed
+  VolumeRaysFrom rays = VolumeRaysFrom::kList;
   bool isShaded = false;
   bool hasSurfaces = false;
   bool isFilteredByHardware = false;

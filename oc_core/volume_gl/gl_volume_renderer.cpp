@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "oc_core/base/check.h"
+#include "oc_core/gl/displacement_uniforms.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/pinhole_uniforms.h"
 #include "oc_core/volume/volume_bricks.h"
@@ -69,7 +70,7 @@ GlObject uploadTable(GlContext& context, const OpticalTable& table) {
     texels(i, 0) = entry.integral;
     texels(i, 1) = entry.rest;
     texels(i, 2) = entry.at;
-    texels(i, 3) = entry.change;
+    texels(i, 3) = entry.halfChange;
   }
   GlObject texture = makeTexture(context, GL_RGBA32F, texels.width(), kRows);
   context.gl().TextureSubImage2D(texture.id(), 0, 0, 0, texels.width(), kRows, GL_RGBA, GL_FLOAT, texels.data());
@@ -158,8 +159,8 @@ struct GlVolumeRenderer::Impl {
                static_cast<float>((voxels.offset() - optics.firstValue()) * optics.entriesByValue())};
   }
 
-  VolumeMarchKind kind(bool isPinhole) const {
-    return {isPinhole, scene.appearance.shading.isOn, !isPinhole && lister.hasSurfaces(),
+  VolumeMarchKind kind(VolumeRaysFrom rays) const {
+    return {rays, scene.appearance.shading.isOn, rays == VolumeRaysFrom::kList && lister.hasSurfaces(),
             filter == GlVolumeFilter::kHardware};
   }
 
@@ -193,6 +194,27 @@ struct GlVolumeRenderer::Impl {
     gl.BindImageTexture(1, picture.depths.id(), 0, GL_FALSE, 0, GL_READ_WRITE, GL_RGBA32F);
   }
 
+  /// The shader makes the rays: of `camera`, or of a general pinhole around it, whose zones are bound.
+  Picture drawPinhole(const PinholeCamera& camera, VolumeRaysFrom rays, const Progress& progress) const {
+    const GladGLContext& gl = context.gl();
+    Picture picture = begin(camera.width(), camera.height());
+    const GlObject pinhole = pinholeUniforms(context, camera);
+    const GlObject extent = extentOf(camera);
+    bind(picture);
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, pinhole.id());
+    gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, extent.id());
+    const int band = progress ? kRowsOfBand : std::max(camera.height(), 1);
+    for (int first = 0; first < camera.height(); first += band) {
+      report(progress, kStage, static_cast<double>(first) / camera.height());
+      march.run(kind(rays), numbers, camera.width(), first, std::min(first + band, camera.height()), diagonal);
+      if (progress) {
+        gl.Finish();
+      }
+    }
+    report(progress, kStage, 1);
+    return picture;
+  }
+
   /// Marches along listed rows, as many together as their pieces allow.
   void marchRows(std::span<const ListedRow> rows, int width, int firstRow) const {
     for (size_t begin = 0; begin < rows.size();) {
@@ -209,8 +231,8 @@ struct GlVolumeRenderer::Impl {
       gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, onGpu.pieces.id());
       gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, onGpu.firstPieces.id());
       gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, onGpu.surfaces.id());
-      march.run(kind(false), numbers, width, firstRow + static_cast<int>(begin), firstRow + static_cast<int>(end),
-                longest);
+      march.run(kind(VolumeRaysFrom::kList), numbers, width, firstRow + static_cast<int>(begin),
+                firstRow + static_cast<int>(end), longest);
       begin = end;
     }
   }
@@ -265,24 +287,17 @@ GlVolumeRenderer::Picture GlVolumeRenderer::drawOnGpu(const PinholeCamera& camer
     return drawOnGpu(
         camera.width(), camera.height(), [&](const glm::vec2& pixel) { return camera.rayPath(pixel); }, progress);
   }
-  const GladGLContext& gl = impl_->context.gl();
-  Picture picture = impl_->begin(camera.width(), camera.height());
-  const GlObject pinhole = pinholeUniforms(impl_->context, camera);
-  const GlObject extent = impl_->extentOf(camera);
-  impl_->bind(picture);
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 0, pinhole.id());
-  gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, extent.id());
-  const int band = progress ? kRowsOfBand : std::max(camera.height(), 1);
-  for (int first = 0; first < camera.height(); first += band) {
-    report(progress, kStage, static_cast<double>(first) / camera.height());
-    impl_->march.run(impl_->kind(true), impl_->numbers, camera.width(), first, std::min(first + band, camera.height()),
-                     impl_->diagonal);
-    if (progress) {
-      gl.Finish();
-    }
+  return impl_->drawPinhole(camera, VolumeRaysFrom::kPinhole, progress);
+}
+
+GlVolumeRenderer::Picture GlVolumeRenderer::drawOnGpu(const GpcCamera& camera, const Progress& progress) const {
+  if (!impl_->cutsPinholes()) {
+    return drawOnGpu(
+        camera.width(), camera.height(), [&](const glm::vec2& pixel) { return camera.rayPath(pixel); }, progress);
   }
-  report(progress, kStage, 1);
-  return picture;
+  const GlObject zones = zoneTexture(impl_->context, camera);
+  impl_->context.gl().BindTextureUnit(3, zones.id());
+  return impl_->drawPinhole(camera.reference(), VolumeRaysFrom::kLenses, progress);
 }
 
 GlVolumeRenderer::Picture GlVolumeRenderer::drawOnGpu(int width, int height,
@@ -310,6 +325,11 @@ GlVolumeRenderer::Picture GlVolumeRenderer::drawOnGpu(int width, int height,
 }
 
 VolumeImage GlVolumeRenderer::render(const PinholeCamera& camera, const Progress& progress) const {
+  const GlScope scope(impl_->context);
+  return impl_->read(drawOnGpu(camera, progress), camera.width(), camera.height());
+}
+
+VolumeImage GlVolumeRenderer::render(const GpcCamera& camera, const Progress& progress) const {
   const GlScope scope(impl_->context);
   return impl_->read(drawOnGpu(camera, progress), camera.width(), camera.height());
 }

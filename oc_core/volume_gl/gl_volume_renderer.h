@@ -2,18 +2,19 @@
 // same samples, with the same tables, in single precision. Pixels differ by rounding alone, but where hardware filters
 // the voxels (GlVolumeFilter).
 //
-// The rays of a planar pinhole are made and cut by the shader. Those of other cameras, and those that can end at a
-// surface, are made and cut on the CPU, and uploaded some rows of the image at a time.
+// The rays of planar and general pinholes are made and cut by the shader. Those of other cameras, and those that can
+// end at a surface, are made and cut on the CPU, and uploaded some rows of the image at a time.
 #pragma once
 
+#include <concepts>
 #include <functional>
 #include <glm/vec2.hpp>
 #include <memory>
-#include <type_traits>
 #include <vector>
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/camera.h"
+#include "oc_core/camera/gpc_camera.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/gl/gl_object.h"
 #include "oc_core/volume/volume_scene.h"
@@ -49,6 +50,7 @@ class GlVolumeRenderer {
 
   /// As VolumeRenderer::render() does. `progress` is called on the calling thread, and may throw to end the work.
   VolumeImage render(const PinholeCamera& camera, const Progress& progress = {}) const;
+  VolumeImage render(const GpcCamera& camera, const Progress& progress = {}) const;
   VolumeImage render(int width, int height, const std::function<RayPath(const glm::vec2& pixel)>& rayPath,
                      const Progress& progress = {}) const;
 
@@ -60,6 +62,7 @@ class GlVolumeRenderer {
     GlObject depths;
   };
   Picture drawOnGpu(const PinholeCamera& camera, const Progress& progress = {}) const;
+  Picture drawOnGpu(const GpcCamera& camera, const Progress& progress = {}) const;
   Picture drawOnGpu(int width, int height, const std::function<RayPath(const glm::vec2& pixel)>& rayPath,
                     const Progress& progress = {}) const;
 
@@ -71,7 +74,7 @@ class GlVolumeRenderer {
 /// What a camera sees of a volume: renderVolume() of volume_renderer.h with OpenGL.
 template <Camera C>
 VolumeImage renderVolumeOnGpu(const C& camera, const GlVolumeRenderer& renderer, const Progress& progress = {}) {
-  if constexpr (std::is_same_v<C, PinholeCamera>) {
+  if constexpr (std::same_as<C, PinholeCamera> || std::same_as<C, GpcCamera>) {
     return renderer.render(camera, progress);
   } else {
     return renderer.render(

@@ -32,6 +32,12 @@ TEST(Doctor, tellsOfTheMachine) {
                                  HasSubstr("OpenGL: ")));
 }
 
+TEST(Doctor, tellsOfSurfacesOfVolumes) {
+  const bool isBuilt = findings("").at("isosurfaces").at("built");
+  EXPECT_THAT(runProgram("doctor").output,
+              HasSubstr(isBuilt ? "of volumes: work (--iso)" : "apt-get install libopenvdb-dev"));
+}
+
 TEST(Doctor, tellsOfUsb) {
   const nlohmann::json usb = findings("").at("usb");
   EXPECT_GE(usb.at("displays"), 0);

@@ -31,7 +31,8 @@ class RenderVolume : public testing::Test {
  protected:
   std::string out() const { return (folder_ / "image.png").string(); }
   ProgramResult render(const std::string& options, const std::string& scene = kVolume) const {
-    return runProgram("render " + scene + " --size 60x40 -o " + out() + " " + options);
+    return runProgram("render " + scene + (options.find("--size") == std::string::npos ? " --size 60x40" : "") +
+                      " -o " + out() + " " + options);
   }
   /// The error of what must fail as wrong input.
   std::string errorOf(const std::string& options, const std::string& scene = kVolume) const {
@@ -141,6 +142,22 @@ TEST_F(RenderVolume, ShadingIsWhatTheUserSays) {
     images.insert(fileBytes(out()));
   }
   EXPECT_EQ(images.size(), 2u);
+}
+
+/// The example of docs/volumes.md: the coil of metal, which the transfer function shows in blue, is hidden behind the
+/// forehead, and a camera whose rays bend shows it.
+TEST_F(RenderVolume, SeesBehindBone) {
+  const std::string examples = OCELLI_SOURCE_DIR "/docs/cameras/examples/";
+  const auto bluePixels = [&](const std::string& camera) {
+    const ProgramResult result = render("--size 180x165 --clip 'y<0.2' --transfer " + examples +
+                                            "skull_transfer.json --view " + examples + "skull_view.json " + camera,
+                                        "builtin:volume,name=skull");
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+    const Image<Rgb8> shown = image();
+    return std::count_if(shown.begin(), shown.end(), [](const Rgb8& pixel) { return pixel.z > pixel.x + 20; });
+  };
+  EXPECT_EQ(bluePixels(""), 0);
+  EXPECT_GT(bluePixels("--camera " + examples + "skull_curved.json"), 5);
 }
 
 TEST_F(RenderVolume, TellsWhatItTook) {

@@ -119,6 +119,44 @@ TEST(ViewCommand, aWindowTakesNoProvider) {
   EXPECT_THAT(result.error, HasSubstr("only with --offscreen"));
 }
 
+TEST(ViewCommand, aVolumeLooksAsRenderDrawsItAlongTheRaysOfACameraFile) {
+  const TemporaryFolder folder;
+  const std::string volume = "builtin:volume,name=marschner-lobb,size=24";
+  const std::string camera = inQuotes(folder.write("bent.json", R"({"camera": "curved", "turns": [
+      {"from": {"point": [4, 0, 3], "normal": [-0.25, 0, -1]}, "middle": {"point": [4, 0, 3], "normal": [0, 0, -1]},
+       "to": {"point": [4, 0, 3], "normal": [0.25, 0, -1]}, "viewpoint": [-2, 0, 8]}]})"));
+  for (const std::string& more : {std::string(), " --camera " + camera}) {
+    const ProgramResult result = view(volume, R"({"size": [640, 400], "steps": [
+        {"wait": "idle"}, {"save_volume": "a.png"}, {"save_transfer": "a.json"}]})",
+                                      folder, "--gl osmesa" + more);
+    ASSERT_EQ(result.exitCode, 0) << result.error;
+    const Image<Rgb8> shown = readPng(folder / "frames/a.png");
+    const std::string size = std::to_string(shown.width()) + "x" + std::to_string(shown.height());
+    const ProgramResult rendered = runProgram("render " + volume + more + " --size " + size + " -q -o " +
+                                              inQuotes(folder / "rendered.png"));
+    ASSERT_EQ(rendered.exitCode, 0) << rendered.error;
+    EXPECT_EQ(shown, readPng(folder / "rendered.png")) << more;
+    const ProgramResult again = runProgram("render " + volume + more + " --transfer " +
+                                           inQuotes(folder / "frames/a.json") + " -q -o " +
+                                           inQuotes(folder / "again.png"));
+    EXPECT_EQ(again.exitCode, 0) << "what was saved is taken: " << again.error;
+  }
+}
+
+TEST(ViewCommand, optionsOfVolumesAreCheckedAtTheStart) {
+  const TemporaryFolder folder;
+  const char* script = R"({"steps": [{"wait": "idle"}]})";
+  const auto errorOf = [&](const std::string& scene, const std::string& more) {
+    const ProgramResult result = view(scene, script, folder, "--gl osmesa " + more);
+    EXPECT_EQ(result.exitCode, 2) << more;
+    return result.error;
+  };
+  EXPECT_THAT(errorOf("builtin:teapot", "--clip 'x>0'"), HasSubstr("--clip"));
+  EXPECT_THAT(errorOf("builtin:teapot", "--iso 3"), HasSubstr("--iso"));
+  EXPECT_THAT(errorOf("builtin:volume,name=marschner-lobb,size=24", "--transfer nonsense"), HasSubstr("nonsense"));
+  EXPECT_THAT(errorOf("builtin:volume,name=marschner-lobb,size=24", "--iso 1e6"), HasSubstr("1e"));
+}
+
 TEST(ViewCommand, withoutADisplayAWindowIsAnErrorThatSaysWhatToDo) {
   const ProgramResult result = runShell("unset DISPLAY WAYLAND_DISPLAY\n\"$OCELLI\" view builtin:teapot");
   EXPECT_EQ(result.exitCode, 1);

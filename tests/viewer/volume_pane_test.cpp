@@ -213,7 +213,7 @@ TEST_P(VolumePaneTest, scenesOfEitherKindFollowEachOther) {
   EXPECT_FALSE(test.viewer.facts().messageIsError) << test.viewer.facts().message;
   test.player.play(OpenStep{kSmallVolume});
   test.settle();
-  EXPECT_EQ(test.viewer.state().active, Pane::kVolume);
+  EXPECT_EQ(test.viewer.state().maximised, Pane::kTransfer) << "which a volume has";
   test.key(Key::k0);
   EXPECT_EQ(test.picture(), before);
   test.player.play(OpenStep{"no-such-volume.nrrd"});

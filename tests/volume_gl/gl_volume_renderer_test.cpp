@@ -187,6 +187,8 @@ TEST_P(GlVolumeRendererTest, longRaysTakeSeveralPasses) {
   const PinholeCamera camera(view, 24, 16);
   expectCpu(camera, scene, "pinhole", options, test::kRoundingTolerance);
   expectCpu(test::bendingTwice(camera), scene, "curved", options, test::kRoundingTolerance);
+  // Where neighbours skip and look in turn, the turns of all of them count.
+  expectCpu(camera, scene, "skipping", {.step = 1.0 / 300, .endTransmittance = 0}, test::kRoundingTolerance);
 }
 
 TEST_P(GlVolumeRendererTest, stepsAndTheEndOfRaysAreThoseOfTheOptions) {

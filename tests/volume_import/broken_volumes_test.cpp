@@ -172,6 +172,13 @@ TEST_F(DicomFolder, PassesOverWhatIsNoDicom) {
   EXPECT_EQ(readVolumeFile(folder_.path()).volumes.front().grid().size, glm::ivec3(7, 6, 5));
 }
 
+// What is called DICOM is meant to be a slice: at the ends nobody would miss it.
+TEST_F(DicomFolder, NamesAnEmptySlice) {
+  copy("dicom_upright");
+  folder_.write("im0.dcm", "");
+  expectError(HasSubstr("im0.dcm"));
+}
+
 TEST_F(DicomFolder, OneSliceIsNoVolume) {
   copy("dicom_upright");
   EXPECT_THAT([&] { readVolumeFile(folder_ / "im0.dcm"); }, ThrowsMessage<InputError>(HasSubstr("give the folder")));

@@ -3,12 +3,16 @@
 #include <fmt/format.h>
 #include <nifti2_io.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/volume/import/inflate.h"
 
 namespace ocelli {
 namespace {
@@ -108,18 +112,38 @@ void setTimes(const nifti_image& image, uint64_t volumes, VolumeRecord& record) 
   }
 }
 
+/// The library takes files without the mark for those of Analyze, which have no orientation.
+bool isNiftiOfOnePiece(const ByteSource& source, bool isDeflated) {
+  constexpr size_t kHeaderBytes = 348;
+  std::string header(static_cast<size_t>(std::min<uint64_t>(source.size(), 1 << 16)), '\0');
+  source.read(0, std::as_writable_bytes(std::span(header)));
+  if (isDeflated) {
+    std::span<const std::byte> all = std::as_bytes(std::span(header));
+    const ByteFeed once = [&] { return std::exchange(all, {}); };
+    std::string inflated;
+    inflateBytes(once, kHeaderBytes, source.name(), [&](std::span<const std::byte> bytes) {
+      inflated.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
+    });
+    header = inflated;
+  }
+  using namespace std::string_view_literals;
+  const std::string_view start(header);
+  return start.size() >= kHeaderBytes && (start.substr(344, 4) == "n+1\0"sv || start.substr(4, 4) == "n+2\0"sv);
+}
+
 }  // namespace
 
 VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch, ReadingBudget* budget) {
   const std::string where = path.string();
   const FileSource source(path, budget);
+  const bool isDeflated = nifti_is_gzfile(path.c_str()) != 0;
+  if (!isNiftiOfOnePiece(source, isDeflated)) {
+    throw InputError("this is no NIfTI file of one piece: the mark \"n+1\" or \"n+2\" is missing", where,
+                     "convert it to one file, .nii or .nii.gz");
+  }
   const NiftiImage image(nifti_image_read(path.c_str(), 0), &nifti_image_free);
   if (!image) {
     throw InputError("this is no NIfTI file that can be read: its header is damaged", where, kNiftiExportAgain);
-  }
-  if (image->nifti_type != NIFTI_FTYPE_NIFTI1_1 && image->nifti_type != NIFTI_FTYPE_NIFTI2_1) {
-    throw InputError("this is no NIfTI file of one piece, but perhaps one of Analyze", where,
-                     "convert it to one file, .nii or .nii.gz");
   }
   if (image->iname == nullptr || path != std::filesystem::path(image->iname)) {
     throw InputError("the voxels lie in another file", where, "give the volume as one file, .nii or .nii.gz");
@@ -149,7 +173,6 @@ VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch
   if (image->iname_offset < 0) {
     throw InputError("the header says that the voxels begin before the file", where, kNiftiExportAgain);
   }
-  const bool isDeflated = nifti_is_gzfile(path.c_str()) != 0;
   const bool isSwapped = image->byteorder != nifti_short_order();
   const auto offset = static_cast<uint64_t>(image->iname_offset);
   placeVoxels(record, static_cast<uint64_t>(volumes),

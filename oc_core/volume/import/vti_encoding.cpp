@@ -174,6 +174,10 @@ void decodeDeflated(const VtiEncoding& encoding, VtiByteReader& reader, const By
 
 }  // namespace
 
+uint64_t readVtiWord(const VtiEncoding& encoding, const ByteSource& source, uint64_t offset) {
+  return VtiByteReader(source, offset, encoding.isBase64).word(encoding);
+}
+
 void decodeVtiArray(const VtiEncoding& encoding, const ByteSource& source, uint64_t offset, uint64_t expected,
                     const ByteSink& sink) {
   VtiByteReader reader(source, offset, encoding.isBase64);

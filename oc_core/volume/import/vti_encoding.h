@@ -16,6 +16,9 @@ struct VtiEncoding {
   size_t wordBytes = 4;     ///< of the numbers of headers: 4 or 8
 };
 
+/// A number of a header. Throws InputError where the source ends before.
+uint64_t readVtiWord(const VtiEncoding& encoding, const ByteSource& source, uint64_t offset);
+
 /// Hands on the bytes of an array, whose header stands at `offset` of the source. Throws InputError where they are
 /// damaged or not `expected` many.
 void decodeVtiArray(const VtiEncoding& encoding, const ByteSource& source, uint64_t offset, uint64_t expected,

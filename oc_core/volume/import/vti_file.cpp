@@ -103,6 +103,9 @@ class VtiParser {
     const pugi::xml_node array = chooseArray(piece);
     setGrid(image, piece, std::string_view(array.parent().name()) == "CellData");
     setArray(file, array);
+    if (image.child("FieldData") || piece.child("FieldData")) {
+      header_.record.warnings.emplace_back("what the file says in FieldData is not kept");
+    }
     header_.record.facts.format = "VTI";
     return std::move(header_);
   }
@@ -309,19 +312,14 @@ void placeVtiVoxels(VtiHeader& header, const ByteSource& source, const std::stri
   VolumeRecord& record = header.record;
   const uint64_t bytes = record.grid.voxelCount() * bytesOf(header.type);
   if (!header.isInline && !header.encoding.isBase64 && !header.encoding.isDeflated) {
-    uint64_t seen = 0;
-    VtiEncoding size = header.encoding;
-    std::array<std::byte, 8> word{};
-    source.read(header.offset, std::span(word).first(size.wordBytes));
-    if (size.isSwapped) {
-      std::reverse(word.begin(), word.begin() + static_cast<ptrdiff_t>(size.wordBytes));
-    }
-    std::memcpy(&seen, word.data(), size.wordBytes);
+    const VtiEncoding& encoding = header.encoding;
+    const uint64_t seen = readVtiWord(encoding, source, header.offset);
     if (seen != bytes) {
       throw InputError(fmt::format("the array has {} bytes, and its extent and type need {}", seen, bytes),
                        source.name(), "copy or export the file again");
     }
-    placeVoxels(record, 1, {header.type, size.isSwapped, header.offset + size.wordBytes}, source, path, scratch);
+    placeVoxels(record, 1, {header.type, encoding.isSwapped, header.offset + encoding.wordBytes}, source, path,
+                scratch);
     return;
   }
   // Text has a character a number at least, and a space; zlib makes no more than 1032 bytes of one.

@@ -1,5 +1,5 @@
 // A transfer function integrated over values: oc_core/volume_render/optical_table.h. Values are counted in its entries.
-layout(binding = 2) uniform sampler2D optics;  // a column an entry: its integral, rest, at and change
+layout(binding = 2) uniform sampler2D optics;  // a column an entry: its integral, rest, at and halfChange
 
 // The integrals up to a value: extinction, and red, green and blue times extinction.
 struct OpticalPlace {
@@ -14,9 +14,9 @@ OpticalPlace opticalPlace(float entry) {
   int i = int(clamp(entry, 0.0, float(textureSize(optics, 0).x - 2)));
   float share = entry - float(i);
   vec4 first = texelFetch(optics, ivec2(i, 2), 0);
-  vec4 growth = share * texelFetch(optics, ivec2(i, 3), 0);
+  vec4 halfGrowth = share * texelFetch(optics, ivec2(i, 3), 0);
   return OpticalPlace(entry, texelFetch(optics, ivec2(i, 0), 0),
-                      texelFetch(optics, ivec2(i, 1), 0) + share * (first + 0.5 * growth), first + growth);
+                      texelFetch(optics, ivec2(i, 1), 0) + share * (first + halfGrowth), first + 2.0 * halfGrowth);
 }
 
 // The mean over the values between two places.

@@ -71,6 +71,8 @@ void main() {
   uint count = pieceCount(pixel, stopIndex);
   bool isDone = place.piece >= count;
   RayPiece piece = isDone ? kNoPiece : pieceAt(place.piece);
+  // Empty bricks around the place.
+  int empty = emptyBricksAround(piece.from + piece.way * (float(place.step) * stepLength - place.chainBegin));
 
   uint turns = 0u;
   while (!isDone && turns < maxTurns) {
@@ -88,10 +90,10 @@ void main() {
       float begin = float(place.step) * stepLength;  // length from where the chain begins
       float along = begin - place.chainBegin;
       vec3 index = piece.from + piece.way * along;
-      int distance = emptyBricksAround(index);
-      uint skipped = distance > 0 ? emptySteps(index, piece.way, piece.length - along, distance, stepLength) : 0u;
+      uint skipped = empty > 0 ? emptySteps(index, piece.way, piece.length - along, empty, stepLength) : 0u;
       if (skipped > 0u) {
         place.step += skipped;
+        empty = emptyBricksAround(piece.from + piece.way * (float(place.step) * stepLength - place.chainBegin));
         isKnown = false;
         continue;
       }
@@ -112,7 +114,8 @@ void main() {
       bool isLast = target >= nextBegin + next.length;
       float end = isLast ? nextBegin + next.length : target;
       vec3 nextIndex = next.from + next.way * (end - nextBegin);
-      bool isEmpty = distance > 0 && emptyBricksAround(nextIndex) > 0;
+      int nextEmpty = emptyBricksAround(nextIndex);
+      bool isEmpty = empty > 0 && nextEmpty > 0;
       if (!isEmpty) {
         if (!isKnown) {
           known = opticalPlace(entryAt(index));
@@ -132,6 +135,7 @@ void main() {
         known = behind;
       }
       isKnown = !isEmpty && !isLast;
+      empty = nextEmpty;
       place = Place(nextPiece, place.step + 1u, nextBegin);
       piece = next;
       if (isLast) {
@@ -139,6 +143,7 @@ void main() {
         isDone = place.piece >= count;
         if (!isDone) {
           piece = pieceAt(place.piece);
+          empty = emptyBricksAround(piece.from);
         }
       }
     }
