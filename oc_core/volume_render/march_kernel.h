@@ -24,7 +24,6 @@ struct MarchSetup {
   double firstNumber = 0;
   float entriesByNumber = 0;
   const OpticalTable::Entry* entries = nullptr;
-  const std::array<float, 2>* moments = nullptr;  ///< of OpticalTable
 
   const uint8_t* distances = nullptr;  ///< of VolumeOccupancy; null: no sample is left out
   glm::ivec3 bricks{0};

@@ -25,7 +25,6 @@ struct Before {
   Quad rest;
   Quad at;
   float entry;
-  float moment[2];
 };
 
 /// A ray on its way, a group of samples after the other. The work on a group comes in phases, so that those of several
@@ -58,7 +57,6 @@ class March {
   static constexpr float kUnseen = 1e-5f;  ///< of a step: less light than this needs no shade
 
   HWY_ATTR bool nextPart();
-  HWY_ATTR void lookUpMoments();
   float lengthAt(int sample) const { return std::min(float(sample) * setup_->step, part_.length); }
   HWY_ATTR HWY_INLINE FloatVec lengthsFrom(int sample) const {
     const Floats d;
@@ -229,7 +227,6 @@ class March {
   HWY_ALIGN float byMean_[kLanes];
   HWY_ALIGN float depths_[4 * kLanes];    ///< by step: optical depth, and red, green and blue times it
   HWY_ALIGN float ends_[4 * kLanes + 4];  ///< at the sample before and at each: OpticalTable::Entry::at
-  HWY_ALIGN float moments_[kLanes];       ///< by step: optical depth times the entry that it is of, on average
   FloatVec depth_;
   FloatVec red_;
   FloatVec green_;
@@ -286,7 +283,7 @@ HWY_ATTR bool March<Field>::nextPart() {
   last_ = static_cast<int>(std::max(1.0f, std::ceil(part_.length / setup_->step - 1e-4f)));
   isBefore_ = false;
   wasSeen_ = false;
-  before_ = {setQuad(0), setQuad(0), setQuad(0), 0, {0, 0}};
+  before_ = {setQuad(0), setQuad(0), setQuad(0), 0};
   return true;
 }
 
@@ -388,29 +385,6 @@ HWY_ATTR void March<Field>::lookUp() {
   before.entry = entries_[count_];
   before_ = before;
   isBefore_ = true;
-  if (setup_->isShaded) {
-    lookUpMoments();
-  }
-}
-
-/// Of extinction, over the steps.
-template <class Field>
-HWY_ATTR void March<Field>::lookUpMoments() {
-  float before = before_.moment[0];
-  float beforeRest = before_.moment[1];
-  for (size_t i = 0; i < count_; ++i) {
-    const auto entry = static_cast<size_t>(which_[i]);
-    const OpticalTable::Entry& e = setup_->entries[entry];
-    const float part = shares_[i] * (e.at[0] + shares_[i] * e.halfChange[0]);
-    const float moment = setup_->moments[entry][0];
-    const float rest = setup_->moments[entry][1] + (entries_[i + 1] - 0.5f * shares_[i]) * part;
-    moments_[i] = ((moment - before) + (rest - beforeRest)) * byChange_[i];
-    before = moment;
-    beforeRest = rest;
-  }
-  std::fill(moments_ + count_, moments_ + kLanes, 0.0f);
-  before_.moment[0] = before;
-  before_.moment[1] = beforeRest;
 }
 
 template <class Field>
@@ -468,8 +442,9 @@ HWY_ATTR void March<Field>::add() {
   green_ = seen(green_, first.green, last.green);
   blue_ = seen(blue_, first.blue, last.blue);
   if (setup_->isShaded) {
-    const FloatVec center = centerOfLight(hn::Load(d, entries_), entry_, hn::Mul(hn::Load(d, moments_), perDepth));
-    const Light light = lightOfSteps(hn::NegMulAdd(step_, center, length_), hn::Gt(kept, hn::Set(d, kUnseen)));
+    // In the middle of each step.
+    const FloatVec place = hn::NegMulAdd(step_, hn::Set(d, 0.5f), length_);
+    const Light light = lightOfSteps(place, hn::Gt(kept, hn::Set(d, kUnseen)));
     const FloatVec white = hn::Mul(kept, light.added);
     red_ = hn::MulAdd(red_, light.factor, white);
     green_ = hn::MulAdd(green_, light.factor, white);

@@ -159,17 +159,6 @@ class ColorOrder {
   FloatVec weight_;
 };
 
-/// How far before its end, as a share of its length, the light of a step comes from: where the field has the entry that
-/// its extinction has on average.
-HWY_ATTR HWY_INLINE FloatVec centerOfLight(FloatVec before, FloatVec after, FloatVec mean) {
-  const Floats d;
-  const FloatVec change = hn::Sub(after, before);
-  const auto isSmall = hn::Lt(hn::Abs(change), hn::Set(d, 1.0f));
-  const FloatVec one = hn::Set(d, 1.0f);
-  const FloatVec share = hn::Div(hn::Sub(after, mean), hn::IfThenElse(isSmall, one, change));
-  return hn::IfThenElse(isSmall, hn::Set(d, 0.5f), hn::Min(hn::Max(share, hn::Zero(d)), one));
-}
-
 }  // namespace ocelli::HWY_NAMESPACE
 HWY_AFTER_NAMESPACE();
 #endif

@@ -43,13 +43,12 @@ glm::dvec4 meanAround(const TransferFunction& transfer, double value, double dis
 }  // namespace
 
 OpticalTable::OpticalTable(const TransferFunction& transfer, const ValueRange& range)
-    : entries_(kEntries), moments_(kEntries), visibleBefore_(kEntries + 1) {
+    : entries_(kEntries), visibleBefore_(kEntries + 1) {
   const ValueRange interest = rangeOfInterest(transfer, range);
   const double distance = (interest.greatest - interest.least) / (kEntries - 1 - 2 * kMargin);
   firstValue_ = interest.least - kMargin * distance;
   entriesByValue_ = 1 / distance;
   glm::dvec4 integral(0);
-  double moment = 0;
   glm::dvec4 next = meanAround(transfer, firstValue_, distance);
   for (int i = 0; i < kEntries; ++i) {
     Entry& entry = entries_[static_cast<size_t>(i)];
@@ -63,9 +62,6 @@ OpticalTable::OpticalTable(const TransferFunction& transfer, const ValueRange& r
       entry.halfChange[channel] = static_cast<float>((next[c] - at[c]) / 2);
     }
     visibleBefore_[static_cast<size_t>(i) + 1] = visibleBefore_[static_cast<size_t>(i)] + (entry.at[0] > 0);
-    const auto momentPart = static_cast<float>(moment);
-    moments_[static_cast<size_t>(i)] = {momentPart, static_cast<float>(moment - static_cast<double>(momentPart))};
-    moment += (i + 0.5) * (at[0] + next[0]) / 2;
     integral += (at + next) / 2.0;
   }
 }

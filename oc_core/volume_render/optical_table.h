@@ -40,9 +40,6 @@ class OpticalTable {
   OpticalTable(const TransferFunction& transfer, const ValueRange& range);
 
   const std::vector<Entry>& entries() const { return entries_; }
-  /// The integral of extinction times the number of the entry, over entries, up to each: the greater part, and what is
-  /// to be added. It says where within a step its light comes from.
-  const std::vector<std::array<float, 2>>& moments() const { return moments_; }
   double firstValue() const { return firstValue_; }  ///< of entry 0
   double entriesByValue() const { return entriesByValue_; }
   /// Whether nothing is seen of values from `least` to `greatest`.
@@ -52,7 +49,6 @@ class OpticalTable {
   double firstValue_;
   double entriesByValue_;
   std::vector<Entry> entries_;
-  std::vector<std::array<float, 2>> moments_;
   std::vector<int> visibleBefore_;  ///< how many entries before this one have extinction
 };
 

@@ -64,7 +64,6 @@ struct VolumeRenderer::Impl {
     setup.firstNumber = (table->firstValue() - volume.offset()) / volume.scale();
     setup.entriesByNumber = static_cast<float>(table->entriesByValue() * volume.scale());
     setup.entries = table->entries().data();
-    setup.moments = table->moments().data();
     setup.distances = options.skipEmpty ? occupancy->distances().data() : nullptr;
     setup.bricks = occupancy->size();
     setup.step = static_cast<float>(options.step * volume.grid().meanSpacing());
