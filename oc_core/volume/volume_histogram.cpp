@@ -84,7 +84,8 @@ double VolumeHistogram::percentile(double percent) const {
   for (size_t bin = 0; bin < counts.size(); ++bin) {
     const auto count = static_cast<double>(counts[bin]);
     if (before + count >= wanted && count > 0) {
-      const double value = bounds.least + (static_cast<double>(bin) + (wanted - before) / count) * binWidth();
+      const double share = countsEach ? 0.5 : (wanted - before) / count;
+      const double value = bounds.least + (static_cast<double>(bin) + share) * binWidth();
       return std::clamp(value, values.least, values.greatest);
     }
     before += count;
@@ -108,6 +109,7 @@ VolumeHistogram histogramOf(const ScalarVolume& volume) {
   VolumeHistogram histogram{.values = survey.range};
   const VoxelBins bins(volume.type(), survey.stored);
   histogram.counts.resize(bins.bins);
+  histogram.countsEach = bins.countsEach;
   std::mutex mutex;
   visitVoxels(volume, [&](const auto* first) {
     scanSlices(volume, 0, static_cast<size_t>(volume.grid().size.z), [&](size_t begin, size_t end) {

@@ -8,7 +8,7 @@
 //   (K(b) - K(a)) / (b - a),    K(v) the integral of either up to v,
 //
 // which does not depend on ds: the step's optical depth tau is ds times the first, exactly, and its light is
-// (1 - exp(-tau)) times the quotient of both: a step's own attenuation does not change the mean of its colours.
+// (1 - exp(-tau)) times the quotient of both, were it not for the order of its colours (march_steps-inl.h).
 //
 // Both are linear between entries, which stand at equal distances of values, and constant beyond the first and last.
 // A peak that is thinner than the distance of two entries keeps its integral. K is kept as the sum of two numbers: the

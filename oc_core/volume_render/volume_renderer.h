@@ -27,14 +27,16 @@
 namespace ocelli {
 
 struct VolumeRenderOptions {
-  /// Distance of samples, as a multiple of the mean distance of voxels: positive. Half of the default changes no pixel
-  /// by more than 1/255 (docs/results.md, "Volumes along rays"); twice and four times of it are for pictures that move.
+  /// Distance of samples, as a multiple of the mean distance of voxels: positive. Half of the default changes pixels of
+  /// smooth volumes by less than 1/255; docs/results.md ("Volumes along rays") has figures of others. Twice and four
+  /// times of it are for pictures that move.
   double step = 0.25;
   /// A ray ends where no more than this share of the light behind would reach the eye: that is how wrong it may be.
   double endTransmittance = 1.0 / 1024;
   /// VolumePixel::t is where the opacity of what lies before reaches this: in (0, 1).
   double depthOpacity = 0.5;
-  /// Do not look at samples where the transfer function shows nothing, by bricks of voxels. The pixels are the same.
+  /// Do not look at samples where the transfer function shows nothing, by bricks of voxels. The pixels are the same,
+  /// but for rounding.
   bool skipEmpty = true;
 };
 

@@ -58,8 +58,9 @@ TEST(VolumeHistogram, CountsWholeNumbersOneByOne) {
   EXPECT_EQ(histogram.binWidth(), 2);
   EXPECT_EQ(histogram.percentile(0), -5);
   EXPECT_EQ(histogram.percentile(100), 15);
-  // 2 of 10 lie below the bin of 0, whose values mean 0 to 2, and 5 in it.
-  EXPECT_DOUBLE_EQ(histogram.percentile(45), 0 + 2 * (4.5 - 2) / 5);
+  // 2 of 10 are -3, which means -5; the next 5 are 0, which means 1.
+  EXPECT_EQ(histogram.percentile(19), -5);
+  EXPECT_EQ(histogram.percentile(45), 1);
   EXPECT_EQ(histogram.withBins(2).counts, (std::vector<uint64_t>{7, 3}));
 }
 

@@ -77,6 +77,26 @@ TEST(DicomSlices, ThatMakeNoVolumeAreErrors) {
   expect(slices, "s2: this slice is 1 mm from where");
 }
 
+TEST(DicomSlices, OfSeveralTimesAreToldApart) {
+  std::vector<DicomSlice> slices = slicesAt({0, 2, 0, 2});
+  EXPECT_EQ(momentsOf(slices).size(), 1U) << "nothing tells them apart";
+  for (size_t at = 0; at < slices.size(); ++at) {
+    slices[at].temporalPosition = at < 2 ? 2 : 1;
+  }
+  const std::vector<DicomMoment> moments = momentsOf(slices);
+  ASSERT_EQ(moments.size(), 2U);
+  EXPECT_EQ(moments[0].slices[0].file, "folder/s3");
+  EXPECT_EQ(moments[1].seconds, 2);
+  slices[3].temporalPosition = 2;
+  EXPECT_EQ(momentsOf(slices).size(), 1U) << "a time lacks a slice";
+  // Scanners write trigger times to slices of one time, too.
+  std::vector<DicomSlice> one = slicesAt({0, 2, 4});
+  for (size_t at = 0; at < one.size(); ++at) {
+    one[at].triggerSeconds = static_cast<double>(at);
+  }
+  EXPECT_EQ(momentsOf(one).size(), 1U);
+}
+
 TEST(DicomSlices, BelongToTheSeriesThatIsChosen) {
   std::vector<DicomSlice> slices = slicesAt({0, 2, 4});
   slices[2].seriesUid = "1.3";

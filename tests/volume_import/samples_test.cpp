@@ -148,6 +148,14 @@ TEST(VolumeSamples, ReadASeriesWithItsTimes) {
   }
 }
 
+TEST(VolumeSamples, ReadDicomSlicesOfSeveralTimes) {
+  const VolumeFile file = readVolumeFile(volumeSample("dicom_times"));
+  EXPECT_THAT(file.times, testing::ElementsAre(0, 0.4));
+  ASSERT_EQ(file.volumes.size(), 2U);
+  expectBlock(file.volumes[0], markers(false), 0);
+  expectBlock(file.volumes[1], markers(false), 1);
+}
+
 TEST(VolumeSamples, KeepWhatDicomSaysOfItsValues) {
   const VolumeFacts facts = readVolumeFile(volumeSample("dicom_upright")).volumes.front().facts();
   EXPECT_EQ(facts.modality, "CT");

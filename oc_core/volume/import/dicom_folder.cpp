@@ -32,6 +32,8 @@ const gdcm::Tag kModality(0x0008, 0x0060);
 const gdcm::Tag kSeriesDescription(0x0008, 0x103e);
 const gdcm::Tag kSeriesUid(0x0020, 0x000e);
 const gdcm::Tag kSeriesNumber(0x0020, 0x0011);
+const gdcm::Tag kTriggerTime(0x0018, 0x1060);  // in milliseconds
+const gdcm::Tag kTemporalPosition(0x0020, 0x0100);
 const gdcm::Tag kImagePosition(0x0020, 0x0032);
 const gdcm::Tag kImageOrientation(0x0020, 0x0037);
 const gdcm::Tag kPixelSpacing(0x0028, 0x0030);
@@ -145,6 +147,12 @@ std::vector<DicomSlice> slicesOf(const fs::path& file) {
   all.seriesDescription = textOf(data, kSeriesDescription);
   all.modality = textOf(data, kModality);
   all.valueUnit = textOf(data, kRescaleType);
+  if (const std::vector<double> trigger = numbersOf(data, kTriggerTime); !trigger.empty()) {
+    all.triggerSeconds = trigger.front() / 1000;
+  }
+  if (const std::vector<double> number = numbersOf(data, kTemporalPosition); !number.empty()) {
+    all.temporalPosition = number.front();
+  }
   all.columns = columns.GetValue();
   all.rows = rows.GetValue();
   std::vector<DicomSlice> slices;
@@ -318,6 +326,27 @@ double pixelAt(const DicomPixels& pixels, size_t at) {
   return 0;  // pixels are integers
 }
 
+/// All slices, one time after the other. The grid is that of the first.
+std::vector<DicomSlice> arrangeMoments(std::vector<DicomMoment>& moments, VolumeRecord& record,
+                                       const std::string& where) {
+  std::vector<DicomSlice> all;
+  for (DicomMoment& moment : moments) {
+    VolumeRecord other;
+    VolumeRecord& arranged = all.empty() ? record : other;
+    arrangeSlices(moment.slices, arranged, where);
+    if (arranged.grid.size != record.grid.size || arranged.grid.worldFromIndex != record.grid.worldFromIndex) {
+      throw InputError(
+          fmt::format("the slices lie elsewhere at {:g} s than at {:g} s", moment.seconds, moments.front().seconds),
+          where, "give a folder with one of these times");
+    }
+    all.insert(all.end(), moment.slices.begin(), moment.slices.end());
+    if (moments.size() > 1) {
+      record.times.push_back(moment.seconds);
+    }
+  }
+  return all;
+}
+
 }  // namespace
 
 VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchOutput& scratch, ReadingBudget* budget) {
@@ -339,8 +368,9 @@ VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchO
     throw InputError("this DICOM file is one slice", where, "give the folder with all slices of the volume");
   }
   slices = chooseSeries(slices, series, where);
+  std::vector<DicomMoment> moments = momentsOf(slices);
   VolumeRecord record;
-  arrangeSlices(slices, record, where);
+  slices = arrangeMoments(moments, record, where);
 
   // Where slices differ in what their pixels mean, as those of PET do, what they mean is kept as float32.
   const DicomSlice& first = slices.front();
@@ -365,8 +395,8 @@ VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchO
     if (!writer) {
       type = pixels.type;
       const StoredType written = differ ? StoredType::kFloat32 : type;
-      scratch.expect(record.grid.voxelCount() * bytesOf(written));
-      writer.emplace(record, 1, written, false, scratch);
+      scratch.expect(moments.size() * record.grid.voxelCount() * bytesOf(written));
+      writer.emplace(record, moments.size(), written, false, scratch);
     } else if (pixels.type != type && !differ) {
       failDicom("the pixels of this slice are of another type than those of the others", slice.file);
     }

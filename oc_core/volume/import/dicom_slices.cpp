@@ -126,6 +126,39 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
   return one;
 }
 
+std::vector<DicomMoment> momentsOf(const std::vector<DicomSlice>& slices) {
+  const auto isElsewhere = [&](const DicomSlice& slice) {
+    return std::none_of(slices.begin(), slices.end(),
+                        [&](const DicomSlice& other) { return &other != &slice && other.position == slice.position; });
+  };
+  for (const auto time : {&DicomSlice::triggerSeconds, &DicomSlice::temporalPosition}) {
+    // That of one slice is enough to see: where it stands alone, there is but one time.
+    if (slices.empty() || isElsewhere(slices.front())) {
+      break;
+    }
+    std::map<double, std::vector<DicomSlice>> byTime;
+    bool isTold = true;
+    for (const DicomSlice& slice : slices) {
+      isTold = isTold && (slice.*time).has_value();
+      if (isTold) {
+        byTime[*(slice.*time)].push_back(slice);
+      }
+    }
+    const bool isEven =
+        isTold && byTime.size() > 1 && std::all_of(byTime.begin(), byTime.end(), [&](const auto& moment) {
+          return moment.second.size() == byTime.begin()->second.size();
+        });
+    if (isEven) {
+      std::vector<DicomMoment> moments;
+      for (auto& [seconds, members] : byTime) {
+        moments.push_back({std::move(members), seconds});
+      }
+      return moments;
+    }
+  }
+  return {{slices, 0}};
+}
+
 void arrangeSlices(std::vector<DicomSlice>& slices, VolumeRecord& record, const std::string& where) {
   checkAlike(slices);
   const glm::dvec3 normal = glm::normalize(glm::cross(slices.front().alongColumns, slices.front().alongRows));

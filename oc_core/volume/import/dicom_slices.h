@@ -4,6 +4,7 @@
 
 #include <filesystem>
 #include <glm/vec3.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,12 +30,24 @@ struct DicomSlice {
   double rowSpacing = 1;
   double slope = 1;  ///< of what a pixel means
   double intercept = 0;
+  std::optional<double> triggerSeconds{};    ///< since the trigger of a series of times
+  std::optional<double> temporalPosition{};  ///< the number of the time among them
+};
+
+/// The slices of one time.
+struct DicomMoment {
+  std::vector<DicomSlice> slices;
+  double seconds = 0;
 };
 
 /// The slices of one series: the one that `series` names by its UID or its number; all, where there is but one. Throws
 /// InputError that lists the series where it names none, or where there are several and it is empty.
 std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, const std::string& series,
                                      const std::string& where);
+
+/// Slices of a volume at several times, by their trigger times or else by the numbers of their times, which count as
+/// seconds; one moment, where no two slices lie in one place, or nothing tells them apart.
+std::vector<DicomMoment> momentsOf(const std::vector<DicomSlice>& slices);
 
 /// Sorts the slices along their normal, the way it points, and sets the grid and the facts of the record. Throws
 /// InputError where they make no volume: sizes or orientations differ, slices are missing, stand in one place, or are

@@ -139,8 +139,9 @@ def pixels(plane, slope, intercept):
     return numpy.ascontiguousarray(stored.view(numpy.uint16) & 0xFFF).tobytes()
 
 
-def write_dicom(folder, name, number, affine, values, syntax, slopes, intercept, is_signed=False):
-    """A file for each slice [:, :, k], named against the order of their positions."""
+def write_dicom(folder, name, number, affine, values, syntax, slopes, intercept, is_signed=False,
+                time=None):
+    """A file for each slice [:, :, k], named against the order of their positions. `time` in ms."""
     target = folder / name
     target.mkdir(exist_ok=True)
     for k in range(values.shape[2]):
@@ -155,7 +156,9 @@ def write_dicom(folder, name, number, affine, values, syntax, slopes, intercept,
         data.PixelData = pixels(values[:, :, k], slope, intercept)
         if syntax == RLELossless:
             data.compress(RLELossless)
-        data.save_as(target / f"im{(k * 3) % 5}.dcm", write_like_original=False)
+        if time is not None:
+            data.TriggerTime = f"{time:g}"
+        data.save_as(target / f"im{(k * 3) % 5}{'' if time is None else f'_{time}'}.dcm", write_like_original=False)
 
 
 def write_dicom_frames(folder, name, number, affine, values):
@@ -272,6 +275,9 @@ def main():
     write_dicom(folder, "dicom_upright", 7, upright(), block(numpy.int16), ExplicitVRLittleEndian, (1,), -1024)
     write_dicom(folder, "dicom_oblique", 8, oblique(), flipped, RLELossless, (2,), -1000)
     write_dicom(folder, "dicom_slopes", 9, oblique(), flipped, ExplicitVRLittleEndian, (0.5, 0.25), 200, True)
+    for time in (0, 400):
+        write_dicom(folder, "dicom_times", 11, upright(), block(numpy.int16) + time // 400, ExplicitVRLittleEndian, (1,),
+                    -1024, time=time)
     write_dicom_frames(folder, "dicom_frames", 10, oblique(), flipped)
     write_vti(folder)
     write_nrrd(folder)
