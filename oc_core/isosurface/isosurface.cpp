@@ -10,7 +10,6 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/isosurface/surface_fit.h"
 #include "oc_core/isosurface/surface_quads.h"
-#include "oc_core/scene/scene.h"
 #include "oc_core/scene/shading.h"
 #include "oc_core/volume/volume_gradient.h"
 
@@ -68,6 +67,11 @@ void shade(Mesh& mesh, const std::vector<glm::vec3>& points, const VolumeScene& 
 }
 
 void requireSurface(const SurfaceQuads& surface, const IsosurfaceOptions& options, const std::string& where) {
+  if (surface.crossings > options.maxTriangles / 2) {
+    throw InputError(fmt::format("this surface has more than the {} triangles that fit into memory as one mesh",
+                                 options.maxTriangles),
+                     where, "give a smaller volume, or another value of --iso");
+  }
   const ValueRange& range = surface.range;
   if (surface.brokenVoxels > 0) {
     throw InputError(fmt::format("{} voxels of this volume are no numbers", surface.brokenVoxels), where,
@@ -82,18 +86,13 @@ void requireSurface(const SurfaceQuads& surface, const IsosurfaceOptions& option
                                  options.value, range.least, range.greatest),
                      where, fmt::format("give --iso a value between {:g} and {:g}", range.least, range.greatest));
   }
-  if (const size_t triangles = 2 * surface.quads.size(); triangles > kMaxSceneTriangles) {
-    throw InputError(fmt::format("this surface has {} triangles, more than the {} that fit into memory as one mesh",
-                                 triangles, kMaxSceneTriangles),
-                     where, "give a smaller volume, or another value of --iso");
-  }
 }
 
 }  // namespace
 
 Mesh isosurface(const VolumeScene& scene, const IsosurfaceOptions& options, const std::string& where,
                 const Progress& progress) {
-  SurfaceQuads surface = surfaceQuads(*scene.volume, options.value, progress);
+  SurfaceQuads surface = surfaceQuads(*scene.volume, options.value, options.maxTriangles / 2, progress);
   requireSurface(surface, options, where);
   report(progress, "fitting the surface", 0);
   fitToField(surface.points, *scene.volume, options.value);

@@ -10,15 +10,18 @@
 // other; two as a rule, four where two sheets touch.
 #pragma once
 
+#include <cstddef>
 #include <string>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/scene/scene.h"
 #include "oc_core/volume/volume_scene.h"
 
 namespace ocelli {
 
 struct IsosurfaceOptions {
   double value = 0;
+  size_t maxTriangles = kMaxSceneTriangles;
   bool isShaded = true;  ///< by the fixed light of meshes (shading.h), with the gradient of the field as the normal
 };
 
@@ -28,7 +31,7 @@ bool canExtractIsosurfaces();
 /// In the world of the scene. Its colour is that of the transfer function at the value; the clip planes and the
 /// surfaces of the scene do not count. Reads the volume block by block, and keeps those blocks alone that the surface
 /// runs through. `where` names the volume in errors. Throws InputError where no voxel is above the value, or all are,
-/// where a voxel is no number, where there would be more triangles than a scene may have, and where this build has no
+/// where a voxel is no number, where there would be more triangles than that, and where this build has no
 /// extractor.
 Mesh isosurface(const VolumeScene& scene, const IsosurfaceOptions& options, const std::string& where,
                 const Progress& progress = {});

@@ -9,7 +9,8 @@ bool canExtractIsosurfaces() {
   return false;
 }
 
-SurfaceQuads surfaceQuads(const ScalarVolume& /*volume*/, double /*value*/, const Progress& /*progress*/) {
+SurfaceQuads surfaceQuads(const ScalarVolume& /*volume*/, double /*value*/, size_t /*maxQuads*/,
+                          const Progress& /*progress*/) {
   throw InputError("this build cannot extract surfaces of volumes: it was built without OpenVDB", "--iso",
                    "install libopenvdb-dev and build it with -DOCELLI_WITH_OPENVDB=ON (docs/install.md)");
 }

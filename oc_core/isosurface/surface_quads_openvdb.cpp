@@ -56,6 +56,7 @@ struct BlockRow {
   std::vector<char> isInside;                 ///< of blocks without a leaf
   ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   size_t brokenVoxels = 0;
+  size_t crossings = 0;
 };
 
 /// Looks at the voxels of a block, and at those next to it, so that every cell of eight voxels that the surface runs
@@ -80,7 +81,13 @@ void look(const PaddedField<T>& field, const glm::ivec3& first, int number, Bloc
   for (int x = 0; x < kBlock; ++x) {
     for (int y = 0; y < kBlock; ++y) {
       for (int z = 0; z < kBlock; ++z) {
-        values[(x * kBlock + y) * kBlock + z] = field.at(first.x + x, first.y + y, first.z + z);
+        const glm::ivec3 p = first + glm::ivec3(x, y, z);
+        const float value = field.at(p.x, p.y, p.z);
+        values[(x * kBlock + y) * kBlock + z] = value;
+        const bool isInside = value < 0;
+        row.crossings += (field.at(p.x + 1, p.y, p.z) < 0) != isInside;
+        row.crossings += (field.at(p.x, p.y + 1, p.z) < 0) != isInside;
+        row.crossings += (field.at(p.x, p.y, p.z + 1) < 0) != isInside;
       }
     }
   }
@@ -103,13 +110,13 @@ void addRange(const PaddedField<T>& field, const glm::ivec3& from, const glm::iv
 
 /// Fills the tree layer by layer: what is read at a time is a layer of the volume nine voxels thick.
 template <class T>
-void fill(Tree& tree, const ScalarVolume& volume, const T* voxels, double value, SurfaceQuads& surface,
+void fill(Tree& tree, const ScalarVolume& volume, const T* voxels, double value, size_t maxQuads, SurfaceQuads& surface,
           const Progress& progress) {
   const PaddedField<T> field(volume, voxels, value);
   const glm::ivec3 size = volume.grid().size;
   const glm::ivec3 blocks = (size + 2 + kBlock - 1) / kBlock;
   const size_t bytesOfSlice = bytesOf(volume.type()) * size.x * size.y;
-  for (int layer = 0; layer < blocks.z; ++layer) {
+  for (int layer = 0; layer < blocks.z && surface.crossings <= maxQuads; ++layer) {
     report(progress, "looking for the surface", static_cast<double>(layer) / blocks.z);
     // Of the slices that the layer reads.
     const size_t firstByte = bytesOfSlice * std::max(layer * kBlock - 2, 0);
@@ -138,6 +145,7 @@ void fill(Tree& tree, const ScalarVolume& volume, const T* voxels, double value,
     for (size_t y = 0; y < rows.size(); ++y) {
       BlockRow& row = rows[y];
       surface.brokenVoxels += row.brokenVoxels;
+      surface.crossings += row.crossings;
       surface.range.least = std::min(surface.range.least, row.range.least);
       surface.range.greatest = std::max(surface.range.greatest, row.range.greatest);
       for (size_t x = 0; x < row.leaves.size(); ++x) {
@@ -161,13 +169,14 @@ bool canExtractIsosurfaces() {
   return true;
 }
 
-SurfaceQuads surfaceQuads(const ScalarVolume& volume, double value, const Progress& progress) {
+SurfaceQuads surfaceQuads(const ScalarVolume& volume, double value, size_t maxQuads, const Progress& progress) {
   SurfaceQuads surface;
   surface.range = {std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   // The background, and minus it, stand for outside and inside.
   const auto grid = openvdb::FloatGrid::create(1.0f);
-  visitVoxels(volume, [&](const auto* voxels) { fill(grid->tree(), volume, voxels, value, surface, progress); });
-  if (surface.brokenVoxels > 0) {
+  visitVoxels(volume,
+              [&](const auto* voxels) { fill(grid->tree(), volume, voxels, value, maxQuads, surface, progress); });
+  if (surface.brokenVoxels > 0 || surface.crossings > maxQuads) {
     return surface;
   }
   report(progress, "extracting the surface", 0);

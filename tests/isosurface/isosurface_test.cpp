@@ -254,6 +254,18 @@ TEST(Isosurface, ValuesOutsideOfTheRangeAreErrorsThatTellTheRange) {
   EXPECT_THAT(errorOf(scene, 10), HasSubstr("no error"));
 }
 
+TEST(Isosurface, OneOfTooManyTrianglesIsAnErrorBeforeItIsMade) {
+  const size_t triangles = surfaceAt(sphereScene(), 0).triangles.size();
+  EXPECT_EQ(isosurface(sphereScene(), {.value = 0, .maxTriangles = triangles}, "the volume").triangles.size(),
+            triangles);
+  try {
+    isosurface(sphereScene(), {.value = 0, .maxTriangles = triangles - 2}, "the volume");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), HasSubstr("triangles that fit into memory"));
+  }
+}
+
 TEST(Isosurface, AFlatFieldHasNone) {
   const VolumeScene scene = sceneOfField(glm::ivec3(4), [](const glm::dvec3&) { return 5; });
   EXPECT_THAT(errorOf(scene, 5), HasSubstr("all of its voxels have the value 5"));
