@@ -83,6 +83,8 @@ void main() {
     float slabT = 0.0;
     float slabEndT = 0.0;
     vec3 middle = vec3(0);
+    vec4 atBegin = vec4(0);
+    vec4 atEnd = vec4(0);
     vec3 direction = vec3(0);
     bool isFound = false;
     while (!isFound && !isDone && turns < maxTurns) {
@@ -132,6 +134,8 @@ void main() {
         bool isInNext = halfway >= nextBegin;
         middle = isInNext ? next.from + next.way * (halfway - nextBegin) : piece.from + piece.way * (halfway - place.chainBegin);
         direction = isInNext ? next.direction : piece.direction;
+        atBegin = known.at;
+        atEnd = behind.at;
         known = behind;
       }
       isKnown = !isEmpty && !isLast;
@@ -150,14 +154,16 @@ void main() {
     if (isFound) {
       float slabDepth = mean.x * slabLength;
       vec3 color = mean.yzw / mean.x;
-#if SHADING
-      vec2 lit = lightAt(middle, direction);
-      color = color * lit.x + lit.y;
-#endif
       float before = transmittance;
       opticalDepth += slabDepth;
       transmittance = exp(-opticalDepth);
-      light += max(before - transmittance, 0.0) * color;
+      float kept = max(before - transmittance, 0.0);
+      vec3 seen = kept * color + lightOfOrder(atBegin, atEnd, mean, slabDepth, sqrt(before * transmittance));
+#if SHADING
+      vec2 lit = lightAt(middle, direction);
+      seen = seen * lit.x + kept * lit.y;
+#endif
+      light += seen;
       if (depthT == kNowhere && transmittance <= depthTransmittance) {
         float share = clamp(log(before / depthTransmittance) / slabDepth, 0.0, 1.0);
         depthT = slabT + (slabEndT - slabT) * share;
