@@ -34,6 +34,7 @@ vec4 opticalBetween(OpticalPlace a, OpticalPlace b) {
   return max(mean, vec4(0));
 }
 
+<<<<<<< HEAD
 // A slab between two places, with the mean of extinction and colours times extinction between them, and how much of the
 // light passes all before it, and all before its end.
 struct Slab {
@@ -74,4 +75,25 @@ float centerOfLight(Slab slab) {
   vec2 moment = slab.end.moment - slab.begin.moment;
   float meanEntry = (moment.x + moment.y) / (change * slab.mean.x);
   return clamp((slab.end.entry - meanEntry) / change, 0.0, 1.0);
+=======
+// What the order of colours within a step adds to its light (ColorOrder of oc_core/volume_render/march_steps-inl.h).
+// `before` and `after` are OpticalPlace::at of its ends, `through` is how much light passes all before and half of it.
+vec3 lightOfOrder(vec4 before, vec4 after, vec4 mean, float depth, float through) {
+  if (before.x <= 0.0 && after.x <= 0.0) {
+    return vec3(0);
+  }
+  vec3 color = mean.yzw / mean.x;
+  vec3 first = before.yzw / max(before.x, 1e-30);
+  vec3 last = after.yzw / max(after.x, 1e-30);
+  if (before.x <= 0.0) {
+    first = 2.0 * color - last;
+  }
+  if (after.x <= 0.0) {
+    last = 2.0 * color - first;
+  }
+  float likeEnds = min(0.5 * (before.x + after.x) / mean.x, 1.0);
+  float square = depth * depth;
+  float series = 1.0 + square * (1.0 / 40.0 + square / 4480.0);
+  return (last - first) * (-square / 12.0 * series * through * likeEnds);
+>>>>>>> 14595a47deec2f464e5abcfa4fd901742a91a1c4
 }
