@@ -147,7 +147,7 @@ ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& pr
 ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context) {
   ShownSeries shown;
   if (!choice.scene.options.motion.seconds) {
-    VolumeSeries series = loadVolumeSeries(choice.scene.source, {}, context.progress());
+    VolumeSeries series = loadVolumeSeries(choice.scene.source, choice.scene.options.series, context.progress());
     if (series.volumes.size() > 1) {
       const VolumeSceneOptions options = volumeSceneOptionsOf(choice.scene, choice.volume);
       size_t bytes = 0;

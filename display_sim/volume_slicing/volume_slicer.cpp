@@ -311,19 +311,19 @@ VoxelColors sweptColors(const SweptSamples& samples, const SweptLight& light, in
   parallelFor(colors.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       SliceColors& lit = colors[i];
-      forEachSweptRow(taskOf(samples, light, static_cast<int>(i), stepsTurned),
-                      [&](int column, int row, const SweptEight& eight) {
-                        for (int x = 0; x < kSweptBrickSide; ++x) {
-                          if (eight.codes[x] == kNothingSwept) {
-                            continue;
-                          }
-                          const glm::vec3 color =
-                              light.lightOf(eight.codes[x], column + x) * (static_cast<float>(eight.weights[x]) / 255);
-                          if (color != glm::vec3(0)) {
-                            lit.push_back({static_cast<uint32_t>(row * profile.width + column + x), color});
-                          }
-                        }
-                      });
+      forEachSweptRow(
+          taskOf(samples, light, static_cast<int>(i), stepsTurned), [&](int column, int row, const SweptEight& eight) {
+            for (int x = 0; x < kSweptBrickSide; ++x) {
+              if (eight.codes[x] == kNothingSwept) {
+                continue;
+              }
+              const float weight = eight.weights != nullptr ? static_cast<float>(eight.weights[x]) / 255 : 1.0f;
+              const glm::vec3 color = light.lightOf(eight.codes[x], column + x) * weight;
+              if (color != glm::vec3(0)) {
+                lit.push_back({static_cast<uint32_t>(row * profile.width + column + x), color});
+              }
+            }
+          });
       std::ranges::sort(lit, {}, &ColoredVoxel::position);
     }
   });
