@@ -62,7 +62,7 @@ ValueRange rangeOf(const VolumeBricks& bricks) {
 
 /// A row for each of the numbers of an entry.
 GlObject uploadTable(GlContext& context, const OpticalTable& table) {
-  constexpr int kRows = 5;
+  constexpr int kRows = 4;
   const std::vector<OpticalTable::Entry>& entries = table.entries();
   Image<OpticalTable::Four> texels(static_cast<int>(entries.size()), kRows);
   for (int i = 0; i < texels.width(); ++i) {
@@ -71,8 +71,6 @@ GlObject uploadTable(GlContext& context, const OpticalTable& table) {
     texels(i, 1) = entry.rest;
     texels(i, 2) = entry.at;
     texels(i, 3) = entry.halfChange;
-    const std::array<float, 2>& moment = table.moments()[static_cast<size_t>(i)];
-    texels(i, 4) = {moment[0], moment[1]};
   }
   GlObject texture = makeTexture(context, GL_RGBA32F, texels.width(), kRows);
   context.gl().TextureSubImage2D(texture.id(), 0, 0, 0, texels.width(), kRows, GL_RGBA, GL_FLOAT, texels.data());

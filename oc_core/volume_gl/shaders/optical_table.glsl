@@ -1,5 +1,5 @@
 // A transfer function integrated over values: oc_core/volume_render/optical_table.h. Values are counted in its entries.
-layout(binding = 2) uniform sampler2D optics;  // a column an entry: its integral, rest, at, halfChange and moment
+layout(binding = 2) uniform sampler2D optics;  // a column an entry: its integral, rest, at and halfChange
 
 // The integrals up to a value: extinction, and red, green and blue times extinction.
 struct OpticalPlace {
@@ -7,9 +7,8 @@ struct OpticalPlace {
   vec4 integral;
   vec4 rest;
   vec4 at;
-  vec2 moment;  // of extinction times the entry: the greater part, and what is to be added
 };
-const OpticalPlace kNoOpticalPlace = OpticalPlace(0.0, vec4(0), vec4(0), vec4(0), vec2(0));
+const OpticalPlace kNoOpticalPlace = OpticalPlace(0.0, vec4(0), vec4(0), vec4(0));
 
 OpticalPlace opticalPlace(float entry) {
   // Beyond the table it is constant: the first and the last two entries are the same.
@@ -18,10 +17,7 @@ OpticalPlace opticalPlace(float entry) {
   vec4 halfGrowth = share * texelFetch(optics, ivec2(i, 3), 0);
   vec4 halfway = texelFetch(optics, ivec2(i, 2), 0) + halfGrowth;
   OpticalPlace place = OpticalPlace(entry, texelFetch(optics, ivec2(i, 0), 0),
-                                    texelFetch(optics, ivec2(i, 1), 0) + share * halfway, halfway + halfGrowth, vec2(0));
-#if SHADING
-  place.moment = texelFetch(optics, ivec2(i, 4), 0).xy + vec2(0, (entry - 0.5 * share) * share * halfway.x);
-#endif
+                                    texelFetch(optics, ivec2(i, 1), 0) + share * halfway, halfway + halfGrowth);
   return place;
 }
 
@@ -34,7 +30,6 @@ vec4 opticalBetween(OpticalPlace a, OpticalPlace b) {
   return max(mean, vec4(0));
 }
 
-<<<<<<< HEAD
 // A slab between two places, with the mean of extinction and colours times extinction between them, and how much of the
 // light passes all before it, and all before its end.
 struct Slab {
@@ -63,37 +58,4 @@ vec3 lightOfOrder(Slab slab, vec3 meanColor) {
   float likeEnds = min(0.5 * (slab.begin.at.x + slab.end.at.x) / slab.mean.x, 1.0);
   float weight = -square / 12.0 * series * likeEnds * sqrt(slab.before * slab.after);
   return isBegin || isEnd ? weight * (last - first) : vec3(0);
-}
-
-// How far before its end, as a share of its length, the light of a slab comes from: where the field has the entry that
-// its extinction has on average.
-float centerOfLight(Slab slab) {
-  float change = slab.end.entry - slab.begin.entry;
-  if (abs(change) < 1.0) {
-    return 0.5;
-  }
-  vec2 moment = slab.end.moment - slab.begin.moment;
-  float meanEntry = (moment.x + moment.y) / (change * slab.mean.x);
-  return clamp((slab.end.entry - meanEntry) / change, 0.0, 1.0);
-=======
-// What the order of colours within a step adds to its light (ColorOrder of oc_core/volume_render/march_steps-inl.h).
-// `before` and `after` are OpticalPlace::at of its ends, `through` is how much light passes all before and half of it.
-vec3 lightOfOrder(vec4 before, vec4 after, vec4 mean, float depth, float through) {
-  if (before.x <= 0.0 && after.x <= 0.0) {
-    return vec3(0);
-  }
-  vec3 color = mean.yzw / mean.x;
-  vec3 first = before.yzw / max(before.x, 1e-30);
-  vec3 last = after.yzw / max(after.x, 1e-30);
-  if (before.x <= 0.0) {
-    first = 2.0 * color - last;
-  }
-  if (after.x <= 0.0) {
-    last = 2.0 * color - first;
-  }
-  float likeEnds = min(0.5 * (before.x + after.x) / mean.x, 1.0);
-  float square = depth * depth;
-  float series = 1.0 + square * (1.0 / 40.0 + square / 4480.0);
-  return (last - first) * (-square / 12.0 * series * through * likeEnds);
->>>>>>> 14595a47deec2f464e5abcfa4fd901742a91a1c4
 }

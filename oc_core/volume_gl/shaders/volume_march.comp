@@ -77,7 +77,6 @@ void main() {
   uint turns = 0u;
   while (!isDone && turns < maxTurns) {
     ++turns;
-<<<<<<< HEAD
     // The next slab in which something is seen, and the pieces in which it begins and ends.
     Slab slab = Slab(kNoOpticalPlace, kNoOpticalPlace, vec4(0), 0.0, 0.0, 0.0);
     RayPiece slabPiece = kNoPiece;
@@ -85,17 +84,6 @@ void main() {
     float slabEnd = 0.0;  // lengths from where the chain begins
     float slabChainBegin = 0.0;
     float slabEndChainBegin = 0.0;
-=======
-    // The next slab in which something is seen.
-    vec4 mean = vec4(0);
-    float slabLength = 0.0;
-    float slabT = 0.0;
-    float slabEndT = 0.0;
-    vec3 middle = vec3(0);
-    vec4 atBegin = vec4(0);
-    vec4 atEnd = vec4(0);
-    vec3 direction = vec3(0);
->>>>>>> 14595a47deec2f464e5abcfa4fd901742a91a1c4
     bool isFound = false;
     while (!isFound && !isDone && turns < maxTurns) {
       ++turns;
@@ -135,7 +123,6 @@ void main() {
         }
         OpticalPlace behind = opticalPlace(entryAt(nextIndex));
         samples += 1.0;
-<<<<<<< HEAD
         slab = Slab(known, behind, opticalBetween(known, behind), end - begin, 0.0, 0.0);
         isFound = slab.mean.x * slab.size > 0.0;
         slabPiece = piece;
@@ -143,19 +130,6 @@ void main() {
         slabEnd = end;
         slabChainBegin = place.chainBegin;
         slabEndChainBegin = nextBegin;
-=======
-        slabLength = end - begin;
-        mean = opticalBetween(known, behind);
-        isFound = mean.x * slabLength > 0.0;
-        slabT = piece.t + piece.tByLength * along;
-        slabEndT = next.t + next.tByLength * (end - nextBegin);
-        float halfway = 0.5 * (begin + end);
-        bool isInNext = halfway >= nextBegin;
-        middle = isInNext ? next.from + next.way * (halfway - nextBegin) : piece.from + piece.way * (halfway - place.chainBegin);
-        direction = isInNext ? next.direction : piece.direction;
-        atBegin = known.at;
-        atEnd = behind.at;
->>>>>>> 14595a47deec2f464e5abcfa4fd901742a91a1c4
         known = behind;
       }
       isKnown = !isEmpty && !isLast;
@@ -172,7 +146,6 @@ void main() {
       }
     }
     if (isFound) {
-<<<<<<< HEAD
       float slabDepth = slab.mean.x * slab.size;
       slab.before = transmittance;
       opticalDepth += slabDepth;
@@ -182,7 +155,7 @@ void main() {
       vec3 meanColor = slab.mean.yzw / slab.mean.x;
       vec3 added = kept * meanColor + lightOfOrder(slab, meanColor);
 #if SHADING
-      float center = slabEnd - slab.size * centerOfLight(slab);
+      float center = slabEnd - 0.5 * slab.size;  // of the slab
       bool isInNext = center >= slabEndChainBegin;
       vec3 index = isInNext ? slabEndPiece.from + slabEndPiece.way * (center - slabEndChainBegin)
                             : slabPiece.from + slabPiece.way * (center - slabChainBegin);
@@ -190,20 +163,6 @@ void main() {
       added = added * lit.x + kept * lit.y;
 #endif
       light += added;
-=======
-      float slabDepth = mean.x * slabLength;
-      vec3 color = mean.yzw / mean.x;
-      float before = transmittance;
-      opticalDepth += slabDepth;
-      transmittance = exp(-opticalDepth);
-      float kept = max(before - transmittance, 0.0);
-      vec3 seen = kept * color + lightOfOrder(atBegin, atEnd, mean, slabDepth, sqrt(before * transmittance));
-#if SHADING
-      vec2 lit = lightAt(middle, direction);
-      seen = seen * lit.x + kept * lit.y;
-#endif
-      light += seen;
->>>>>>> 14595a47deec2f464e5abcfa4fd901742a91a1c4
       if (depthT == kNowhere && transmittance <= depthTransmittance) {
         float share = clamp(log(slab.before / depthTransmittance) / slabDepth, 0.0, 1.0);
         float from = slabPiece.t + slabPiece.tByLength * (slabEnd - slab.size - slabChainBegin);
