@@ -148,7 +148,7 @@ using MovingLight = std::function<std::shared_ptr<const SweptLight>(const ShownV
 MovingLight movingLight(const PresentChoice& choice, const ShownVolume& first) {
   const ScalarVolume& scalars = *first.scene().volume;
   return [seconds = choice.transferSeconds, from = first.scene().appearance.transfer,
-          to = appearanceOf(transferByName(choice.transferTo), scalars, scalars.grid().meanSpacing()).transfer](
+          to = appearanceOf(transferByName(choice.transferTo), scalars, first.scene().voxelSpacing()).transfer](
              const ShownVolume& volume, double passed) {
     const double turn = passed / seconds - std::floor(passed / seconds);
     return std::make_shared<const SweptLight>(volume.lightOf(blendedTransfer(from, to, 1 - std::abs(1 - 2 * turn))));

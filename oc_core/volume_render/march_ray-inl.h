@@ -39,7 +39,7 @@ class March {
     stopsAtDepth_ = stopsAtDepth;
   }
   /// The ray that is to be followed.
-  HWY_ATTR void begin(std::span<const RayPiece> pieces);
+  HWY_ATTR void begin(std::span<const VolumeRayPiece> pieces);
   /// Finds the next group, skipping what is empty. False where the ray has ended.
   HWY_ATTR bool prepare();
   // The phases of a group, in order.
@@ -237,14 +237,14 @@ class March {
 };
 
 template <class Field>
-HWY_ATTR void March<Field>::begin(std::span<const RayPiece> pieces) {
+HWY_ATTR void March<Field>::begin(std::span<const VolumeRayPiece> pieces) {
   result_ = {};
   isDone_ = false;
   pieceCount_ = pieces.size();
   nextPiece_ = 0;
   double length = 0;
   for (size_t i = 0; i < pieces.size(); ++i) {
-    const RayPiece& p = pieces[i];
+    const VolumeRayPiece& p = pieces[i];
     length = p.continues ? length : 0;
     glm::vec3 between(0);
     if (setup_->isShaded) {
