@@ -143,6 +143,28 @@ TEST(AnalyticVolume, aThinPeakIsNotMissedBetweenSamples) {
   }
 }
 
+TEST(AnalyticVolume, aPeakThinnerThanAnEntryKeepsItsOpacity) {
+  // The table spans 31 values here, so its 2043 distances are 0.0152 wide: the peak has a thirtieth of one, at places
+  // that are not the same between entries.
+  constexpr double kWidth = 0.0005;
+  for (int i = 0; i < 16; ++i) {
+    const double first = 15.1 + 0.00173 * i;
+    const TransferFunction peak({{0, kColor, 0},
+                                 {first, kColor, 0},
+                                 {first, kColor, 0.9},
+                                 {first + kWidth, kColor, 0.9},
+                                 {first + kWidth, kColor, 0},
+                                 {31, kColor, 0}},
+                                kWidth);
+    const VolumeScene scene = test::floatVolume(
+        {32, 8, 8}, 1, [](const glm::dvec3& p) { return p.x; }, peak);
+    for (const double step : {0.25, 1.0}) {
+      const VolumePixel pixel = VolumeRenderer(scene, toTheEnd(step)).pixel({{-40, 0.3, 0.2}, {40, 0.3, 0.2}});
+      expectColor(pixel, kColor * 0.9, 0.1, "peak");
+    }
+  }
+}
+
 TEST(AnalyticVolume, theSurfaceOfWhatIsDenseHasItsColorForAnySteps) {
   // Red where it begins, at a value of 10.3, blue 20 voxels behind, and 92 optical depths a voxel, or more than a
   // square of single precision holds: what is seen is red, but for the share of the change that lies within the first
