@@ -83,6 +83,14 @@ TEST_P(GlVolumeRendererTest, isFiniteAndTheSameHoweverDense) {
   }
 }
 
+TEST_P(GlVolumeRendererTest, takesGridsOfAnyAxes) {
+  for (const bool isShaded : {false, true}) {
+    const VolumeScene scene = test::slantedWaves(isShaded);
+    expectCpu(test::smallCamera(), scene, "slanted");
+    expectCpu(test::bendingTwice(), scene, "slanted, curved");
+  }
+}
+
 // The lowest number of a type with a sign has no positive counterpart.
 TEST_P(GlVolumeRendererTest, theLowestNumberIsItself) {
   const auto number = [](const glm::dvec3& p) { return p.x < 8 ? -32768 : -32767; };
