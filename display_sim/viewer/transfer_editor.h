@@ -67,6 +67,7 @@ class TransferEditor {
 
   /// Nothing: a step by itself.
   void put(VolumeAppearance appearance, std::optional<Step> step);
+  bool insertPoint(size_t index, const TransferPoint& point);
   void putPoints(std::vector<TransferPoint> points, std::optional<Step> step);
   bool go(std::vector<Appearance>& from, std::vector<Appearance>& to);
   void keepChosen();
