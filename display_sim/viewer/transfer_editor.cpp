@@ -131,6 +131,14 @@ bool TransferEditor::go(std::vector<Appearance>& from, std::vector<Appearance>& 
   return true;
 }
 
+bool TransferEditor::warnsOfLoss() {
+  if (isSaved() || warnedOf_ == current_) {
+    return false;
+  }
+  warnedOf_ = current_;
+  return true;
+}
+
 bool TransferEditor::undo() {
   return go(past_, future_);
 }

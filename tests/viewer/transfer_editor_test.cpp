@@ -152,6 +152,20 @@ TEST(TransferEditor, itIsSavedWhereItIsWhatWasSaved) {
   EXPECT_TRUE(editor.isSaved());
 }
 
+TEST(TransferEditor, warnsOnceOfEachEditThatWouldBeLost) {
+  TransferEditor editor = threePoints();
+  EXPECT_FALSE(editor.warnsOfLoss());
+  editor.movePoint(1, 60, 0.5);
+  EXPECT_TRUE(editor.warnsOfLoss());
+  EXPECT_FALSE(editor.warnsOfLoss()) << "it has been said";
+  editor.markSaved();
+  EXPECT_FALSE(editor.warnsOfLoss());
+  editor.movePoint(1, 70, 0.5);
+  EXPECT_TRUE(editor.warnsOfLoss()) << "saved since, and edited again";
+  editor.movePoint(1, 80, 0.5);
+  EXPECT_TRUE(editor.warnsOfLoss()) << "edited after it was said";
+}
+
 TEST(TransferChoice, whatIsSavedIsReadBackAndPresetsAreChosenByName) {
   const test::TemporaryFolder folder;
   ViewerState state = transferState();
