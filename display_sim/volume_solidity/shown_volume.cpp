@@ -1,12 +1,11 @@
 #include "display_sim/volume_solidity/shown_volume.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <utility>
 
 #include "display_sim/observing/observer.h"
+#include "display_sim/volume_solidity/masked_volume.h"
 #include "display_sim/volume_solidity/volume_sight.h"
 
 namespace ocelli {
@@ -17,28 +16,6 @@ glm::dvec3 surfaceColor(const TransferFunction& transfer, double value) {
   const glm::dvec3 color = transfer.at(value).color;
   return color == glm::dvec3(0) ? glm::dvec3(1) : color;
 }
-
-/// Whether a mask has a voxel there that is set.
-class VolumeMask {
- public:
-  explicit VolumeMask(const VolumeScene& scene)
-      : volume_(*scene.volume), indexFromScene_(glm::inverse(scene.worldFromIndex)) {}
-
-  bool shows(const glm::dvec3& point) const {
-    constexpr double kSet = 0.5;
-    const glm::dvec3 nearest = glm::round(glm::dvec3(indexFromScene_ * glm::dvec4(point, 1)));
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(nearest[axis] >= 0 && nearest[axis] < volume_.grid().size[axis])) {
-        return false;
-      }
-    }
-    return volume_.valueAt(glm::ivec3(nearest)) >= kSet;
-  }
-
- private:
-  const ScalarVolume& volume_;
-  glm::dmat4 indexFromScene_;
-};
 
 }  // namespace
 
@@ -60,11 +37,21 @@ ShownVolume::ShownVolume(VolumeScene scene, const DisplayProfile& profile, const
       scene_.clips.push_back({-glm::normalize(glm::dvec3(eye)), -*options_.cutaway});
     }
   }
+  if (options_.surface) {
+    options_.sampling.toldApart.push_back(*options_.surface);
+    // Nothing of its transfer function counts but the colour at the value.
+    const TransferFunction& transfer = scene_.appearance.transfer;
+    scene_.appearance.transfer =
+        TransferFunction({{*options_.surface, surfaceColor(transfer, *options_.surface), 1}}, transfer.opacityLength());
+  }
+  if (options_.light.shown) {
+    options_.sampling.toldApart.insert(options_.sampling.toldApart.end(),
+                                       {options_.light.shown->least, options_.light.shown->greatest});
+  }
   samples_ = std::make_unique<SweptSamples>(scene_, profile, options_.sampling, progress);
   light_ = std::make_unique<SweptLight>(lightOf(scene_.appearance.transfer));
   if (options_.surface) {
-    const TransferFunction& transfer = scene_.appearance.transfer;
-    scene_.appearance.transfer = surfaceTransfer(*options_.surface, surfaceColor(transfer, *options_.surface),
+    scene_.appearance.transfer = surfaceTransfer(*options_.surface, scene_.appearance.transfer.at(0).color,
                                                  samples_->range(), scene_.volume->grid().meanSpacing());
   }
   if (!scene_.clips.empty() || options_.mask != nullptr || options_.seenOpacity) {
@@ -80,6 +67,11 @@ SweptLight ShownVolume::lightOf(const TransferFunction& transfer) const {
   return {transfer, samples_->range(), samples_->sceneLengthOfUnit(), samples_->sweep(), options_.light};
 }
 
+VolumeScene ShownVolume::seenScene() const {
+  return maskedScene(scene_, options_.mask.get(), options_.surface ? std::nullopt : options_.light.shown,
+                     samples_->range());
+}
+
 SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const Progress& progress) const {
   std::shared_ptr<const VolumeMask> mask;
   if (options.mask != nullptr) {
@@ -87,7 +79,7 @@ SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const 
   }
   std::shared_ptr<const VolumeSight> sight;
   if (options.seenOpacity && !options.eyes.empty()) {
-    const VolumeRenderer renderer(scene_, {.depthOpacity = *options.seenOpacity});
+    const VolumeRenderer renderer(seenScene(), {.depthOpacity = *options.seenOpacity});
     sight = std::make_shared<VolumeSight>(renderer, options.eyes, samples_->profile().height, progress);
   }
   return [&clips = scene_.clips, mask, sight](const glm::dvec3& center, double cellSide) {

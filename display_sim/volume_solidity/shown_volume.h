@@ -39,6 +39,9 @@ class ShownVolume {
 
   /// With its clips and its cutaways. Of a surface, with a transfer function that shows that alone.
   const VolumeScene& scene() const { return scene_; }
+  /// The same without what the mask and the shown values leave out (masked_volume.h), as that hides nothing: what eyes
+  /// would see of it, were it opaque.
+  VolumeScene seenScene() const;
   const SweptSamples& samples() const { return *samples_; }
   const SweptLight& light() const { return *light_; }
 

@@ -7,7 +7,9 @@
 #include <functional>
 #include <memory>
 
+#include "display_sim/volume_solidity/volume_truth.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "tests/display_sim_volume_slicing/swept_scenes.h"
 
 namespace ocelli {
@@ -95,6 +97,55 @@ TEST(ShownVolume, HidesBehindASurface) {
                           {.surface = 0.4, .eyes = {glm::vec3(0, 0, 10)}, .seenOpacity = 0.5});
   EXPECT_GT(lightWhere(shown, [](const glm::dvec3& p) { return p.z > 0.2; }), 20);
   EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.z < -0.15; }), 0);
+}
+
+/// Opaque: red at negative z, green at positive z. The field is z.
+VolumeScene redBehindGreen() {
+  return test::sceneOfField(
+      32, 0.5, [](const glm::dvec3& p) { return p.z; },
+      TransferFunction({{-0.5, {1, 0, 0}, 0.9}, {0, {1, 0, 0}, 0.9}, {0, {0, 1, 0}, 0.9}, {0.5, {0, 1, 0}, 0.9}},
+                       0.05));
+}
+
+void expectOnlyTheBackCounts(const ShownVolume& shown) {
+  // Its front is seen though the green lies before it, and hides what lies deeper.
+  EXPECT_GT(lightWhere(shown, [](const glm::dvec3& p) { return p.z < -0.02 && p.z > -0.15; }), 20);
+  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.z > 0.07 || p.z < -0.35; }), 0);
+  // So does the truth that solidity is measured by.
+  const VolumeRenderer renderer(shown.seenScene());
+  const Image<Rgb8> image = solidVolume(renderer)->opaqueImage({.width = 32, .height = 32});
+  EXPECT_GT(image(16, 16).r, 240);
+  // What is left between a voxel that is shown and one that is not.
+  EXPECT_LT(image(16, 16).g, 100);
+}
+
+TEST(ShownVolume, IsNotHiddenByWhatItsMaskRemoves) {
+  const auto mask = std::make_shared<VolumeScene>(test::sceneOfField(
+      2, 1, [](const glm::dvec3& p) { return p.z < 0 ? 1.0 : 0.0; }, TransferFunction({{0, {}, 0}}, 1)));
+  expectOnlyTheBackCounts(ShownVolume(redBehindGreen(), loadProfile("test"),
+                                      {.mask = mask, .eyes = {glm::vec3(0, 0, 10)}, .seenOpacity = 0.5}));
+}
+
+TEST(ShownVolume, IsNotHiddenByValuesThatAreNotShown) {
+  expectOnlyTheBackCounts(
+      ShownVolume(redBehindGreen(), loadProfile("test"),
+                  {.light = {.shown = ValueRange{-1, 0}}, .eyes = {glm::vec3(0, 0, 10)}, .seenOpacity = 0.5}));
+}
+
+TEST(ShownVolume, OfASurfaceIsTheSameBesideOneExtremeVoxel) {
+  const auto litWith = [](double extreme) {
+    const auto ball = [&](const glm::dvec3& p) {
+      // Far from the ball, in a corner.
+      return glm::length(p - glm::dvec3(0.58)) < 0.02 ? extreme : 1000 * std::max(1 - glm::length(p) / 0.5, 0.0);
+    };
+    const VolumeScene scene = test::sceneOfField(32, 0.6, ball, TransferFunction({{0, {1, 1, 1}, 0.5}}, 1));
+    return lightWhere(ShownVolume(scene, loadProfile("test"), {.surface = 300}), kAnywhere);
+  };
+  const double light = litWith(0);
+  EXPECT_GT(light, 100);
+  // Steps are half as wide again where the range is wider than what is common, and spreads are in tenths of an octave.
+  EXPECT_NEAR(litWith(30000), light, 0.05 * light);
+  EXPECT_NEAR(litWith(1e6), light, 0.05 * light);
 }
 
 TEST(ShownVolume, RefusesEyesInTheDisplay) {
