@@ -1,6 +1,8 @@
 #include "display_sim/volume_solidity/shown_volume.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
 #include <utility>
 
@@ -11,11 +13,50 @@
 namespace ocelli {
 namespace {
 
-/// White for what has none.
+/// The hue that a transfer function has there, at full brightness: one over a wide range of values is nearly black at
+/// its beginning, which would leave a surface there without light. White for what is black.
 glm::dvec3 surfaceColor(const TransferFunction& transfer, double value) {
   const glm::dvec3 color = transfer.at(value).color;
-  return color == glm::dvec3(0) ? glm::dvec3(1) : color;
+  const double brightest = std::max({color.x, color.y, color.z});
+  return brightest > 0 ? color / brightest : glm::dvec3(1);
 }
+
+/// A cell of the sweep, as a block: the half edges from its centre.
+class SweptCell {
+ public:
+  SweptCell(const glm::dvec3& center, const SweepGeometry& sweep) : center_(center) {
+    const double radius = std::hypot(center.x, center.z);
+    const glm::dvec3 outward = radius > 0 ? glm::dvec3(center.x, 0, center.z) / radius : glm::dvec3(1, 0, 0);
+    halfEdges_ = {outward * (sweep.columnWidth() / 2), glm::dvec3(0, sweep.rowHeight() / 2, 0),
+                  glm::dvec3(-outward.z, 0, outward.x) * (radius * sweep.tanHalfStep())};
+  }
+
+  /// On the shown side of the plane: exact where it is parallel to a face of the cell, and in between a ramp.
+  double shareOf(const ClipPlane& clip) const {
+    double reach = 0;
+    for (const glm::dvec3& edge : halfEdges_) {
+      reach += std::abs(glm::dot(clip.normal, edge));
+    }
+    return std::clamp(0.5 + (glm::dot(clip.normal, center_) - clip.distance) / (2 * reach), 0.0, 1.0);
+  }
+
+  /// Of the points in the middles of its eighths.
+  double shareOf(const VolumeMask& mask) const {
+    int shown = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      glm::dvec3 point = center_;
+      for (int axis = 0; axis < 3; ++axis) {
+        point += halfEdges_[static_cast<size_t>(axis)] * ((corner >> axis & 1) != 0 ? 0.5 : -0.5);
+      }
+      shown += mask.shows(point) ? 1 : 0;
+    }
+    return shown / 8.0;
+  }
+
+ private:
+  glm::dvec3 center_;
+  std::array<glm::dvec3, 3> halfEdges_{};
+};
 
 }  // namespace
 
@@ -82,12 +123,16 @@ SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const 
     const VolumeRenderer renderer(seenScene(), {.depthOpacity = *options.seenOpacity});
     sight = std::make_shared<VolumeSight>(renderer, options.eyes, samples_->profile().height, progress);
   }
-  return [&clips = scene_.clips, mask, sight](const glm::dvec3& center, double cellSide) {
-    const bool isShown =
-        std::ranges::all_of(clips,
-                            [&](const ClipPlane& clip) { return glm::dot(clip.normal, center) >= clip.distance; }) &&
-        (mask == nullptr || mask->shows(center)) && (sight == nullptr || sight->sees(center, cellSide));
-    return isShown ? 1.0 : 0.0;
+  return [&clips = scene_.clips, &sweep = samples_->sweep(), mask, sight](const glm::dvec3& center, double cellSide) {
+    const SweptCell cell(center, sweep);
+    double share = 1;
+    for (const ClipPlane& clip : clips) {
+      share *= cell.shareOf(clip);
+    }
+    if (share == 0 || (sight != nullptr && !sight->sees(center, cellSide))) {
+      return 0.0;
+    }
+    return mask == nullptr ? share : share * cell.shareOf(*mask);
   };
 }
 

@@ -52,12 +52,48 @@ TEST(ShownVolume, IsClipped) {
   scene.clips.push_back({{0, 1, 0}, 0.1});
   const ShownVolume shown(scene, loadProfile("test"), {});
   EXPECT_GT(lightWhere(shown, kAnywhere), 10);
-  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.y < 0.1; }), 0);
+  // Cells that the plane cuts are shown in part: 64 rows, of which half of one is 1/64.
+  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.y < 0.1 - 1.0 / 64; }), 0);
+}
+
+TEST(ShownVolume, IsClippedByTheShareOfEachCell) {
+  // A plane that moves by a tenth of a row takes a tenth of the row's light, wherever it stands.
+  const auto lightAbove = [](double y) {
+    VolumeScene scene = test::sceneOfField(
+        16, 0.6, [](const glm::dvec3&) { return 1.0; }, TransferFunction({{0, {1, 1, 1}, 0.5}}, 0.05));
+    scene.clips.push_back({{0, 1, 0}, y});
+    return lightWhere(ShownVolume(scene, loadProfile("test"), {}), kAnywhere);
+  };
+  const double row = lightAbove(0) - lightAbove(1.0 / 32);
+  EXPECT_GT(row, 50);
+  for (int i = 0; i < 10; ++i) {
+    // Weights are in 255 steps.
+    EXPECT_NEAR(lightAbove(i / 320.0) - lightAbove((i + 1) / 320.0), 0.1 * row, 0.01 * row) << i;
+  }
+}
+
+TEST(ShownVolume, IsMaskedByTheShareOfEachCell) {
+  // A slab of two rows, or so placed that it covers a row and two halves: the same light.
+  const auto lightOfSlab = [](double least) {
+    auto mask = std::make_shared<VolumeScene>(test::sceneOfField(
+        2, 1, [](const glm::dvec3&) { return 1.0; }, TransferFunction({{0, {}, 0}}, 1)));
+    // Its two layers are as high as two rows of the display.
+    mask->worldFromIndex = glm::dmat4(1);
+    mask->worldFromIndex[1][1] = 1.0 / 32;
+    mask->worldFromIndex[3] = glm::dvec4(-0.5, least + 0.5 / 32, -0.5, 1);
+    const VolumeScene scene = test::sceneOfField(
+        16, 0.6, [](const glm::dvec3&) { return 1.0; }, TransferFunction({{0, {1, 1, 1}, 0.5}}, 0.05));
+    return lightWhere(ShownVolume(scene, loadProfile("test"), {.mask = mask}), kAnywhere);
+  };
+  const double whole = lightOfSlab(0.001);
+  EXPECT_GT(whole, 100);
+  EXPECT_NEAR(lightOfSlab(0.5 / 32 + 0.001), whole, 0.01 * whole);
 }
 
 TEST(ShownVolume, IsCutAwayOnTheViewersSide) {
   const ShownVolume shown(softBall(), loadProfile("test"), {.eyes = {glm::vec3(10, 0, 0)}, .cutaway = 0.2});
-  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.x > 0.2; }), 0);
+  // Cells that the plane cuts are shown in part: they reach 0.033 to both sides of their centres at the most.
+  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.x > 0.234; }), 0);
   EXPECT_GT(lightWhere(shown, [](const glm::dvec3& p) { return p.x > 0.1; }), 0);
 }
 
@@ -138,7 +174,8 @@ TEST(ShownVolume, OfASurfaceIsTheSameBesideOneExtremeVoxel) {
       // Far from the ball, in a corner.
       return glm::length(p - glm::dvec3(0.58)) < 0.02 ? extreme : 1000 * std::max(1 - glm::length(p) / 0.5, 0.0);
     };
-    const VolumeScene scene = test::sceneOfField(32, 0.6, ball, TransferFunction({{0, {1, 1, 1}, 0.5}}, 1));
+    const VolumeScene scene = test::sceneOfField(
+        32, 0.6, ball, TransferFunction({{0, {0, 0, 0}, 0}, {std::max(extreme, 1000.0), {1, 1, 1}, 1}}, 1));
     return lightWhere(ShownVolume(scene, loadProfile("test"), {.surface = 300}), kAnywhere);
   };
   const double light = litWith(0);
