@@ -172,6 +172,34 @@ TEST_F(DicomFolder, PassesOverWhatIsNoDicom) {
   EXPECT_EQ(readVolumeFile(folder_.path()).volumes.front().grid().size, glm::ivec3(7, 6, 5));
 }
 
+TEST_F(DicomFolder, PassesOverAReportWithoutAPosition) {
+  copy("dicom_upright");
+  std::string report = fileBytes(folder_ / "im1.dcm");
+  const std::string uid = "1.2.826.0.1.3680043.8.498.7";
+  const size_t series = report.find(std::string("\x20\0\x0e\0", 4));
+  ASSERT_NE(series, std::string::npos);
+  ASSERT_EQ(report.find(uid, series), series + 8);
+  report[series + 7 + uid.size()] = '6';
+  const size_t position = report.find(std::string("\x20\0\x32\0", 4));
+  ASSERT_NE(position, std::string::npos);
+  report[position + 2] = '\x33';  // another field, which nobody reads
+  folder_.write("report.dcm", report);
+  const VolumeFile file = readVolumeFile(folder_.path());
+  EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 5));
+  EXPECT_THAT(file.warnings, testing::Contains(HasSubstr("1 of the folder's images")));
+  EXPECT_EQ(readVolumeFile(folder_.path(), {uid}).volumes.front().grid().size, glm::ivec3(7, 6, 5));
+}
+
+TEST_F(DicomFolder, WithAnInterceptThatIsNoNumberNamesIt) {
+  copy("dicom_upright");
+  std::string bytes = fileBytes(folder_ / "im1.dcm");
+  const size_t at = bytes.rfind("-1024");
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 2] = ',';
+  folder_.write("im1.dcm", bytes);
+  expectError(AllOf(HasSubstr("im1.dcm"), HasSubstr("its RescaleIntercept is \"-1,24\", which is no number")));
+}
+
 // What is called DICOM is meant to be a slice: at the ends nobody would miss it.
 TEST_F(DicomFolder, NamesAnEmptySlice) {
   copy("dicom_upright");

@@ -10,6 +10,7 @@
 namespace ocelli {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -105,6 +106,22 @@ TEST(DicomSlices, BelongToTheSeriesThatIsChosen) {
   EXPECT_EQ(chooseSeries(slices, "5", "folder").size(), 1U);
   EXPECT_THAT([&] { chooseSeries(slices, "", "folder"); }, ThrowsMessage<InputError>(HasSubstr("2 series")));
   EXPECT_THAT([&] { chooseSeries(slices, "6", "folder"); }, ThrowsMessage<InputError>(HasSubstr("no series \"6\"")));
+}
+
+TEST(DicomSlices, OfTheChosenSeriesAloneMustBeSound) {
+  std::vector<DicomSlice> slices = slicesAt({0, 2, 4});
+  slices[2].seriesUid = "1.3";
+  slices[2].unplaced = "nowhere";
+  EXPECT_EQ(chooseSeries(slices, "1.2", "folder").size(), 2U);
+  EXPECT_EQ(chooseSeries(slices, "", "folder").size(), 2U) << "a report beside the only volume";
+  EXPECT_THAT([&] { chooseSeries(slices, "1.3", "folder"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("s3"), HasSubstr("nowhere"))));
+  slices[1].malformed = "its slope is odd";
+  EXPECT_THAT([&] { chooseSeries(slices, "1.2", "folder"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("s2"), HasSubstr("its slope is odd"))));
+  slices[2].malformed = "its slope is odd";
+  EXPECT_THAT([&] { chooseSeries(slices, "", "folder"); }, ThrowsMessage<InputError>(HasSubstr("2 series")))
+      << "what may be a volume is not passed over";
 }
 
 }  // namespace

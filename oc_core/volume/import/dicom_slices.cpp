@@ -106,11 +106,17 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
   for (const DicomSlice& slice : slices) {
     all[slice.seriesUid].push_back(&slice);
   }
+  const auto isPlaced = [](const std::vector<const DicomSlice*>& members) {
+    return std::any_of(members.begin(), members.end(),
+                       [](const DicomSlice* slice) { return slice->unplaced.empty() || !slice->malformed.empty(); });
+  };
+  const bool isAnyPlaced = std::any_of(all.begin(), all.end(), [&](const auto& one) { return isPlaced(one.second); });
   std::vector<const std::vector<const DicomSlice*>*> chosen;
   std::string list;
   for (const auto& [uid, members] : all) {
     list += (list.empty() ? "" : "\n") + describe(uid, members);
-    if (series.empty() || series == uid || series == members.front()->seriesNumber) {
+    const bool isCandidate = series.empty() && (isPlaced(members) || !isAnyPlaced);
+    if (isCandidate || (!series.empty() && (series == uid || series == members.front()->seriesNumber))) {
       chosen.push_back(&members);
     }
   }
@@ -121,6 +127,12 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
   }
   std::vector<DicomSlice> one;
   for (const DicomSlice* slice : *chosen.front()) {
+    if (!slice->malformed.empty()) {
+      failSlice(slice->malformed, *slice, "export this file again, or correct it");
+    }
+    if (!slice->unplaced.empty()) {
+      failSlice(slice->unplaced, *slice, "remove it from the folder, if it is no slice of the volume");
+    }
     one.push_back(*slice);
   }
   return one;

@@ -32,6 +32,8 @@ struct DicomSlice {
   double intercept = 0;
   std::optional<double> triggerSeconds{};    ///< since the trigger of a series of times
   std::optional<double> temporalPosition{};  ///< the number of the time among them
+  std::string unplaced{};                    ///< why it lies nowhere in the patient; empty where it does
+  std::string malformed{};                   ///< what is no number where one must be; empty where all are
 };
 
 /// The slices of one time.
@@ -40,8 +42,10 @@ struct DicomMoment {
   double seconds = 0;
 };
 
-/// The slices of one series: the one that `series` names by its UID or its number; all, where there is but one. Throws
-/// InputError that lists the series where it names none, or where there are several and it is empty.
+/// The slices of one series: the one that `series` names by its UID or its number; where it is empty, the only one, or
+/// the only one with images that lie somewhere in the patient: reports and copies of the screen do not. Throws
+/// InputError that lists the series where it names none, or where there are several and it is empty; and for an image
+/// of the chosen one that is unplaced or malformed.
 std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, const std::string& series,
                                      const std::string& where);
 
