@@ -83,6 +83,16 @@ INSTANTIATE_TEST_SUITE_P(
                      "dimension: 4\nsizes: 3 7 2 5\nkinds: RGB-color domain domain domain\n", "3 numbers each"},
         BrokenVolume{"NrrdTimeFirst", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
                      "dimension: 4\nsizes: 3 7 2 5\nkinds: list domain domain domain\n", "unu permute -p 1 2 3 0"},
+        BrokenVolume{"NrrdTimeBeforeSpace", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 3 7 2 5\nkinds: time domain domain domain\n", "unu permute -p 1 2 3 0"},
+        BrokenVolume{"NrrdTimeWithinSpace", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 7 2 3 5\nkinds: domain domain time domain\n", "unu permute -p 0 1 3 2"},
+        BrokenVolume{"NrrdPlaneAtTimes", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 3\nsizes: 7 6 5\nkinds: domain domain time\n", "a plane at several times"},
+        BrokenVolume{
+            "NrrdNoDirectionWithin", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+            "dimension: 4\nsizes: 7 3 2 5\nspace dimension: 3\nspace directions: (1,0,0) none (0,1,0) (0,0,1)\n",
+            "3 numbers each"},
         BrokenVolume{"NrrdNoDataFile", "teem_detached.nhdr", "teem_detached.raw", "teem_nowhere.raw",
                      "teem_nowhere.raw"},
         BrokenVolume{"NiftiTooShort", "upright.nii", "", "", "360 bytes of voxels, 60 fewer"},
@@ -109,6 +119,30 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenVolume{"VtiOfAnotherKind", "appended_raw.vti", "type=\"ImageData\"", "type=\"PolyData\" ",
                      "\"PolyData\""}),
     [](const auto& test) { return test.param.name; });
+
+/// The sample without a space, of 210 voxels, with other axes.
+VolumeFile readNrrdOfAxes(const std::string& axes) {
+  const std::string from = "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n";
+  std::string bytes = fileBytes(volumeSample("teem_plain.nrrd"));
+  const size_t at = bytes.find(from);
+  EXPECT_NE(at, std::string::npos);
+  const TemporaryFolder folder;
+  return readVolumeFile(folder.write("a.nrrd", bytes.replace(at, from.size(), axes)));
+}
+
+TEST(NrrdAxes, OfOneSampleStayWhereTheyAreOfSpace) {
+  for (const char* kinds : {"kinds: domain domain domain time\n", ""}) {
+    const VolumeFile file = readNrrdOfAxes(std::string("dimension: 4\nsizes: 7 6 1 5\n") + kinds);
+    EXPECT_EQ(file.volumes.size(), 5U) << kinds;
+    EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 1)) << kinds;
+  }
+  for (const char* axes : {"dimension: 4\nsizes: 1 7 6 5\n", "dimension: 4\nsizes: 7 6 5 1\n",
+                           "dimension: 4\nsizes: 7 1 6 5\nkinds: domain list domain domain\n"}) {
+    const VolumeFile file = readNrrdOfAxes(axes);
+    EXPECT_EQ(file.volumes.size(), 1U) << axes;
+    EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 5)) << axes;
+  }
+}
 
 /// A folder with DICOM slices of a sample, which a test changes.
 class DicomFolder : public testing::Test {
