@@ -65,6 +65,21 @@ VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const
   return file;
 }
 
+/// A stray file of another format would be shown instead of all others.
+void refuseMixedFormats(const fs::path& folder) {
+  const std::vector<VolumeFormatFound> found = volumeFormatsIn(folder);
+  if (found.size() < 2) {
+    return;
+  }
+  std::string list;
+  for (const VolumeFormatFound& one : found) {
+    list += fmt::format("{}{} of {} ({}{})", list.empty() ? "" : ", ", one.files, one.format->name,
+                        one.file.filename().string(), one.files > 1 ? ", ..." : "");
+  }
+  throw InputError("this folder has volume files of several formats: " + list, folder.string(),
+                   "give one of its files, or a folder with files of one format");
+}
+
 /// Whether both can stand for one thing at two times.
 bool areAlike(const ScalarVolume& a, const ScalarVolume& b) {
   return a.grid().size == b.grid().size && a.grid().worldFromIndex == b.grid().worldFromIndex && a.type() == b.type() &&
@@ -134,6 +149,7 @@ VolumeFile readVolumeFile(const fs::path& path, const VolumeFileOptions& options
   checkVolumePath(path);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
+    refuseMixedFormats(path);
     const std::vector<fs::path> files = volumeFilesIn(path);
     if (!files.empty()) {
       return readNumbered(files, options, progress);

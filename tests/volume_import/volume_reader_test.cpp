@@ -143,6 +143,21 @@ TEST(VolumeReader, TakesAFolderOfNumberedFilesForTimes) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("t11.nrrd"), HasSubstr("differs from that of t1.nrrd"))));
 }
 
+TEST(VolumeReader, RefusesAFolderOfSeveralFormats) {
+  const TemporaryFolder folder;
+  for (int slice = 0; slice < 40; ++slice) {
+    folder.write("IM" + std::to_string(100 + slice), std::string(128, '\0') + "DICM");
+  }
+  for (int note = 0; note < 40; ++note) {
+    folder.write("A" + std::to_string(note) + ".txt", "a note");
+  }
+  EXPECT_TRUE(isVolumeFile(folder.path())) << "behind many others";
+  folder.write("stray.nrrd", smallNrrd());
+  EXPECT_THAT([&] { readVolumeFile(folder.path()); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr(folder.path().string()), HasSubstr("40 of DICOM (IM100, ...)"),
+                                              HasSubstr("1 of NRRD (stray.nrrd)"))));
+}
+
 TEST(VolumeReader, AnswersWhereThereIsNone) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { readVolumeFile(folder / "no.nrrd"); }, ThrowsMessage<InputError>(HasSubstr("no such file")));
