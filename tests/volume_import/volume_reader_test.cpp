@@ -158,6 +158,14 @@ TEST(VolumeReader, RefusesAFolderOfSeveralFormats) {
                                               HasSubstr("1 of NRRD (stray.nrrd)"))));
 }
 
+TEST(VolumeReader, TakesASeriesOfDicomAlone) {
+  const TemporaryFolder folder;
+  folder.write("t1.nrrd", smallNrrd());
+  for (const fs::path& path : {volumeSample("oblique.nii"), folder.path()}) {
+    EXPECT_THAT([&] { readVolumeFile(path, {"7"}); }, ThrowsMessage<InputError>(HasSubstr("leave --series out")));
+  }
+}
+
 TEST(VolumeReader, AnswersWhereThereIsNone) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { readVolumeFile(folder / "no.nrrd"); }, ThrowsMessage<InputError>(HasSubstr("no such file")));

@@ -1,5 +1,7 @@
 #include "oc_core/volume/import/volume_file_readers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -75,6 +77,10 @@ VolumeRecord readVolumeRecord(const VolumeReadingTask& task, ScratchOutput& scra
   if (row == nullptr) {
     throw InputError("this is no volume that can be read", task.path.string(),
                      "give one of these formats: " + volumeFormatList());
+  }
+  if (!task.series.empty() && format->name != kDicomFormat) {
+    throw InputError(fmt::format("--series chooses one of a folder of DICOM files, and this is {}", format->name),
+                     task.path.string(), "leave --series out");
   }
   VolumeRecord record = row->read(task, scratch, budget);
   checkMeaning(record, task.path.string());
