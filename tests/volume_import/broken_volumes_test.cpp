@@ -107,6 +107,14 @@ INSTANTIATE_TEST_SUITE_P(
             littleEndian(3) + littleEndian(7) + littleEndian(6) + littleEndian(5) + littleEndian(1) + littleEndian(1),
             littleEndian(5) + littleEndian(7) + littleEndian(2) + littleEndian(5) + littleEndian(1) + littleEndian(3),
             "several numbers each"},
+        BrokenVolume{"NiftiNegativeSize", "upright.nii", littleEndian(3) + littleEndian(7) + littleEndian(6),
+                     littleEndian(3) + littleEndian(7) + littleEndian(-6), "-6 samples along axis 2"},
+        BrokenVolume{"NiftiZeroSize", "upright.nii", littleEndian(3) + littleEndian(7) + littleEndian(6),
+                     littleEndian(3) + littleEndian(7) + littleEndian(0), "0 samples along axis 2"},
+        BrokenVolume{"NiftiNegativeOffset", "upright.nii", std::string("\0\0\xb0\x43", 4),
+                     std::string("\0\0\xb0\xc3", 4), "begin at byte -352"},
+        BrokenVolume{"NrrdGzipFromTheEnd", "teem_gzip.nrrd", "encoding: gzip\n", "encoding: gzip\nbyte skip: -1\n",
+                     "byte skip -1"},
         BrokenVolume{"MetaTooShort", "itk_oblique.mha", "", "", "60 fewer than its header says"},
         BrokenVolume{"MetaCompressedTooShort", "vtk.mha", "", "", "compressed voxels end too early", 12},
         BrokenVolume{"MetaNoDataFile", "itk_oblique.mhd", "itk_oblique.raw", "nowhere.raw",
@@ -232,6 +240,18 @@ TEST_F(DicomFolder, WithAnInterceptThatIsNoNumberNamesIt) {
   bytes[at + 2] = ',';
   folder_.write("im1.dcm", bytes);
   expectError(AllOf(HasSubstr("im1.dcm"), HasSubstr("its RescaleIntercept is \"-1,24\", which is no number")));
+}
+
+TEST_F(DicomFolder, WithPixelsInUpperBitsNamesIt) {
+  copy("dicom_upright");
+  std::string bytes = fileBytes(folder_ / "im1.dcm");
+  const size_t at = bytes.find(std::string("\x28\0\x02\x01US\x02\0", 8));
+  ASSERT_NE(at, std::string::npos);
+  // BitsStored stands before it, of 8 + 2 bytes.
+  bytes[at - 2] = 12;
+  bytes[at + 8] = 15;
+  folder_.write("im1.dcm", bytes);
+  expectError(AllOf(HasSubstr("im1.dcm"), HasSubstr("12 bits of a pixel (BitsStored) end at bit 15")));
 }
 
 // What is called DICOM is meant to be a slice: at the ends nobody would miss it.

@@ -302,13 +302,18 @@ DicomPixels pixelsOf(const fs::path& file, VolumeRecord& record) {
       failDicom(fmt::format("pixels of {} bits are not read", format.GetBitsAllocated()), file,
                 "export it with 8, 16 or 32 bits a pixel");
   }
+  const unsigned stored = format.GetBitsStored();
+  if (format.GetHighBit() + 1U != stored || stored > format.GetBitsAllocated()) {
+    failDicom(fmt::format("the {} bits of a pixel (BitsStored) end at bit {} (HighBit), which is not read", stored,
+                          format.GetHighBit()),
+              file, "export it with its pixels in the lowest bits");
+  }
   pixels.bytes.resize(image.GetBufferLength());
   if (!image.GetBuffer(pixels.bytes.data())) {
     failDicom("the pixels of this DICOM file are damaged, or coded in a way that is not read", file,
               "export it without compression");
   }
-  const unsigned stored = format.GetBitsStored();
-  if (stored < format.GetBitsAllocated() && stored > 0 && format.GetHighBit() + 1U == stored) {
+  if (stored < format.GetBitsAllocated() && stored > 0) {
     if (format.GetBitsAllocated() == 16) {
       keepStoredBits<uint16_t, int16_t>(pixels.bytes, stored, isSigned);
     } else if (format.GetBitsAllocated() == 32) {

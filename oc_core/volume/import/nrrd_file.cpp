@@ -363,6 +363,11 @@ VolumeRecord readNrrd(const fs::path& path, ScratchOutput& scratch, ReadingBudge
   const StoredType type = storedTypeOf(reading.nrrd(), where);
   const bool isRaw = state.encoding == nrrdEncodingRaw;
   const bool isDeflated = state.encoding == nrrdEncodingGzip;
+  if (isDeflated && state.byteSkip < 0) {
+    throw InputError(fmt::format("byte skip {} says that the voxels are the last bytes, which compressed ones cannot",
+                                 state.byteSkip),
+                     where, "write the byte at which they begin");
+  }
   if (state.dataFile == nullptr || (!isRaw && !isDeflated)) {
     placeDecoded(path, header, type, scratch, budget);
     return header.record;
