@@ -217,6 +217,16 @@ TEST(VolumeReader, LeavesNothingBehind) {
   EXPECT_EQ(file.volumes.front().valueAt({1, 1, 1}), 7 * 256);
 }
 
+TEST(VolumeReader, NeedsAFolderForTemporaryFilesOnlyToUnpack) {
+  const TemporaryFolder folder;
+  const ReaderVariable scratch("TMPDIR", (folder / "nowhere").string());
+  const std::string even = smallNrrd().size() % 2 == 0 ? "" : "#!\n";
+  EXPECT_EQ(readVolumeFile(folder.write("a.nrrd", smallNrrd(even))).volumes.size(), 1U);
+  const fs::path packed = folder.write("b.nrrd", smallNrrd("", "big"));
+  EXPECT_THAT([&] { readVolumeFile(packed); },
+              ThrowsMessage<WorkError>(AllOf(HasSubstr("b.nrrd"), HasSubstr("nowhere"), HasSubstr("TMPDIR"))));
+}
+
 TEST(VolumeReader, GivesScenes) {
   const VolumeScene scene = loadVolumeScene(volumeSample("oblique.nii").string());
   EXPECT_NEAR(glm::length(scene.bounds().size()), 2, 1e-5);
