@@ -227,6 +227,19 @@ TEST(VolumeReader, NeedsAFolderForTemporaryFilesOnlyToUnpack) {
               ThrowsMessage<WorkError>(AllOf(HasSubstr("b.nrrd"), HasSubstr("nowhere"), HasSubstr("TMPDIR"))));
 }
 
+TEST(VolumeReader, CleansUnitsOfControlCharactersAndOfLength) {
+  const TemporaryFolder folder;
+  const auto unitOf = [&](const std::string& unit) {
+    return readVolumeFile(folder.write("a.mha", "NDims = 3\nDimSize = 1 1 1\nElementSpacing = 1 1 1\nDistanceUnits = " +
+                                                    unit + "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n1"))
+        .volumes.front()
+        .grid()
+        .unit;
+  };
+  EXPECT_EQ(unitOf("m\x1b[2Jm"), "m\\x1b[2Jm");
+  EXPECT_EQ(unitOf(std::string(63, 'm') + "\xc2\xb5" + "mmm"), std::string(63, 'm') + "...");
+}
+
 TEST(VolumeReader, GivesScenes) {
   const VolumeScene scene = loadVolumeScene(volumeSample("oblique.nii").string());
   EXPECT_NEAR(glm::length(scene.bounds().size()), 2, 1e-5);
