@@ -88,6 +88,7 @@ TEST(DicomSlices, OfSeveralTimesAreToldApart) {
   ASSERT_EQ(moments.size(), 2U);
   EXPECT_EQ(moments[0].slices[0].file, "folder/s3");
   EXPECT_EQ(moments[1].seconds, 2);
+  EXPECT_TRUE(moments[1].isNumbered);
   slices[3].temporalPosition = 2;
   EXPECT_EQ(momentsOf(slices).size(), 1U) << "a time lacks a slice";
   // Scanners write trigger times to slices of one time, too.

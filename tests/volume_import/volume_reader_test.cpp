@@ -240,6 +240,16 @@ TEST(VolumeReader, CleansUnitsOfControlCharactersAndOfLength) {
   EXPECT_EQ(unitOf(std::string(63, 'm') + "\xc2\xb5" + "mmm"), std::string(63, 'm') + "...");
 }
 
+TEST(VolumeReader, ShiftsTimesBelowZero) {
+  const TemporaryFolder folder;
+  const VolumeFile file = readVolumeFile(
+      folder.write("a.mha",
+                   "NDims = 4\nDimSize = 1 1 1 3\nElementSpacing = 1 1 1 0.5\nOffset = 0 0 0 -2\nElementType = "
+                   "MET_UCHAR\nElementDataFile = LOCAL\n123"));
+  EXPECT_THAT(file.times, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(file.warnings, testing::Contains(HasSubstr("begin at -2 s")));
+}
+
 TEST(VolumeReader, GivesScenes) {
   const VolumeScene scene = loadVolumeScene(volumeSample("oblique.nii").string());
   EXPECT_NEAR(glm::length(scene.bounds().size()), 2, 1e-5);

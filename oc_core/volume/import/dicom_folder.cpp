@@ -406,6 +406,10 @@ VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchO
   }
   std::vector<DicomMoment> moments = momentsOf(slices);
   slices = arrangeMoments(moments, record, where);
+  if (moments.front().isNumbered) {
+    record.warnings.emplace_back(
+        "the files number their times and do not say how many seconds they are apart: 1 is taken");
+  }
 
   // Where slices differ in what their pixels mean, as those of PET do, what they mean is kept as float32.
   const DicomSlice& first = slices.front();

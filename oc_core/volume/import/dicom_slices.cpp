@@ -163,7 +163,7 @@ std::vector<DicomMoment> momentsOf(const std::vector<DicomSlice>& slices) {
     if (isEven) {
       std::vector<DicomMoment> moments;
       for (auto& [seconds, members] : byTime) {
-        moments.push_back({std::move(members), seconds});
+        moments.push_back({std::move(members), seconds, time == &DicomSlice::temporalPosition});
       }
       return moments;
     }

@@ -40,6 +40,7 @@ struct DicomSlice {
 struct DicomMoment {
   std::vector<DicomSlice> slices;
   double seconds = 0;
+  bool isNumbered = false;  ///< `seconds` is the number of the time, and nothing says how long they are apart
 };
 
 /// The slices of one series: the one that `series` names by its UID or its number; where it is empty, the only one, or

@@ -65,6 +65,18 @@ void checkMeaning(const VolumeRecord& record, const std::string& where) {
   }
 }
 
+/// Times below 0, such as those before a trigger, could not be chosen.
+void startAtZero(VolumeRecord& record) {
+  if (record.times.empty() || record.times.front() >= 0) {
+    return;
+  }
+  const double first = record.times.front();
+  for (double& time : record.times) {
+    time -= first;
+  }
+  record.warnings.push_back(fmt::format("the times of the file begin at {:g} s: this is taken for 0 s", first));
+}
+
 }  // namespace
 
 bool hasVolumeFileReader(std::string_view format) {
@@ -84,6 +96,7 @@ VolumeRecord readVolumeRecord(const VolumeReadingTask& task, ScratchOutput& scra
   }
   VolumeRecord record = row->read(task, scratch, budget);
   checkMeaning(record, task.path.string());
+  startAtZero(record);
   return record;
 }
 
