@@ -303,17 +303,25 @@ DicomPixels pixelsOf(const fs::path& file, VolumeRecord& record) {
                 "export it with 8, 16 or 32 bits a pixel");
   }
   const unsigned stored = format.GetBitsStored();
-  if (format.GetHighBit() + 1U != stored || stored > format.GetBitsAllocated()) {
-    failDicom(fmt::format("the {} bits of a pixel (BitsStored) end at bit {} (HighBit), which is not read", stored,
-                          format.GetHighBit()),
-              file, "export it with its pixels in the lowest bits");
+  // GDCM takes a HighBit that it does not expect for the usual one.
+  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  gdcm::Attribute<0x0028, 0x0101> saidStored{};
+  gdcm::Attribute<0x0028, 0x0102> saidHigh{};
+  if (data.FindDataElement(saidStored.GetTag()) && data.FindDataElement(saidHigh.GetTag())) {
+    saidStored.SetFromDataSet(data);
+    saidHigh.SetFromDataSet(data);
+    if (saidHigh.GetValue() + 1 != saidStored.GetValue()) {
+      failDicom(fmt::format("the {} bits of a pixel (BitsStored) end at bit {} (HighBit), which is not read",
+                            saidStored.GetValue(), saidHigh.GetValue()),
+                file, "export it with its pixels in the lowest bits");
+    }
   }
   pixels.bytes.resize(image.GetBufferLength());
   if (!image.GetBuffer(pixels.bytes.data())) {
     failDicom("the pixels of this DICOM file are damaged, or coded in a way that is not read", file,
               "export it without compression");
   }
-  if (stored < format.GetBitsAllocated() && stored > 0) {
+  if (stored < format.GetBitsAllocated() && stored > 0 && format.GetHighBit() + 1U == stored) {
     if (format.GetBitsAllocated() == 16) {
       keepStoredBits<uint16_t, int16_t>(pixels.bytes, stored, isSigned);
     } else if (format.GetBitsAllocated() == 32) {
