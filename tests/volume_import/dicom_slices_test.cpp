@@ -115,6 +115,8 @@ TEST(DicomSlices, OfTheChosenSeriesAloneMustBeSound) {
   slices[2].unplaced = "nowhere";
   EXPECT_EQ(chooseSeries(slices, "1.2", "folder").size(), 2U);
   EXPECT_EQ(chooseSeries(slices, "", "folder").size(), 2U) << "a report beside the only volume";
+  slices[0].seriesNumber = slices[1].seriesNumber = slices[2].seriesNumber = "7";
+  EXPECT_EQ(chooseSeries(slices, "7", "folder").size(), 2U) << "which has its number";
   EXPECT_THAT([&] { chooseSeries(slices, "1.3", "folder"); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("s3"), HasSubstr("nowhere"))));
   slices[1].malformed = "its slope is odd";

@@ -110,13 +110,17 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
     return std::any_of(members.begin(), members.end(),
                        [](const DicomSlice* slice) { return slice->unplaced.empty() || !slice->malformed.empty(); });
   };
-  const bool isAnyPlaced = std::any_of(all.begin(), all.end(), [&](const auto& one) { return isPlaced(one.second); });
+  // A report may have the number of the slices that it tells of.
+  const auto isNamed = [&](const std::vector<const DicomSlice*>& members) {
+    return series.empty() || series == members.front()->seriesNumber;
+  };
+  const bool isAnyPlaced =
+      std::any_of(all.begin(), all.end(), [&](const auto& one) { return isNamed(one.second) && isPlaced(one.second); });
   std::vector<const std::vector<const DicomSlice*>*> chosen;
   std::string list;
   for (const auto& [uid, members] : all) {
     list += (list.empty() ? "" : "\n") + describe(uid, members);
-    const bool isCandidate = series.empty() && (isPlaced(members) || !isAnyPlaced);
-    if (isCandidate || (!series.empty() && (series == uid || series == members.front()->seriesNumber))) {
+    if ((!series.empty() && series == uid) || (isNamed(members) && (isPlaced(members) || !isAnyPlaced))) {
       chosen.push_back(&members);
     }
   }

@@ -43,10 +43,10 @@ struct DicomMoment {
   bool isNumbered = false;  ///< `seconds` is the number of the time, and nothing says how long they are apart
 };
 
-/// The slices of one series: the one that `series` names by its UID or its number; where it is empty, the only one, or
-/// the only one with images that lie somewhere in the patient: reports and copies of the screen do not. Throws
-/// InputError that lists the series where it names none, or where there are several and it is empty; and for an image
-/// of the chosen one that is unplaced or malformed.
+/// The slices of one series: the one that `series` names by its UID or its number; where it is empty, the only one. Of
+/// those of one number, or of all, the ones without images that lie somewhere in the patient do not count beside
+/// others: reports and copies of the screen do not lie there. Throws InputError that lists the series where it names
+/// none, or where there are several and it is empty; and for an image of the chosen one that is unplaced or malformed.
 std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, const std::string& series,
                                      const std::string& where);
 
