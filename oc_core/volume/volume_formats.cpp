@@ -100,19 +100,40 @@ const VolumeFormat* volumeFormatOf(const fs::path& path) {
     const VolumeFormat* named = volumeFormatOfName(path);
     return named != nullptr ? named : isDicomFile(path) ? dicomFormat() : nullptr;
   }
-  constexpr int kMaxAsked = 32;
+  const std::vector<VolumeFormatFound> found = volumeFormatsIn(path);
+  return found.empty() ? nullptr : found.front().format;
+}
+
+std::vector<VolumeFormatFound> volumeFormatsIn(const fs::path& folder) {
+  std::vector<fs::path> paths;
+  std::error_code error;
+  for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
+    std::error_code ignored;
+    if (at->is_regular_file(ignored)) {
+      paths.push_back(at->path());
+    }
+  }
+  std::sort(paths.begin(), paths.end());
+  constexpr int kMaxAsked = 1024;
   int asked = 0;
-  for (fs::directory_iterator at(path, error), end; !error && at != end && asked < kMaxAsked; at.increment(error)) {
-    if (!at->is_regular_file(error)) {
+  std::vector<VolumeFormatFound> found;
+  for (const fs::path& path : paths) {
+    const VolumeFormat* format = volumeFormatOfName(path);
+    if (format == nullptr && asked < kMaxAsked) {
+      ++asked;
+      format = isDicomFile(path) ? dicomFormat() : nullptr;
+    }
+    if (format == nullptr) {
       continue;
     }
-    const VolumeFormat* named = volumeFormatOfName(at->path());
-    if (named != nullptr || isDicomFile(at->path())) {
-      return named != nullptr ? named : dicomFormat();
+    const auto known = std::find_if(found.begin(), found.end(), [&](const auto& one) { return one.format == format; });
+    if (known == found.end()) {
+      found.push_back({format, path, 1});
+    } else {
+      ++known->files;
     }
-    ++asked;
   }
-  return nullptr;
+  return found;
 }
 
 std::vector<fs::path> volumeFilesIn(const fs::path& folder) {

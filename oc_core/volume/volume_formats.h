@@ -18,10 +18,20 @@ std::span<const VolumeFormat> volumeFormats();
 inline constexpr std::string_view kDicomFormat = "DICOM";
 
 /// The format of a file by the ending of its name, in any case; DICOM also by its first bytes, and for a folder that
-/// has such a file. Null where it is none of these. A folder of many files is asked for a few only.
+/// has such a file. Null where it is none of these. That of a folder is the first of volumeFormatsIn().
 const VolumeFormat* volumeFormatOf(const std::filesystem::path& path);
 /// The same of a file's name alone.
 const VolumeFormat* volumeFormatOfName(const std::filesystem::path& path);
+
+struct VolumeFormatFound {
+  const VolumeFormat* format = nullptr;
+  std::filesystem::path file;  ///< the first one of this format
+  size_t files = 0;
+};
+
+/// The formats of the files of a folder, in the order of their names. Of those whose names do not say it, the first
+/// 1024 are opened to see whether they are DICOM.
+std::vector<VolumeFormatFound> volumeFormatsIn(const std::filesystem::path& folder);
 
 /// Whether a file begins as DICOM files do: 128 bytes of anything, then "DICM".
 bool isDicomFile(const std::filesystem::path& path);

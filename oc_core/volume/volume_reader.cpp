@@ -2,7 +2,8 @@
 
 #include <fmt/format.h>
 
-#include <memory>
+#include <cstdlib>
+#include <optional>
 #include <utility>
 
 #include "oc_core/base/error.h"
@@ -48,14 +49,51 @@ uint64_t bytesToRead(const fs::path& path) {
   return sum;
 }
 
+/// The scratch file, which most volumes do without: that there can be none is an error only for the others.
+class VolumeScratch {
+ public:
+  VolumeScratch() {
+    std::error_code error;
+    folder_ = fs::temp_directory_path(error);
+    if (error) {
+      const char* named = std::getenv("TMPDIR");
+      reason_ = fmt::format("{}: {}", named == nullptr ? "/tmp" : named, error.message());
+      return;
+    }
+    try {
+      file_.emplace(folder_);
+    } catch (const WorkError&) {
+      reason_ = fmt::format("{}: nothing can be written there", folder_.string());
+    }
+  }
+
+  const fs::path& folder() const { return folder_; }
+  /// Empty where there is none: the reader then writes nothing.
+  fs::path link() const { return file_ ? file_->link() : fs::path(); }
+  /// Throws WorkError where there is none.
+  void check(const fs::path& volume) const {
+    if (!file_) {
+      throw WorkError("the voxels of this file must be unpacked to the folder for temporary files (" + reason_ + ")",
+                      volume.string(), "let the environment variable TMPDIR name a folder in which you may write");
+    }
+  }
+
+ private:
+  fs::path folder_;
+  std::optional<ScratchFile> file_;
+  std::string reason_;
+};
+
 VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const Progress& progress) {
-  const fs::path folder = fs::temp_directory_path();
-  const ScratchFile scratch(folder);
-  const ReaderResult result =
-      runReaderProgram(volumeReader(), {scratch.link().string(), folder.string(), options.series, path.string()}, path,
-                       bytesToRead(path), [&] { report(progress, "loading the volume", 0); });
+  const VolumeScratch scratch;
+  const ReaderResult result = runReaderProgram(
+      volumeReader(), {scratch.link().string(), scratch.folder().string(), options.series, path.string()}, path,
+      bytesToRead(path), [&] { report(progress, "loading the volume", 0); });
   const VolumeRecord record = volumeFromRecord(result.record.bytes(), result.program);
   VolumeFile file{{}, record.times, record.warnings};
+  if (record.file.empty()) {
+    scratch.check(path);
+  }
   const fs::path holder = record.file.empty() ? scratch.link() : fs::path(record.file);
   for (const uint64_t begin : record.begins) {
     file.volumes.push_back(
@@ -63,6 +101,21 @@ VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const
     file.volumes.back().setFacts(record.facts);
   }
   return file;
+}
+
+/// A stray file of another format would be shown instead of all others.
+void refuseMixedFormats(const fs::path& folder) {
+  const std::vector<VolumeFormatFound> found = volumeFormatsIn(folder);
+  if (found.size() < 2) {
+    return;
+  }
+  std::string list;
+  for (const VolumeFormatFound& one : found) {
+    list += fmt::format("{}{} of {} ({}{})", list.empty() ? "" : ", ", one.files, one.format->name,
+                        one.file.filename().string(), one.files > 1 ? ", ..." : "");
+  }
+  throw InputError("this folder has volume files of several formats: " + list, folder.string(),
+                   "give one of its files, or a folder with files of one format");
 }
 
 /// Whether both can stand for one thing at two times.
@@ -134,6 +187,7 @@ VolumeFile readVolumeFile(const fs::path& path, const VolumeFileOptions& options
   checkVolumePath(path);
   std::error_code ignored;
   if (fs::is_directory(path, ignored)) {
+    refuseMixedFormats(path);
     const std::vector<fs::path> files = volumeFilesIn(path);
     if (!files.empty()) {
       return readNumbered(files, options, progress);

@@ -6,6 +6,7 @@
 #include <glm/matrix.hpp>
 #include <string_view>
 
+#include "oc_core/base/printable_text.h"
 #include "oc_core/base/record_bytes.h"
 
 namespace ocelli {
@@ -56,6 +57,22 @@ class VolumeRecordReader : public RecordParser {
     return number;
   }
 
+  /// A short text of the file, which is shown in many places: control characters stand as escapes, and what is longer
+  /// than any unit or name is cut off.
+  std::string shownText() {
+    constexpr size_t kMaxShown = 64;
+    std::string shown = printableText(text());
+    if (shown.size() > kMaxShown) {
+      size_t end = kMaxShown;
+      // Not within a character of UTF-8.
+      while (end > 0 && (static_cast<unsigned char>(shown[end]) & 0xc0U) == 0x80U) {
+        --end;
+      }
+      shown = shown.substr(0, end) + "...";
+    }
+    return shown;
+  }
+
   VolumeGrid grid() {
     VolumeGrid grid;
     for (int axis = 0; axis < 3; ++axis) {
@@ -73,7 +90,7 @@ class VolumeRecordReader : public RecordParser {
     if (!(volume > 0) || !std::isfinite(volume) || last != glm::dvec4(0, 0, 0, 1)) {
       fail("voxels without volume");
     }
-    grid.unit = text();
+    grid.unit = shownText();
     const auto anatomical = value<uint8_t>();
     if (anatomical > 1) {
       fail("a flag is out of range");
@@ -114,9 +131,9 @@ class VolumeRecordReader : public RecordParser {
         fail("times do not rise");
       }
     }
-    record.facts.modality = text();
-    record.facts.valueUnit = text();
-    record.facts.format = text();
+    record.facts.modality = shownText();
+    record.facts.valueUnit = shownText();
+    record.facts.format = shownText();
     const uint32_t warnings = this->count(sizeof(uint32_t));
     for (uint32_t at = 0; at < warnings; ++at) {
       record.warnings.push_back(text());

@@ -83,6 +83,16 @@ INSTANTIATE_TEST_SUITE_P(
                      "dimension: 4\nsizes: 3 7 2 5\nkinds: RGB-color domain domain domain\n", "3 numbers each"},
         BrokenVolume{"NrrdTimeFirst", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
                      "dimension: 4\nsizes: 3 7 2 5\nkinds: list domain domain domain\n", "unu permute -p 1 2 3 0"},
+        BrokenVolume{"NrrdTimeBeforeSpace", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 3 7 2 5\nkinds: time domain domain domain\n", "unu permute -p 1 2 3 0"},
+        BrokenVolume{"NrrdTimeWithinSpace", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 7 2 3 5\nkinds: domain domain time domain\n", "unu permute -p 0 1 3 2"},
+        BrokenVolume{"NrrdPlaneAtTimes", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 3\nsizes: 7 6 5\nkinds: domain domain time\n", "a plane at several times"},
+        BrokenVolume{
+            "NrrdNoDirectionWithin", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+            "dimension: 4\nsizes: 7 3 2 5\nspace dimension: 3\nspace directions: (1,0,0) none (0,1,0) (0,0,1)\n",
+            "3 numbers each"},
         BrokenVolume{"NrrdNoDataFile", "teem_detached.nhdr", "teem_detached.raw", "teem_nowhere.raw",
                      "teem_nowhere.raw"},
         BrokenVolume{"NiftiTooShort", "upright.nii", "", "", "360 bytes of voxels, 60 fewer"},
@@ -97,6 +107,14 @@ INSTANTIATE_TEST_SUITE_P(
             littleEndian(3) + littleEndian(7) + littleEndian(6) + littleEndian(5) + littleEndian(1) + littleEndian(1),
             littleEndian(5) + littleEndian(7) + littleEndian(2) + littleEndian(5) + littleEndian(1) + littleEndian(3),
             "several numbers each"},
+        BrokenVolume{"NiftiNegativeSize", "upright.nii", littleEndian(3) + littleEndian(7) + littleEndian(6),
+                     littleEndian(3) + littleEndian(7) + littleEndian(-6), "-6 samples along axis 2"},
+        BrokenVolume{"NiftiZeroSize", "upright.nii", littleEndian(3) + littleEndian(7) + littleEndian(6),
+                     littleEndian(3) + littleEndian(7) + littleEndian(0), "0 samples along axis 2"},
+        BrokenVolume{"NiftiNegativeOffset", "upright.nii", std::string("\0\0\xb0\x43", 4),
+                     std::string("\0\0\xb0\xc3", 4), "begin at byte -352"},
+        BrokenVolume{"NrrdGzipFromTheEnd", "teem_gzip.nrrd", "encoding: gzip\n", "encoding: gzip\nbyte skip: -1\n",
+                     "byte skip -1"},
         BrokenVolume{"MetaTooShort", "itk_oblique.mha", "", "", "60 fewer than its header says"},
         BrokenVolume{"MetaCompressedTooShort", "vtk.mha", "", "", "compressed voxels end too early", 12},
         BrokenVolume{"MetaNoDataFile", "itk_oblique.mhd", "itk_oblique.raw", "nowhere.raw",
@@ -109,6 +127,30 @@ INSTANTIATE_TEST_SUITE_P(
         BrokenVolume{"VtiOfAnotherKind", "appended_raw.vti", "type=\"ImageData\"", "type=\"PolyData\" ",
                      "\"PolyData\""}),
     [](const auto& test) { return test.param.name; });
+
+/// The sample without a space, of 210 voxels, with other axes.
+VolumeFile readNrrdOfAxes(const std::string& axes) {
+  const std::string from = "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n";
+  std::string bytes = fileBytes(volumeSample("teem_plain.nrrd"));
+  const size_t at = bytes.find(from);
+  EXPECT_NE(at, std::string::npos);
+  const TemporaryFolder folder;
+  return readVolumeFile(folder.write("a.nrrd", bytes.replace(at, from.size(), axes)));
+}
+
+TEST(NrrdAxes, OfOneSampleStayWhereTheyAreOfSpace) {
+  for (const char* kinds : {"kinds: domain domain domain time\n", ""}) {
+    const VolumeFile file = readNrrdOfAxes(std::string("dimension: 4\nsizes: 7 6 1 5\n") + kinds);
+    EXPECT_EQ(file.volumes.size(), 5U) << kinds;
+    EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 1)) << kinds;
+  }
+  for (const char* axes : {"dimension: 4\nsizes: 1 7 6 5\n", "dimension: 4\nsizes: 7 6 5 1\n",
+                           "dimension: 4\nsizes: 7 1 6 5\nkinds: domain list domain domain\n"}) {
+    const VolumeFile file = readNrrdOfAxes(axes);
+    EXPECT_EQ(file.volumes.size(), 1U) << axes;
+    EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 5)) << axes;
+  }
+}
 
 /// A folder with DICOM slices of a sample, which a test changes.
 class DicomFolder : public testing::Test {
@@ -170,6 +212,46 @@ TEST_F(DicomFolder, PassesOverWhatIsNoDicom) {
   copy("dicom_upright");
   folder_.write("readme.txt", "a letter");
   EXPECT_EQ(readVolumeFile(folder_.path()).volumes.front().grid().size, glm::ivec3(7, 6, 5));
+}
+
+TEST_F(DicomFolder, PassesOverAReportWithoutAPosition) {
+  copy("dicom_upright");
+  std::string report = fileBytes(folder_ / "im1.dcm");
+  const std::string uid = "1.2.826.0.1.3680043.8.498.7";
+  const size_t series = report.find(std::string("\x20\0\x0e\0", 4));
+  ASSERT_NE(series, std::string::npos);
+  ASSERT_EQ(report.find(uid, series), series + 8);
+  report[series + 7 + uid.size()] = '6';
+  const size_t position = report.find(std::string("\x20\0\x32\0", 4));
+  ASSERT_NE(position, std::string::npos);
+  report[position + 2] = '\x33';  // another field, which nobody reads
+  folder_.write("report.dcm", report);
+  const VolumeFile file = readVolumeFile(folder_.path());
+  EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 5));
+  EXPECT_THAT(file.warnings, testing::Contains(HasSubstr("1 of the folder's images")));
+  EXPECT_EQ(readVolumeFile(folder_.path(), {uid}).volumes.front().grid().size, glm::ivec3(7, 6, 5));
+}
+
+TEST_F(DicomFolder, WithAnInterceptThatIsNoNumberNamesIt) {
+  copy("dicom_upright");
+  std::string bytes = fileBytes(folder_ / "im1.dcm");
+  const size_t at = bytes.rfind("-1024");
+  ASSERT_NE(at, std::string::npos);
+  bytes[at + 2] = ',';
+  folder_.write("im1.dcm", bytes);
+  expectError(AllOf(HasSubstr("im1.dcm"), HasSubstr("its RescaleIntercept is \"-1,24\", which is no number")));
+}
+
+TEST_F(DicomFolder, WithPixelsInUpperBitsNamesIt) {
+  copy("dicom_upright");
+  std::string bytes = fileBytes(folder_ / "im1.dcm");
+  const size_t at = bytes.find(std::string("\x28\0\x02\x01US\x02\0", 8));
+  ASSERT_NE(at, std::string::npos);
+  // BitsStored stands before it, of 8 + 2 bytes.
+  bytes[at - 2] = 12;
+  bytes[at + 8] = 15;
+  folder_.write("im1.dcm", bytes);
+  expectError(AllOf(HasSubstr("im1.dcm"), HasSubstr("12 bits of a pixel (BitsStored) end at bit 15")));
 }
 
 // What is called DICOM is meant to be a slice: at the ends nobody would miss it.

@@ -10,6 +10,7 @@
 namespace ocelli {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
 
@@ -87,6 +88,7 @@ TEST(DicomSlices, OfSeveralTimesAreToldApart) {
   ASSERT_EQ(moments.size(), 2U);
   EXPECT_EQ(moments[0].slices[0].file, "folder/s3");
   EXPECT_EQ(moments[1].seconds, 2);
+  EXPECT_TRUE(moments[1].isNumbered);
   slices[3].temporalPosition = 2;
   EXPECT_EQ(momentsOf(slices).size(), 1U) << "a time lacks a slice";
   // Scanners write trigger times to slices of one time, too.
@@ -105,6 +107,24 @@ TEST(DicomSlices, BelongToTheSeriesThatIsChosen) {
   EXPECT_EQ(chooseSeries(slices, "5", "folder").size(), 1U);
   EXPECT_THAT([&] { chooseSeries(slices, "", "folder"); }, ThrowsMessage<InputError>(HasSubstr("2 series")));
   EXPECT_THAT([&] { chooseSeries(slices, "6", "folder"); }, ThrowsMessage<InputError>(HasSubstr("no series \"6\"")));
+}
+
+TEST(DicomSlices, OfTheChosenSeriesAloneMustBeSound) {
+  std::vector<DicomSlice> slices = slicesAt({0, 2, 4});
+  slices[2].seriesUid = "1.3";
+  slices[2].unplaced = "nowhere";
+  EXPECT_EQ(chooseSeries(slices, "1.2", "folder").size(), 2U);
+  EXPECT_EQ(chooseSeries(slices, "", "folder").size(), 2U) << "a report beside the only volume";
+  slices[0].seriesNumber = slices[1].seriesNumber = slices[2].seriesNumber = "7";
+  EXPECT_EQ(chooseSeries(slices, "7", "folder").size(), 2U) << "which has its number";
+  EXPECT_THAT([&] { chooseSeries(slices, "1.3", "folder"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("s3"), HasSubstr("nowhere"))));
+  slices[1].malformed = "its slope is odd";
+  EXPECT_THAT([&] { chooseSeries(slices, "1.2", "folder"); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr("s2"), HasSubstr("its slope is odd"))));
+  slices[2].malformed = "its slope is odd";
+  EXPECT_THAT([&] { chooseSeries(slices, "", "folder"); }, ThrowsMessage<InputError>(HasSubstr("2 series")))
+      << "what may be a volume is not passed over";
 }
 
 }  // namespace

@@ -69,6 +69,9 @@ TEST(MetaImage, NamesFilesByListAndPattern) {
   EXPECT_THAT(parsed(metaHeader("", "LIST") + "a.raw\nb.raw\n").files, ElementsAre("a.raw", "b.raw"));
   EXPECT_THAT(parsed(metaHeader("", "s%03d.raw 7 11 2")).files, ElementsAre("s007.raw", "s009.raw", "s011.raw"));
   EXPECT_THAT(parsed(metaHeader("", "s%d.raw")).files, ElementsAre("s1.raw", "s2.raw"));
+  for (const char* name : {"LISTct.raw", "50%_ct.raw", "100%"}) {
+    EXPECT_THAT(parsed(metaHeader("", name)).files, ElementsAre(name));
+  }
   for (const char* bad : {"s%s.raw 1 2 1", "s%d%d.raw 1 2 1", "s%03n.raw", "s%d.raw 5 1 1", "s%d.raw 1 1e12 1",
                           "s%99999999999d.raw 1 2 1"}) {
     EXPECT_THROW(parsed(metaHeader("", bad)), InputError) << bad;

@@ -143,6 +143,29 @@ TEST(VolumeReader, TakesAFolderOfNumberedFilesForTimes) {
               ThrowsMessage<InputError>(AllOf(HasSubstr("t11.nrrd"), HasSubstr("differs from that of t1.nrrd"))));
 }
 
+TEST(VolumeReader, RefusesAFolderOfSeveralFormats) {
+  const TemporaryFolder folder;
+  for (int slice = 0; slice < 40; ++slice) {
+    folder.write("IM" + std::to_string(100 + slice), std::string(128, '\0') + "DICM");
+  }
+  for (int note = 0; note < 40; ++note) {
+    folder.write("A" + std::to_string(note) + ".txt", "a note");
+  }
+  EXPECT_TRUE(isVolumeFile(folder.path())) << "behind many others";
+  folder.write("stray.nrrd", smallNrrd());
+  EXPECT_THAT([&] { readVolumeFile(folder.path()); },
+              ThrowsMessage<InputError>(AllOf(HasSubstr(folder.path().string()), HasSubstr("40 of DICOM (IM100, ...)"),
+                                              HasSubstr("1 of NRRD (stray.nrrd)"))));
+}
+
+TEST(VolumeReader, TakesASeriesOfDicomAlone) {
+  const TemporaryFolder folder;
+  folder.write("t1.nrrd", smallNrrd());
+  for (const fs::path& path : {volumeSample("oblique.nii"), folder.path()}) {
+    EXPECT_THAT([&] { readVolumeFile(path, {"7"}); }, ThrowsMessage<InputError>(HasSubstr("leave --series out")));
+  }
+}
+
 TEST(VolumeReader, AnswersWhereThereIsNone) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { readVolumeFile(folder / "no.nrrd"); }, ThrowsMessage<InputError>(HasSubstr("no such file")));
@@ -192,6 +215,39 @@ TEST(VolumeReader, LeavesNothingBehind) {
   const VolumeFile file = readVolumeFile(path);
   EXPECT_TRUE(fs::is_empty(temporary));
   EXPECT_EQ(file.volumes.front().valueAt({1, 1, 1}), 7 * 256);
+}
+
+TEST(VolumeReader, NeedsAFolderForTemporaryFilesOnlyToUnpack) {
+  const TemporaryFolder folder;
+  const ReaderVariable scratch("TMPDIR", (folder / "nowhere").string());
+  const std::string even = smallNrrd().size() % 2 == 0 ? "" : "#!\n";
+  EXPECT_EQ(readVolumeFile(folder.write("a.nrrd", smallNrrd(even))).volumes.size(), 1U);
+  const fs::path packed = folder.write("b.nrrd", smallNrrd("", "big"));
+  EXPECT_THAT([&] { readVolumeFile(packed); },
+              ThrowsMessage<WorkError>(AllOf(HasSubstr("b.nrrd"), HasSubstr("nowhere"), HasSubstr("TMPDIR"))));
+}
+
+TEST(VolumeReader, CleansUnitsOfControlCharactersAndOfLength) {
+  const TemporaryFolder folder;
+  const auto unitOf = [&](const std::string& unit) {
+    return readVolumeFile(folder.write("a.mha", "NDims = 3\nDimSize = 1 1 1\nElementSpacing = 1 1 1\nDistanceUnits = " +
+                                                    unit + "\nElementType = MET_UCHAR\nElementDataFile = LOCAL\n1"))
+        .volumes.front()
+        .grid()
+        .unit;
+  };
+  EXPECT_EQ(unitOf("m\x1b[2Jm"), "m\\x1b[2Jm");
+  EXPECT_EQ(unitOf(std::string(63, 'm') + "\xc2\xb5" + "mmm"), std::string(63, 'm') + "...");
+}
+
+TEST(VolumeReader, ShiftsTimesBelowZero) {
+  const TemporaryFolder folder;
+  const VolumeFile file = readVolumeFile(
+      folder.write("a.mha",
+                   "NDims = 4\nDimSize = 1 1 1 3\nElementSpacing = 1 1 1 0.5\nOffset = 0 0 0 -2\nElementType = "
+                   "MET_UCHAR\nElementDataFile = LOCAL\n123"));
+  EXPECT_THAT(file.times, ElementsAre(0, 0.5, 1));
+  EXPECT_THAT(file.warnings, testing::Contains(HasSubstr("begin at -2 s")));
 }
 
 TEST(VolumeReader, GivesScenes) {

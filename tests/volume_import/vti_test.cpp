@@ -44,6 +44,15 @@ std::string placed(const std::string& text) {
   return fileBytes(scratchPath);
 }
 
+TEST(Vti, ArrayOfGhostsIsNotTheVolume) {
+  const std::string ghosts = R"(<DataArray type="UInt8" Name="vtkGhostType" format="ascii">0 0 0 2</DataArray>)";
+  const std::string array = R"(<DataArray type="UInt8" Name="a" format="ascii">1 2 3 4</DataArray>)";
+  EXPECT_EQ(placed(vtiText(pointData(ghosts + array))), "\1\2\3\4");
+  EXPECT_THAT(parsedVti(vtiText(pointData(ghosts + array))).record.warnings, ElementsAre(HasSubstr("vtkGhostType")));
+  EXPECT_THAT([&] { parsedVti(vtiText(pointData(ghosts))); },
+              ThrowsMessage<InputError>(HasSubstr("there is no array")));
+}
+
 TEST(Vti, PlacesPointsAndTheMiddlesOfCells) {
   const std::string array = R"(<DataArray type="UInt8" Name="a" format="ascii">1 2 3 4</DataArray>)";
   const std::string where = R"(Origin="10 20 30" Spacing="2 3 4" Direction="0 -1 0 1 0 0 0 0 1")";

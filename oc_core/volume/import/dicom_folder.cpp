@@ -32,13 +32,6 @@ const gdcm::Tag kModality(0x0008, 0x0060);
 const gdcm::Tag kSeriesDescription(0x0008, 0x103e);
 const gdcm::Tag kSeriesUid(0x0020, 0x000e);
 const gdcm::Tag kSeriesNumber(0x0020, 0x0011);
-const gdcm::Tag kTriggerTime(0x0018, 0x1060);  // in milliseconds
-const gdcm::Tag kTemporalPosition(0x0020, 0x0100);
-const gdcm::Tag kImagePosition(0x0020, 0x0032);
-const gdcm::Tag kImageOrientation(0x0020, 0x0037);
-const gdcm::Tag kPixelSpacing(0x0028, 0x0030);
-const gdcm::Tag kRescaleIntercept(0x0028, 0x1052);
-const gdcm::Tag kRescaleSlope(0x0028, 0x1053);
 const gdcm::Tag kRescaleType(0x0028, 0x1054);
 const gdcm::Tag kUnits(0x0054, 0x1001);  // of PET
 const gdcm::Tag kPixelData(0x7fe0, 0x0010);
@@ -49,6 +42,21 @@ const gdcm::Tag kPlanePosition(0x0020, 0x9113);
 const gdcm::Tag kPlaneOrientation(0x0020, 0x9116);
 const gdcm::Tag kPixelMeasures(0x0028, 0x9110);
 const gdcm::Tag kPixelValues(0x0028, 0x9145);
+
+/// A field of decimal strings, and its name in the standard.
+struct DicomNumbers {
+  gdcm::Tag tag;
+  const char* name;
+};
+
+const DicomNumbers kFrames{{0x0028, 0x0008}, "NumberOfFrames"};
+const DicomNumbers kTriggerTime{{0x0018, 0x1060}, "TriggerTime"};  // in milliseconds
+const DicomNumbers kTemporalPosition{{0x0020, 0x0100}, "TemporalPositionIdentifier"};
+const DicomNumbers kImagePosition{{0x0020, 0x0032}, "ImagePositionPatient"};
+const DicomNumbers kImageOrientation{{0x0020, 0x0037}, "ImageOrientationPatient"};
+const DicomNumbers kPixelSpacing{{0x0028, 0x0030}, "PixelSpacing"};
+const DicomNumbers kRescaleIntercept{{0x0028, 0x1052}, "RescaleIntercept"};
+const DicomNumbers kRescaleSlope{{0x0028, 0x1053}, "RescaleSlope"};
 
 /// Empty where there is none.
 std::string textOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
@@ -68,9 +76,15 @@ std::string textOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
   return text;
 }
 
-/// Decimal strings, "0.5\\0.5": empty where there is none, or one is no number.
-std::vector<double> numbersOf(const gdcm::DataSet& data, const gdcm::Tag& tag) {
-  return numbersFromText(textOf(data, tag), " \\").value_or(std::vector<double>());
+/// Decimal strings, "0.5\\0.5": empty where there is none. Where one is no number, too, and `malformed` says so.
+std::vector<double> numbersOf(const gdcm::DataSet& data, const DicomNumbers& field, std::string& malformed) {
+  const std::string text = textOf(data, field.tag);
+  const std::optional<std::vector<double>> numbers = numbersFromText(text, " \\");
+  if (!numbers) {
+    constexpr size_t kMaxShown = 40;
+    malformed = fmt::format("its {} is \"{}\", which is no number", field.name, text.substr(0, kMaxShown));
+  }
+  return numbers.value_or(std::vector<double>());
 }
 
 /// The first item of a sequence; null where there is none.
@@ -88,19 +102,20 @@ class FrameFields {
   FrameFields(const gdcm::DataSet& file, unsigned frame)
       : file_(file), shared_(itemsOf(file, kSharedGroups)), frames_(itemsOf(file, kFrameGroups)), frame_(frame) {}
 
-  std::vector<double> numbers(const gdcm::Tag& group, const gdcm::Tag& tag) const {
+  std::vector<double> numbers(const gdcm::Tag& group, const DicomNumbers& field, std::string& malformed) const {
     for (const auto& [items, index] : {std::pair(frames_, frame_ + 1), std::pair(shared_, 1U)}) {
       if (!items || index > items->GetNumberOfItems()) {
         continue;
       }
       const gdcm::SmartPointer<gdcm::SequenceOfItems> inner = itemsOf(items->GetItem(index).GetNestedDataSet(), group);
       if (inner) {
-        if (std::vector<double> found = numbersOf(inner->GetItem(1).GetNestedDataSet(), tag); !found.empty()) {
+        if (std::vector<double> found = numbersOf(inner->GetItem(1).GetNestedDataSet(), field, malformed);
+            !found.empty()) {
           return found;
         }
       }
     }
-    return numbersOf(file_, tag);
+    return numbersOf(file_, field, malformed);
   }
 
  private:
@@ -119,6 +134,30 @@ glm::dvec3 threeFrom(const std::vector<double>& numbers, size_t first) {
   return {numbers[first], numbers[first + 1], numbers[first + 2]};
 }
 
+/// Where a slice lies, or why nowhere.
+void placeSlice(const std::vector<double>& position, const std::vector<double>& orientation,
+                const std::vector<double>& spacing, DicomSlice& slice) {
+  if (position.size() != 3 || orientation.size() != 6 || spacing.size() != 2) {
+    const DicomNumbers& missing = position.size() != 3      ? kImagePosition
+                                  : orientation.size() != 6 ? kImageOrientation
+                                                            : kPixelSpacing;
+    slice.unplaced = fmt::format("this image does not say where it lies in the patient (no {})", missing.name);
+    return;
+  }
+  slice.position = threeFrom(position, 0);
+  slice.alongColumns = threeFrom(orientation, 0);
+  slice.alongRows = threeFrom(orientation, 3);
+  slice.rowSpacing = spacing[0];
+  slice.columnSpacing = spacing[1];
+  const double sine = glm::length(glm::cross(slice.alongColumns, slice.alongRows));
+  if (!(slice.rowSpacing > 0) || !(slice.columnSpacing > 0) || !(std::abs(sine - 1) < 1e-2)) {
+    slice.unplaced = "its PixelSpacing or its ImageOrientationPatient is none";
+    return;
+  }
+  slice.alongColumns = glm::normalize(slice.alongColumns);
+  slice.alongRows = glm::normalize(slice.alongRows);
+}
+
 /// The slices of a file, without their pixels; none where it is no image, such as an index of the folder.
 std::vector<DicomSlice> slicesOf(const fs::path& file) {
   noteFileRead(file);
@@ -135,22 +174,22 @@ std::vector<DicomSlice> slicesOf(const fs::path& file) {
   }
   rows.SetFromDataSet(data);
   columns.SetFromDataSet(data);
-  const std::vector<double> frames = numbersOf(data, gdcm::Tag(0x0028, 0x0008));
+  DicomSlice all;
+  const std::vector<double> frames = numbersOf(data, kFrames, all.malformed);
   const double count = frames.empty() ? 1 : frames.front();
   if (!(count >= 1 && count <= VolumeRecord::kMaxEdge)) {
     failDicom(fmt::format("this file has {} frames", count), file);
   }
-  DicomSlice all;
   all.file = file;
   all.seriesUid = textOf(data, kSeriesUid);
   all.seriesNumber = textOf(data, kSeriesNumber);
   all.seriesDescription = textOf(data, kSeriesDescription);
   all.modality = textOf(data, kModality);
   all.valueUnit = textOf(data, kRescaleType);
-  if (const std::vector<double> trigger = numbersOf(data, kTriggerTime); !trigger.empty()) {
+  if (const std::vector<double> trigger = numbersOf(data, kTriggerTime, all.malformed); !trigger.empty()) {
     all.triggerSeconds = trigger.front() / 1000;
   }
-  if (const std::vector<double> number = numbersOf(data, kTemporalPosition); !number.empty()) {
+  if (const std::vector<double> number = numbersOf(data, kTemporalPosition, all.malformed); !number.empty()) {
     all.temporalPosition = number.front();
   }
   all.columns = columns.GetValue();
@@ -158,31 +197,15 @@ std::vector<DicomSlice> slicesOf(const fs::path& file) {
   std::vector<DicomSlice> slices;
   for (unsigned frame = 0; frame < static_cast<unsigned>(count); ++frame) {
     const FrameFields fields(data, frame);
-    const std::vector<double> position = fields.numbers(kPlanePosition, kImagePosition);
-    const std::vector<double> orientation = fields.numbers(kPlaneOrientation, kImageOrientation);
-    const std::vector<double> spacing = fields.numbers(kPixelMeasures, kPixelSpacing);
-    const std::vector<double> slope = fields.numbers(kPixelValues, kRescaleSlope);
-    const std::vector<double> intercept = fields.numbers(kPixelValues, kRescaleIntercept);
-    if (position.size() != 3 || orientation.size() != 6 || spacing.size() != 2) {
-      failDicom(fmt::format("this image does not say where it lies in the patient (no {})",
-                            position.size() != 3      ? "ImagePositionPatient"
-                            : orientation.size() != 6 ? "ImageOrientationPatient"
-                                                      : "PixelSpacing"),
-                file, "remove it from the folder, if it is no slice of the volume");
-    }
     DicomSlice& slice = slices.emplace_back(all);
     slice.frame = frame;
-    slice.position = threeFrom(position, 0);
-    slice.alongColumns = threeFrom(orientation, 0);
-    slice.alongRows = threeFrom(orientation, 3);
-    slice.rowSpacing = spacing[0];
-    slice.columnSpacing = spacing[1];
-    const double sine = glm::length(glm::cross(slice.alongColumns, slice.alongRows));
-    if (!(slice.rowSpacing > 0) || !(slice.columnSpacing > 0) || !(std::abs(sine - 1) < 1e-2)) {
-      failDicom("its PixelSpacing or its ImageOrientationPatient is none", file);
-    }
-    slice.alongColumns = glm::normalize(slice.alongColumns);
-    slice.alongRows = glm::normalize(slice.alongRows);
+    const auto numbers = [&](const gdcm::Tag& group, const DicomNumbers& field) {
+      return fields.numbers(group, field, slice.malformed);
+    };
+    const std::vector<double> slope = numbers(kPixelValues, kRescaleSlope);
+    const std::vector<double> intercept = numbers(kPixelValues, kRescaleIntercept);
+    placeSlice(numbers(kPlanePosition, kImagePosition), numbers(kPlaneOrientation, kImageOrientation),
+               numbers(kPixelMeasures, kPixelSpacing), slice);
     slice.slope = slope.empty() ? 1 : slope.front();
     slice.intercept = intercept.empty() ? 0 : intercept.front();
     if (slice.valueUnit.empty() && slice.modality == "CT" && !slope.empty()) {
@@ -279,12 +302,25 @@ DicomPixels pixelsOf(const fs::path& file, VolumeRecord& record) {
       failDicom(fmt::format("pixels of {} bits are not read", format.GetBitsAllocated()), file,
                 "export it with 8, 16 or 32 bits a pixel");
   }
+  const unsigned stored = format.GetBitsStored();
+  // GDCM takes a HighBit that it does not expect for the usual one.
+  const gdcm::DataSet& data = reader.GetFile().GetDataSet();
+  gdcm::Attribute<0x0028, 0x0101> saidStored{};
+  gdcm::Attribute<0x0028, 0x0102> saidHigh{};
+  if (data.FindDataElement(saidStored.GetTag()) && data.FindDataElement(saidHigh.GetTag())) {
+    saidStored.SetFromDataSet(data);
+    saidHigh.SetFromDataSet(data);
+    if (saidHigh.GetValue() + 1 != saidStored.GetValue()) {
+      failDicom(fmt::format("the {} bits of a pixel (BitsStored) end at bit {} (HighBit), which is not read",
+                            saidStored.GetValue(), saidHigh.GetValue()),
+                file, "export it with its pixels in the lowest bits");
+    }
+  }
   pixels.bytes.resize(image.GetBufferLength());
   if (!image.GetBuffer(pixels.bytes.data())) {
     failDicom("the pixels of this DICOM file are damaged, or coded in a way that is not read", file,
               "export it without compression");
   }
-  const unsigned stored = format.GetBitsStored();
   if (stored < format.GetBitsAllocated() && stored > 0 && format.GetHighBit() + 1U == stored) {
     if (format.GetBitsAllocated() == 16) {
       keepStoredBits<uint16_t, int16_t>(pixels.bytes, stored, isSigned);
@@ -294,8 +330,9 @@ DicomPixels pixelsOf(const fs::path& file, VolumeRecord& record) {
       keepStoredBits<uint8_t, int8_t>(pixels.bytes, stored, isSigned);
     }
   }
-  if (image.IsLossy() && record.warnings.empty()) {
-    record.warnings.emplace_back("the slices were compressed with loss");
+  const std::string lossy = "the slices were compressed with loss";
+  if (image.IsLossy() && std::find(record.warnings.begin(), record.warnings.end(), lossy) == record.warnings.end()) {
+    record.warnings.push_back(lossy);
   }
   return pixels;
 }
@@ -367,10 +404,20 @@ VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchO
   if (slices.size() == 1 && !fs::is_directory(path, ignored)) {
     throw InputError("this DICOM file is one slice", where, "give the folder with all slices of the volume");
   }
-  slices = chooseSeries(slices, series, where);
-  std::vector<DicomMoment> moments = momentsOf(slices);
   VolumeRecord record;
+  const size_t all = slices.size();
+  slices = chooseSeries(slices, series, where);
+  if (series.empty() && slices.size() < all) {
+    record.warnings.push_back(
+        fmt::format("{} of the folder's images are of other series, lie nowhere in the patient, and are passed over",
+                    all - slices.size()));
+  }
+  std::vector<DicomMoment> moments = momentsOf(slices);
   slices = arrangeMoments(moments, record, where);
+  if (moments.front().isNumbered) {
+    record.warnings.emplace_back(
+        "the files number their times and do not say how many seconds they are apart: 1 is taken");
+  }
 
   // Where slices differ in what their pixels mean, as those of PET do, what they mean is kept as float32.
   const DicomSlice& first = slices.front();

@@ -106,11 +106,21 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
   for (const DicomSlice& slice : slices) {
     all[slice.seriesUid].push_back(&slice);
   }
+  const auto isPlaced = [](const std::vector<const DicomSlice*>& members) {
+    return std::any_of(members.begin(), members.end(),
+                       [](const DicomSlice* slice) { return slice->unplaced.empty() || !slice->malformed.empty(); });
+  };
+  // A report may have the number of the slices that it tells of.
+  const auto isNamed = [&](const std::vector<const DicomSlice*>& members) {
+    return series.empty() || series == members.front()->seriesNumber;
+  };
+  const bool isAnyPlaced =
+      std::any_of(all.begin(), all.end(), [&](const auto& one) { return isNamed(one.second) && isPlaced(one.second); });
   std::vector<const std::vector<const DicomSlice*>*> chosen;
   std::string list;
   for (const auto& [uid, members] : all) {
     list += (list.empty() ? "" : "\n") + describe(uid, members);
-    if (series.empty() || series == uid || series == members.front()->seriesNumber) {
+    if ((!series.empty() && series == uid) || (isNamed(members) && (isPlaced(members) || !isAnyPlaced))) {
       chosen.push_back(&members);
     }
   }
@@ -121,6 +131,12 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
   }
   std::vector<DicomSlice> one;
   for (const DicomSlice* slice : *chosen.front()) {
+    if (!slice->malformed.empty()) {
+      failSlice(slice->malformed, *slice, "export this file again, or correct it");
+    }
+    if (!slice->unplaced.empty()) {
+      failSlice(slice->unplaced, *slice, "remove it from the folder, if it is no slice of the volume");
+    }
     one.push_back(*slice);
   }
   return one;
@@ -151,7 +167,7 @@ std::vector<DicomMoment> momentsOf(const std::vector<DicomSlice>& slices) {
     if (isEven) {
       std::vector<DicomMoment> moments;
       for (auto& [seconds, members] : byTime) {
-        moments.push_back({std::move(members), seconds});
+        moments.push_back({std::move(members), seconds, time == &DicomSlice::temporalPosition});
       }
       return moments;
     }

@@ -32,16 +32,21 @@ struct DicomSlice {
   double intercept = 0;
   std::optional<double> triggerSeconds{};    ///< since the trigger of a series of times
   std::optional<double> temporalPosition{};  ///< the number of the time among them
+  std::string unplaced{};                    ///< why it lies nowhere in the patient; empty where it does
+  std::string malformed{};                   ///< what is no number where one must be; empty where all are
 };
 
 /// The slices of one time.
 struct DicomMoment {
   std::vector<DicomSlice> slices;
   double seconds = 0;
+  bool isNumbered = false;  ///< `seconds` is the number of the time, and nothing says how long they are apart
 };
 
-/// The slices of one series: the one that `series` names by its UID or its number; all, where there is but one. Throws
-/// InputError that lists the series where it names none, or where there are several and it is empty.
+/// The slices of one series: the one that `series` names by its UID or its number; where it is empty, the only one. Of
+/// those of one number, or of all, the ones without images that lie somewhere in the patient do not count beside
+/// others: reports and copies of the screen do not lie there. Throws InputError that lists the series where it names
+/// none, or where there are several and it is empty; and for an image of the chosen one that is unplaced or malformed.
 std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, const std::string& series,
                                      const std::string& where);
 

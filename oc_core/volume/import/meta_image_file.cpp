@@ -281,7 +281,8 @@ std::vector<std::string> dataFilesOf(const MetaImageFields& fields, double slice
     return {};
   }
   std::vector<std::string> files;
-  if (name.starts_with("LIST")) {
+  // A number may follow it, of the dimensions of each file.
+  if (name == "LIST" || name.starts_with("LIST ") || name.starts_with("LIST\t")) {
     const std::string& rest = fields.rest();
     for (size_t begin = 0; begin < rest.size();) {
       const size_t end = std::min(rest.find('\n', begin), rest.size());
@@ -296,7 +297,10 @@ std::vector<std::string> dataFilesOf(const MetaImageFields& fields, double slice
     return files;
   }
   const size_t percent = name.find('%');
-  if (percent == std::string::npos) {
+  // What can be no conversion, such as that of "50%_ct.raw", is a part of a name.
+  const bool isPattern = percent != std::string::npos && percent + 1 < name.size() &&
+                         std::isalnum(static_cast<unsigned char>(name[percent + 1])) != 0;
+  if (!isPattern) {
     return {name};
   }
   // "slice_%03d.raw 1 100 1"

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstring>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -112,23 +113,71 @@ void setTimes(const nifti_image& image, uint64_t volumes, VolumeRecord& record) 
   }
 }
 
-/// The library takes files without the mark for those of Analyze, which have no orientation.
-bool isNiftiOfOnePiece(const ByteSource& source, bool isDeflated) {
-  constexpr size_t kHeaderBytes = 348;
+constexpr size_t kNifti1Bytes = 348;
+constexpr size_t kNifti2Bytes = 540;
+
+/// As it stands in the file; shorter where that is.
+std::string niftiHeaderOf(const ByteSource& source, bool isDeflated) {
   std::string header(static_cast<size_t>(std::min<uint64_t>(source.size(), 1 << 16)), '\0');
   source.read(0, std::as_writable_bytes(std::span(header)));
   if (isDeflated) {
     std::span<const std::byte> all = std::as_bytes(std::span(header));
     const ByteFeed once = [&] { return std::exchange(all, {}); };
     std::string inflated;
-    inflateBytes(once, kHeaderBytes, source.name(), [&](std::span<const std::byte> bytes) {
+    inflateBytes(once, kNifti2Bytes, source.name(), [&](std::span<const std::byte> bytes) {
       inflated.append(reinterpret_cast<const char*>(bytes.data()), bytes.size());
     });
     header = inflated;
   }
+  return header;
+}
+
+bool isNifti2OfOnePiece(std::string_view header) {
   using namespace std::string_view_literals;
-  const std::string_view start(header);
-  return start.size() >= kHeaderBytes && (start.substr(344, 4) == "n+1\0"sv || start.substr(4, 4) == "n+2\0"sv);
+  return header.size() >= kNifti2Bytes && header.substr(4, 4) == "n+2\0"sv;
+}
+
+/// The library takes files without the mark for those of Analyze, which have no orientation.
+bool isNiftiOfOnePiece(std::string_view header) {
+  using namespace std::string_view_literals;
+  return isNifti2OfOnePiece(header) || (header.size() >= kNifti1Bytes && header.substr(344, 4) == "n+1\0"sv);
+}
+
+template <class Number>
+double numberAt(std::string_view header, size_t at, bool isSwapped) {
+  std::array<char, sizeof(Number)> bytes{};
+  header.copy(bytes.data(), bytes.size(), at);
+  if (isSwapped) {
+    std::reverse(bytes.begin(), bytes.end());
+  }
+  Number number{};
+  std::memcpy(&number, bytes.data(), sizeof(number));
+  return static_cast<double>(number);
+}
+
+/// What the library reads as something else: sizes of 0 and below as 1, and any offset. `header` has the mark.
+void checkNiftiHeader(std::string_view header, const std::string& where) {
+  const bool isSecond = isNifti2OfOnePiece(header);
+  const bool isSwapped =
+      numberAt<int32_t>(header, 0, false) != static_cast<double>(isSecond ? kNifti2Bytes : kNifti1Bytes);
+  const auto sizeAt = [&](size_t at) {
+    return isSecond ? numberAt<int64_t>(header, 16 + 8 * at, isSwapped)
+                    : numberAt<int16_t>(header, 40 + 2 * at, isSwapped);
+  };
+  const double dimensions = sizeAt(0);
+  for (size_t at = 1; at <= 7 && static_cast<double>(at) <= dimensions; ++at) {
+    // Some programs write 0 for an axis behind those of space that there is not.
+    if (sizeAt(at) < (at > 3 ? 0 : 1)) {
+      throw InputError(fmt::format("the header says {} samples along axis {}", sizeAt(at), at), where,
+                       kNiftiExportAgain);
+    }
+  }
+  constexpr double kMaxOffset = 4e18;  // more is no size of a file
+  const double offset = isSecond ? numberAt<int64_t>(header, 168, isSwapped) : numberAt<float>(header, 108, isSwapped);
+  if (!(offset >= 0 && offset <= kMaxOffset) || offset != std::floor(offset)) {
+    throw InputError(fmt::format("the header says that the voxels begin at byte {:g}", offset), where,
+                     kNiftiExportAgain);
+  }
 }
 
 }  // namespace
@@ -137,10 +186,12 @@ VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch
   const std::string where = path.string();
   const FileSource source(path, budget);
   const bool isDeflated = nifti_is_gzfile(path.c_str()) != 0;
-  if (!isNiftiOfOnePiece(source, isDeflated)) {
+  const std::string header = niftiHeaderOf(source, isDeflated);
+  if (!isNiftiOfOnePiece(header)) {
     throw InputError("this is no NIfTI file of one piece: the mark \"n+1\" or \"n+2\" is missing", where,
                      "convert it to one file, .nii or .nii.gz");
   }
+  checkNiftiHeader(header, where);
   const NiftiImage image(nifti_image_read(path.c_str(), 0), &nifti_image_free);
   if (!image) {
     throw InputError("this is no NIfTI file that can be read: its header is damaged", where, kNiftiExportAgain);

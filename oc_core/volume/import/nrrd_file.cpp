@@ -12,6 +12,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <memory>
+#include <numeric>
 #include <optional>
 #include <string>
 #include <vector>
@@ -133,51 +134,84 @@ class NrrdHeader {
     return nrrd_.spaceDim > 0 && std::isfinite(nrrd_.axis[axis].spaceDirection[0]);
   }
 
-  /// Three axes of space, and one of time behind them or none; axes of one sample count for nothing.
+  /// Three axes of space, and one of time behind them or none.
   void chooseAxes() {
-    std::vector<unsigned> axes;
-    for (unsigned axis = 0; axis < nrrd_.dim; ++axis) {
-      const bool isStub = nrrd_.axis[axis].size == 1 && !hasDirection(axis) && nrrd_.dim > 3;
-      if (!isStub) {
-        axes.push_back(axis);
-      }
-    }
-    for (unsigned axis = 0; axes.size() < 3 && axis < nrrd_.dim; ++axis) {
-      // A volume of one slice may have lost it.
-      if (std::find(axes.begin(), axes.end(), axis) == axes.end()) {
-        axes.push_back(axis);
-        std::sort(axes.begin(), axes.end());
-      }
-    }
+    const std::vector<unsigned> axes = axesThatCount();
     if (axes.size() < 3 || axes.size() > 4) {
       fail(fmt::format("the file has {} dimensions", nrrd_.dim),
            "give a volume, of 3, or one at several times, of 4 dimensions");
     }
-    const int firstKind = nrrd_.axis[axes[0]].kind;
-    if (axes.size() == 4 && (isOfRange(firstKind) || isNotSpace(axes[0]))) {
-      if (firstKind == nrrdKindList || firstKind == nrrdKindTime) {
-        fail("the first axis is that of the volumes", "move it to the end: unu permute -p 1 2 3 0 -i IN -o OUT");
-      }
-      fail(fmt::format("the voxels have {} numbers each, such as colours or vectors", nrrd_.axis[axes[0]].size),
-           "give a volume of one number a voxel: unu slice -a 0 -p 0 -i IN -o OUT takes the first one");
-    }
-    if (axes.size() == 3 && isOfRange(firstKind)) {
-      fail("the voxels have several numbers each, in a plane", "give a volume of one number a voxel");
+    for (size_t at = 0; at < 3; ++at) {
+      checkIsOfSpace(axes[at], axes.size());
     }
     if (axes.size() == 4) {
       time_ = axes[3];
-      if (nrrd_.axis[axes[3]].kind == nrrdKindUnknown) {
-        record.warnings.emplace_back("the fourth axis is taken for time");
-      } else if (isOfRange(nrrd_.axis[axes[3]].kind) && nrrd_.axis[axes[3]].kind != nrrdKindList) {
+      const int kind = nrrd_.axis[axes[3]].kind;
+      if (isOfRange(kind) && kind != nrrdKindList) {
         fail("the voxels have several numbers each, one volume after the other",
-             "give a volume of one number a voxel: unu slice -a 3 -p 0 -i IN -o OUT takes the first one");
+             fmt::format("give a volume of one number a voxel: unu slice -a {} -p 0 -i IN -o OUT takes the first one",
+                         axes[3]));
+      }
+      if (kind != nrrdKindTime && kind != nrrdKindList) {
+        record.warnings.emplace_back("the fourth axis is taken for time");
       }
     }
     axes_ = {axes[0], axes[1], axes[2]};
   }
 
+  /// Those that are neither of space nor of more than one sample are left out, down to three; of more than four, all of
+  /// one sample without a direction, the last first.
+  std::vector<unsigned> axesThatCount() const {
+    std::vector<unsigned> axes(nrrd_.dim);
+    std::iota(axes.begin(), axes.end(), 0U);
+    const auto isStub = [&](unsigned axis) {
+      // Where nothing says what an axis between others is, it may be a volume's of one slice.
+      const bool isEnd = axis == 0 || axis + 1 == nrrd_.dim;
+      const int kind = nrrd_.axis[axis].kind;
+      return nrrd_.axis[axis].size == 1 && !hasDirection(axis) && !isKindOfSpace(kind) &&
+             (kind != nrrdKindUnknown || isEnd || isNotSpace(axis));
+    };
+    for (size_t at = axes.size(); at-- > 0 && axes.size() > 3;) {
+      if (isStub(axes[at])) {
+        axes.erase(axes.begin() + static_cast<ptrdiff_t>(at));
+      }
+    }
+    for (size_t at = axes.size(); at-- > 0 && axes.size() > 4;) {
+      if (nrrd_.axis[axes[at]].size == 1 && !hasDirection(axes[at])) {
+        axes.erase(axes.begin() + static_cast<ptrdiff_t>(at));
+      }
+    }
+    return axes;
+  }
+
+  /// Of one of the first three axes that count.
+  void checkIsOfSpace(unsigned axis, size_t axes) const {
+    const int kind = nrrd_.axis[axis].kind;
+    if (!isOfRange(kind) && kind != nrrdKindTime && !isNotSpace(axis)) {
+      return;
+    }
+    const bool isOfTimes = kind == nrrdKindTime || kind == nrrdKindList;
+    if (axes == 4 && isOfTimes) {
+      std::string order;
+      for (unsigned other = 0; other < nrrd_.dim; ++other) {
+        order += other == axis ? "" : fmt::format("{} ", other);
+      }
+      fail(fmt::format("axis {} of the file (the first is 0) is that of the volumes, which must be the last", axis),
+           fmt::format("move it to the end: unu permute -p {}{} -i IN -o OUT", order, axis));
+    }
+    if (axes == 4) {
+      fail(fmt::format("the voxels have {} numbers each, such as colours or vectors", nrrd_.axis[axis].size),
+           fmt::format("give a volume of one number a voxel: unu slice -a {} -p 0 -i IN -o OUT takes the first one",
+                       axis));
+    }
+    fail(isOfTimes ? "the file has a plane at several times" : "the voxels have several numbers each, in a plane",
+         "give a volume of one number a voxel, with three axes of space");
+  }
+
+  static bool isKindOfSpace(int kind) { return kind == nrrdKindDomain || kind == nrrdKindSpace; }
   /// Of an axis along which the numbers of one voxel stand.
   static bool isOfRange(int kind) { return kind >= nrrdKindList; }
+  /// Where the file has a space: an axis that has no direction in it.
   bool isNotSpace(unsigned axis) const { return nrrd_.spaceDim > 0 && !hasDirection(axis); }
 
   void setSpace() {
@@ -329,6 +363,11 @@ VolumeRecord readNrrd(const fs::path& path, ScratchOutput& scratch, ReadingBudge
   const StoredType type = storedTypeOf(reading.nrrd(), where);
   const bool isRaw = state.encoding == nrrdEncodingRaw;
   const bool isDeflated = state.encoding == nrrdEncodingGzip;
+  if (isDeflated && state.byteSkip < 0) {
+    throw InputError(fmt::format("byte skip {} says that the voxels are the last bytes, which compressed ones cannot",
+                                 state.byteSkip),
+                     where, "write the byte at which they begin");
+  }
   if (state.dataFile == nullptr || (!isRaw && !isDeflated)) {
     placeDecoded(path, header, type, scratch, budget);
     return header.record;

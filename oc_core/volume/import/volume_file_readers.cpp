@@ -1,5 +1,7 @@
 #include "oc_core/volume/import/volume_file_readers.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -63,6 +65,18 @@ void checkMeaning(const VolumeRecord& record, const std::string& where) {
   }
 }
 
+/// Times below 0, such as those before a trigger, could not be chosen.
+void startAtZero(VolumeRecord& record) {
+  if (record.times.empty() || record.times.front() >= 0) {
+    return;
+  }
+  const double first = record.times.front();
+  for (double& time : record.times) {
+    time -= first;
+  }
+  record.warnings.push_back(fmt::format("the times of the file begin at {:g} s: this is taken for 0 s", first));
+}
+
 }  // namespace
 
 bool hasVolumeFileReader(std::string_view format) {
@@ -76,8 +90,13 @@ VolumeRecord readVolumeRecord(const VolumeReadingTask& task, ScratchOutput& scra
     throw InputError("this is no volume that can be read", task.path.string(),
                      "give one of these formats: " + volumeFormatList());
   }
+  if (!task.series.empty() && format->name != kDicomFormat) {
+    throw InputError(fmt::format("--series chooses one of a folder of DICOM files, and this is {}", format->name),
+                     task.path.string(), "leave --series out");
+  }
   VolumeRecord record = row->read(task, scratch, budget);
   checkMeaning(record, task.path.string());
+  startAtZero(record);
   return record;
 }
 

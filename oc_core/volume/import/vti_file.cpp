@@ -20,6 +20,7 @@ namespace {
 constexpr uint64_t kMaxXmlBytes = 1 << 30;
 constexpr const char* kVtiExportAgain = "the file is damaged or of another kind: export it again";
 constexpr std::string_view kAppendedTag = "<AppendedData";
+constexpr std::string_view kGhostArray = "vtkGhostType";  // of VTK itself
 
 struct VtiTypeRow {
   std::string_view name;
@@ -142,6 +143,11 @@ class VtiParser {
       const pugi::xml_node data = piece.child(kind);
       const std::string_view name = data.attribute("Scalars").value();
       for (const pugi::xml_node& array : data.children("DataArray")) {
+        if (std::string_view(array.attribute("Name").value()) == kGhostArray) {
+          header_.record.warnings.push_back(
+              fmt::format("{}, which says which voxels are hidden, is not kept", kGhostArray));
+          continue;
+        }
         if (array.attribute("NumberOfComponents").as_int(1) != 1) {
           ++vectors;
           continue;
