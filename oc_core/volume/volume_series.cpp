@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -65,9 +70,16 @@ glm::dmat4 sceneFromGridWorld(const VolumeGrid& grid, bool fit, const std::strin
   if (!fit) {
     return upright;
   }
-  const Box box = boundsOf(grid, upright * grid.worldFromIndex);
-  const double radius = glm::length(glm::dvec3(box.size())) / 2;
-  return glm::dmat4(unitFromSphere(glm::dvec3(box.center()), radius, source)) * upright;
+  // In double precision, and the centre apart: a small volume may stand far from its world's origin.
+  const glm::dmat4 sceneFromIndex = upright * grid.worldFromIndex;
+  const glm::dvec3 center(sceneFromIndex * glm::dvec4(glm::dvec3(grid.size - 1) * 0.5, 1));
+  glm::dvec3 halfSize(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    halfSize += glm::abs(glm::dvec3(sceneFromIndex[axis])) * (0.5 * grid.size[axis]);
+  }
+  glm::dmat4 toOrigin(1);
+  toOrigin[3] = glm::dvec4(-center, 1);
+  return glm::dmat4(unitFromSphere(glm::dvec3(0), glm::length(halfSize), source)) * toOrigin * upright;
 }
 
 }  // namespace

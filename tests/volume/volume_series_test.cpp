@@ -79,6 +79,28 @@ TEST(VolumeScene, refusesVoxelsThatAreNoNumbers) {
               testing::AllOf(HasSubstr("at least 1"), HasSubstr("from index (2, 0, 0) up to 1 further")));
 }
 
+TEST(VolumeScene, isFittedWhereverItsFileHasIt) {
+  const auto sceneOf = [](const glm::dvec3& origin) {
+    VolumeGrid grid;
+    grid.size = {16, 8, 4};
+    grid.worldFromIndex = {{0, 0.001, 0, 0}, {-0.001, 0, 0, 0}, {0, 0, 0.002, 0}, glm::dvec4(origin, 1)};
+    VolumeSeries series{.source = "far.nrrd", .volumes = {}};
+    series.volumes.push_back(std::make_shared<const ScalarVolume>(grid, std::vector<float>(grid.voxelCount(), 1)));
+    series.appearance = VolumeAppearance{TransferFunction({{0, {}, 0}, {1, {}, 1}}, 1)};
+    return volumeSceneAt(series, 0);
+  };
+  const VolumeScene near = sceneOf(glm::dvec3(0));
+  const VolumeScene far = sceneOf({50000, -70000, 90000});
+  const glm::dvec3 size(far.bounds().size());
+  EXPECT_NEAR(glm::length(size), 2, 1e-6);
+  EXPECT_NEAR(size.y, 2 * size.x, 1e-6);
+  EXPECT_NEAR(glm::length(far.bounds().center()), 0, 1e-6);
+  for (int column = 0; column < 4; ++column) {
+    // A double at 90000 is good to 1.5e-11, a radius of 0.01 makes this 1.5e-9, and some of these come together.
+    EXPECT_NEAR(glm::length(far.worldFromIndex[column] - near.worldFromIndex[column]), 0, 1e-8) << column;
+  }
+}
+
 TEST(VolumeScene, isShownByALevelInTheSamePlaceAndOfTheSameOpacity) {
   const std::string source = "builtin:volume,name=skull,size=32";
   std::vector<std::string> told;
