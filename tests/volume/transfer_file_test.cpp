@@ -128,8 +128,8 @@ TEST(TransferFile, fitsItsVolume) {
   description.scale = "percentiles";
   description.opacityLength = 7;
   const VolumeAppearance byPercentiles = appearanceOf(description, volume, 2);
-  // The bins of floats are 100 / 4096 wide, and each share of 1 % is about 1 here.
-  EXPECT_NEAR(byPercentiles.transfer.points()[0].value, 1 + 0.25 * 98, 0.1);
+  // The second and the 100th of the 101 voxels are the first below which 1 % and 99 % of them are.
+  EXPECT_EQ(byPercentiles.transfer.points()[0].value, 1 + 0.25 * 98);
   EXPECT_EQ(byPercentiles.transfer.opacityLength(), 7);
   const TransferDescription absolute = describe(byRange);
   EXPECT_EQ(absolute.scale, "absolute");
