@@ -6,7 +6,10 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <numeric>
+#include <span>
+#include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
@@ -55,6 +58,44 @@ TEST(VolumeLevels, areMeansOfTheVoxelsThatTheyStandFor) {
       }
     }
   }
+}
+
+/// Zeros that count how many of their bytes are in use.
+class CountedZeros : public VoxelStore {
+ public:
+  explicit CountedZeros(size_t count) : bytes_(count) {}
+
+  std::span<const std::byte> bytes() const override { return bytes_; }
+  bool isKnownZero(size_t /*begin*/, size_t /*end*/) const override { return false; }
+  size_t bytesToRead() const override { return bytes_.size(); }
+  void willRead(size_t begin, size_t end) const override {
+    used_ += end - begin;
+    most_ = std::max(most_, used_);
+    all_ += end - begin;
+  }
+  void release(size_t begin, size_t end) const override { used_ -= end - begin; }
+
+  size_t used() const { return used_; }
+  size_t most() const { return most_; }
+  size_t all() const { return all_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+  // averagedLevel() reads ahead and gives back on one thread.
+  mutable size_t used_ = 0;
+  mutable size_t most_ = 0;
+  mutable size_t all_ = 0;
+};
+
+TEST(VolumeLevels, haveNoMoreThanAPartOfALargeSliceInMemory) {
+  VolumeGrid grid;
+  grid.size = {2048, 8193, 2};
+  const auto zeros = std::make_shared<CountedZeros>(grid.voxelCount() * sizeof(double));
+  const ScalarVolume level = averagedLevel({grid, VoxelType::kFloat64, zeros}, 2);
+  EXPECT_EQ(level.grid().size, glm::ivec3(1024, 4097, 1));
+  EXPECT_EQ(zeros->all(), zeros->bytes().size()) << "each row once";
+  EXPECT_EQ(zeros->used(), 0U);
+  EXPECT_LE(zeros->most(), size_t{128} << 20U);
 }
 
 TEST(VolumeLevels, standWhereTheirVoxelsDo) {
