@@ -149,10 +149,11 @@ ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& pr
   if (!choice.scene.options.motion.seconds) {
     VolumeSeries series = loadVolumeSeries(choice.scene.source, choice.scene.options.series, context.progress());
     if (series.volumes.size() > 1) {
-      const VolumeSceneOptions options = volumeSceneOptionsOf(choice.scene, choice.volume);
+      VolumeSceneOptions options = volumeSceneOptionsOf(choice.scene, choice.volume);
       size_t bytes = 0;
       for (size_t i = 0; i < series.volumes.size(); ++i) {
         VolumeScene scene = volumeSceneAt(series, i, options, context.progress());
+        options.warn = {};  // What is said of the first is said of the series.
         applyShading(choice.scene, scene);
         const ShownVolumeOptions shownOptions = shownVolumeOptionsOf(choice, scene, context);
         shown.volumes.push_back(
