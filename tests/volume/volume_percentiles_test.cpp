@@ -80,13 +80,13 @@ TEST(VolumePercentiles, areThoseOfSortedVoxelsOfAnyType) {
 }
 
 TEST(VolumePercentiles, leaveOutWhatIsNoNumber) {
-  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-  constexpr float kInfinity = std::numeric_limits<float>::infinity();
+  constexpr float none = std::numeric_limits<float>::quiet_NaN();
+  constexpr float infinity = std::numeric_limits<float>::infinity();
   VolumeGrid grid;
   grid.size = {5, 1, 1};
-  const ScalarVolume some(grid, {kNan, 4, -kInfinity, kInfinity, -2});
+  const ScalarVolume some(grid, {none, 4, -infinity, infinity, -2});
   EXPECT_EQ(percentilesOf(some, kPercents), (std::vector<double>{-2, -2, -2, -2, 4, 4}));
-  EXPECT_EQ(percentilesOf({grid, std::vector<float>(5, kNan)}, kPercents), std::vector<double>(6, 0.0));
+  EXPECT_EQ(percentilesOf({grid, std::vector<float>(5, none)}, kPercents), std::vector<double>(6, 0.0));
 }
 
 }  // namespace
