@@ -28,7 +28,8 @@ ValueRange absoluteValues(const ScalarVolume& /*volume*/) {
 
 ValueRange percentileRange(const ScalarVolume& volume) {
   const std::vector<double> values = percentilesOf(volume, std::array{kLowPercentile, kHighPercentile});
-  return {values[0], values[1]};
+  // A mask, say, whose foreground is less than 1 % of its voxels.
+  return values[0] < values[1] ? ValueRange{values[0], values[1]} : valueRange(volume);
 }
 
 const TransferScale& scaleOf(const std::string& name) {
@@ -199,8 +200,16 @@ VolumeAppearance appearanceOf(const TransferDescription& description, const Scal
   std::vector<TransferPoint> points = description.points;
   for (TransferPoint& point : points) {
     point.value = scale.least + point.value * (scale.greatest - scale.least);
+    if (!(scale.least < scale.greatest)) {
+      point.opacity = 0;
+    }
   }
   return {TransferFunction(std::move(points), description.opacityLength.value_or(meanSpacing)), description.shading};
+}
+
+bool hasScaleFor(const TransferDescription& description, const ScalarVolume& volume) {
+  const ValueRange scale = scaleOf(description.scale).zeroAndOne(volume);
+  return scale.least < scale.greatest;
 }
 
 TransferDescription describe(const VolumeAppearance& appearance) {

@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <span>
 
 #include "oc_core/base/error.h"
 
@@ -66,6 +68,34 @@ TEST(VolumeSeries, hasWarningsOnlyForThoseWhoAsk) {
   volumeSceneAt(series, 0, {.warn = [&](const std::string& sentence) { told.push_back(sentence); }});
   EXPECT_EQ(told, series.warnings);
   volumeSceneAt(series, 0);
+}
+
+TEST(VolumeScene, refusesValuesBeyondWhatCanBeShown) {
+  const auto errorOf = [](VoxelType type, const auto& values, double scale) {
+    VolumeGrid grid;
+    grid.size = {2, 1, 1};
+    VolumeSeries series{.source = "huge.nrrd", .volumes = {}};
+    series.volumes.push_back(
+        std::make_shared<const ScalarVolume>(grid, type, std::as_bytes(std::span(values)), nullptr, scale));
+    return errorOfCall([&] { volumeSceneAt(series, 0); });
+  };
+  using Doubles = std::array<double, 2>;
+  using Shorts = std::array<int16_t, 2>;
+  EXPECT_THAT(errorOf(VoxelType::kFloat64, Doubles{0, 1e300}, 1),
+              testing::AllOf(HasSubstr("1e+300"), HasSubstr("huge")));
+  EXPECT_THAT(errorOf(VoxelType::kInt16, Shorts{0, 30}, 1e308), HasSubstr("from 0 to inf"));
+  EXPECT_THAT(errorOf(VoxelType::kFloat64, Doubles{0, -2e37}, 1), HasSubstr("-2e+37"));
+  EXPECT_EQ(errorOf(VoxelType::kFloat64, Doubles{0, 1e300}, 1e-290), "");
+  // What voxels hold counts, not what they could.
+  EXPECT_EQ(errorOf(VoxelType::kInt16, Shorts{0, 30}, 1e35), "");
+}
+
+TEST(VolumeScene, saysWhyNothingIsShownOfAVolumeOfOneValue) {
+  VolumeSeries series{.source = "flat.nrrd", .volumes = {}};
+  series.volumes.push_back(std::make_shared<const ScalarVolume>(lineOf({0.5f, 0.5f, 0.5f})));
+  std::vector<std::string> told;
+  volumeSceneAt(series, 0, {.warn = [&](const std::string& sentence) { told.push_back(sentence); }});
+  EXPECT_THAT(told, testing::ElementsAre(HasSubstr("all voxels have the value 0.5")));
 }
 
 TEST(VolumeScene, refusesVoxelsThatAreNoNumbers) {
