@@ -9,6 +9,7 @@
 #include <memory>
 #include <numeric>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "oc_core/base/error.h"
@@ -199,6 +200,25 @@ TEST(MappedVolumes, mayBeginAnywhereAtAMultipleOfAVoxel) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("numbers.raw"), testing::HasSubstr("2000")));
   }
+}
+
+TEST(MappedVolumes, shareOneMappingOfTheirFile) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "moments.raw";
+  std::ofstream(path, std::ios::binary) << std::string(300, '\1') << std::string(100, '\2');
+  VolumeGrid grid;
+  grid.size = {10, 10, 1};
+  const std::vector<ScalarVolume> volumes = mapVolumes(grid, VoxelType::kUint8, path, {0, 100, 300}, 2);
+  ASSERT_EQ(volumes.size(), 3U);
+  EXPECT_EQ(volumes[1].valueAt({9, 9, 0}), 2);
+  EXPECT_EQ(volumes[2].valueAt({0, 0, 0}), 4);
+  size_t mappings = 0;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    mappings += line.ends_with("/moments.raw") ? 1 : 0;
+  }
+  EXPECT_EQ(mappings, 1U);
+  EXPECT_THROW(mapVolumes(grid, VoxelType::kUint8, path, {0, 301}), InputError);
 }
 
 }  // namespace
