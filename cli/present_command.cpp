@@ -145,11 +145,21 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
 /// The light of a transfer function that moves: there in the first half of the time, and back in the second.
 using MovingLight = std::function<std::shared_ptr<const SweptLight>(const ShownVolume& volume, double seconds)>;
 
-MovingLight movingLight(const PresentChoice& choice, const ShownVolume& first) {
+bool isSameShading(const VolumeShading& a, const VolumeShading& b) {
+  return a.isOn == b.isOn && (!a.isOn || (a.ambient == b.ambient && a.diffuse == b.diffuse));
+}
+
+MovingLight movingLight(const PresentChoice& choice, const ShownVolume& first, const CommandContext& context) {
   const ScalarVolume& scalars = *first.scene().volume;
-  return [seconds = choice.transferSeconds, from = first.scene().appearance.transfer,
-          to = appearanceOf(transferByName(choice.transferTo), scalars, scalars.grid().meanSpacing()).transfer](
-             const ShownVolume& volume, double passed) {
+  const VolumeAppearance& begun = first.scene().appearance;
+  const VolumeAppearance later = appearanceOf(transferByName(choice.transferTo), scalars, first.scene().voxelSpacing());
+  if (!isSameShading(begun.shading, later.shading)) {
+    context.note(
+        fmt::format("warning: the shading of \"{}\" does not count: what is shown keeps the shading that it has",
+                    choice.transferTo));
+  }
+  return [seconds = choice.transferSeconds, from = begun.transfer, to = later.transfer](const ShownVolume& volume,
+                                                                                        double passed) {
     const double turn = passed / seconds - std::floor(passed / seconds);
     return std::make_shared<const SweptLight>(volume.lightOf(blendedTransfer(from, to, 1 - std::abs(1 - 2 * turn))));
   };
@@ -177,7 +187,8 @@ std::optional<size_t> momentOf(const ShownSeries& series, const PresentChoice& c
 void addScalarVolume(Presented& presented, const PresentChoice& choice, const DisplayProfile& profile,
                      const CommandContext& context) {
   const SliceOptions options = volumeSliceOptionsOf(choice.slicing);
-  presented.volumes = loadShownSeries({choice.scene, choice.volume, choice.volumeSlicing}, profile, context);
+  presented.volumes =
+      loadShownSeries({choice.scene, choice.volume, choice.volumeSlicing, choice.transferTo}, profile, context);
   const ShownSeries& series = presented.volumes;
   const bool moves = !series.times.empty();
   if (moves) {
@@ -195,7 +206,8 @@ void addScalarVolume(Presented& presented, const PresentChoice& choice, const Di
   for (const std::unique_ptr<ShownVolume>& volume : series.volumes) {
     lights.push_back(std::make_shared<const SweptLight>(volume->light()));
   }
-  const MovingLight light = choice.transferTo.empty() ? MovingLight{} : movingLight(choice, *series.volumes.front());
+  const MovingLight light =
+      choice.transferTo.empty() ? MovingLight{} : movingLight(choice, *series.volumes.front(), context);
   presented.source = std::make_unique<TurningVolumeSource>(
       [&series, &choice, lights, light](double seconds) -> std::optional<VolumeMoment> {
         const std::optional<size_t> moment = momentOf(series, choice, seconds);

@@ -12,6 +12,7 @@
 #include "cli/scene_options.h"
 #include "cli/volume_info.h"
 #include "cli/volume_options.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/base/printable_text.h"
@@ -95,6 +96,9 @@ size_t trianglesInFile(const SceneChoice& scene, const GuidedScene& loaded, cons
   const Mesh& mesh = loaded.mesh;
   if (loaded.points) {
     return 0;
+  }
+  if (scene.options.iso) {
+    return mesh.triangles.size();
   }
   // Neither has textures.
   if (!scene.options.textures || isBuiltinScene(scene.source) || scene.source.ends_with(".ply") ||
@@ -251,6 +255,10 @@ std::string packInfoAsJson(const PackedScene& scene, const PackSummary& holds) {
 /// What a volume is, voxels that are no numbers and all.
 void printVolumeInfo(const SceneChoice& scene, bool asJson, const CommandContext& context) {
   const VolumeSceneOptions options = volumeSceneOptionsOf(scene, {});
+  if (!options.transfer.empty() || scene.shadingGiven) {
+    throw InputError("what a volume is does not depend on how it is shown",
+                     options.transfer.empty() ? "--shading" : "--transfer", "leave it out, or use ocelli render");
+  }
   const VolumeSeries series = loadVolumeSeries(scene.source, options.series, context.progress());
   for (const std::string& warning : series.warnings) {
     options.warn(warning);

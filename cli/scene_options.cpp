@@ -5,6 +5,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/number_check.h"
+#include "oc_core/base/printable_text.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/ocri/camera_choice.h"
 
@@ -26,7 +27,7 @@ std::string listOf(const std::vector<Named>& cameras) {
 }  // namespace
 
 void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
-  choice.options.warn = [context](const std::string& warning) { context.note("warning: " + warning); };
+  choice.options.warn = [context](const std::string& warning) { context.note("warning: " + printableText(warning)); };
   command
       .add_option(
           "SCENE", choice.source,

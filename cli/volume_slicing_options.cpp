@@ -7,8 +7,11 @@
 
 #include "cli/number_check.h"
 #include "cli/values.h"
+#include "display_sim/volume_slicing/swept_range.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/volume/transfer_file.h"
+#include "oc_core/volume/transfer_presets.h"
 #include "oc_core/volume/volume_series.h"
 
 namespace ocelli {
@@ -20,6 +23,34 @@ constexpr const char* kGradientOption = "--gradient-light";
 constexpr const char* kCutawayOption = "--cutaway";
 constexpr const char* kSeenOption = "--seen-opacity";
 constexpr const char* kViewerOption = "--viewer";
+
+/// Fewer steps between the values that most voxels have show as bands.
+constexpr double kFewSteps = 64;
+
+void noteFewSteps(const ShownVolume& shown, const CommandContext& context) {
+  const double steps = shown.samples().commonSteps();
+  if (steps > 0 && steps < kFewSteps) {
+    const ValueRange& range = shown.samples().range();
+    context.note(fmt::format(
+        "warning: most voxels have values that are {:.0f} of {} steps apart on the display, as the transfer function, "
+        "--iso or --mask tells values from {:g} to {:g} apart: give points that lie closer together",
+        steps, kSweptMeans - 1, range.least, range.greatest));
+  }
+}
+
+/// As for the mesh of a surface.
+void requireSurface(const VolumeScene& scene, const SceneChoice& choice) {
+  if (!choice.options.iso) {
+    return;
+  }
+  const ValueRange range = valueRange(*scene.volume);
+  if (!(*choice.options.iso >= range.least && *choice.options.iso <= range.greatest)) {
+    throw InputError(fmt::format("no surface of this volume has the value {:g}: its values run from {:g} to {:g}",
+                                 *choice.options.iso, range.least, range.greatest),
+                     choice.source,
+                     fmt::format("give --iso a value between {:g} and {:g}", range.least, range.greatest));
+  }
+}
 
 }  // namespace
 
@@ -107,6 +138,10 @@ ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const Volume
   options.sampling.fullLightGradient = slicing.fullLightGradient;
   options.light.gain = slicing.gain;
   options.surface = choice.scene.options.iso;
+  if (!choice.laterTransfer.empty()) {
+    options.sampling.toldApart = valuesOfChange(
+        appearanceOf(transferByName(choice.laterTransfer), *scene.volume, scene.volume->grid().meanSpacing()).transfer);
+  }
   if (slicing.cutaway || slicing.seenOpacity) {
     options.eyes = viewersOf(slicing);
     options.cutaway = slicing.cutaway;
@@ -141,7 +176,10 @@ ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const Volume
 ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context) {
   VolumeScene scene = loadVolume(choice.scene, choice.volume, context);
   const ShownVolumeOptions options = shownVolumeOptionsOf(choice, scene, context);
-  return {std::move(scene), profile, options, context.progress()};
+  requireSurface(scene, choice.scene);
+  ShownVolume shown(std::move(scene), profile, options, context.progress());
+  noteFewSteps(shown, context);
+  return shown;
 }
 
 ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context) {
@@ -153,7 +191,11 @@ ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& pr
       size_t bytes = 0;
       for (size_t i = 0; i < series.volumes.size(); ++i) {
         VolumeScene scene = volumeSceneAt(series, i, options, context.progress());
-        options.warn = {};  // What is said of the first is said of the series.
+        if (i == 0) {  // all moments look as the first tells, which need not be read again for each
+          series.appearance = scene.appearance;
+          options.transfer.clear();
+          options.warn = {};  // what is said of the first is said of the series
+        }
         applyShading(choice.scene, scene);
         const ShownVolumeOptions shownOptions = shownVolumeOptionsOf(choice, scene, context);
         shown.volumes.push_back(
@@ -165,6 +207,7 @@ ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& pr
                            choice.scene.source, "--time SECONDS for one moment, or a display with fewer voxels");
         }
       }
+      noteFewSteps(*shown.volumes.front(), context);
       shown.times = series.times;
       return shown;
     }

@@ -42,6 +42,7 @@ struct VolumeToShow {
   SceneChoice scene;
   VolumeChoice volume;
   VolumeSlicingChoice slicing;
+  std::string laterTransfer{};  ///< the name or file of a transfer function that it will have, too; or empty
 };
 
 /// The options that say what of a volume is shown; `scene` is the volume.
@@ -57,7 +58,8 @@ struct ShownSeries {
 inline constexpr size_t kMaxSeriesBytes = size_t{2} << 30;
 ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context);
 
-/// SCENE, which is a volume, for a display. --iso shows the surface at that value, straight from the field.
+/// SCENE, which is a volume, for a display. --iso shows the surface at that value, straight from the field. Throws
+/// InputError where no surface has it.
 ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context);
 
 }  // namespace ocelli

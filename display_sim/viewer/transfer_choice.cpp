@@ -36,8 +36,8 @@ void takeVolume(ViewerState& state, const LoadedVolume& volume) {
 void chooseTransfer(ViewerState& state, const LoadedVolume* volume, const std::string& nameOrFile) {
   requireVolume(volume != nullptr && state.volume.transfer);
   VolumeShown& shown = state.volume;
-  const ScalarVolume& voxels = *volume->scene.volume;
-  shown.transfer->replace(appearanceOf(transferByName(nameOrFile), voxels, voxels.grid().meanSpacing()), true);
+  const VolumeScene& scene = volume->scene;
+  shown.transfer->replace(appearanceOf(transferByName(nameOrFile), *scene.volume, scene.voxelSpacing()), true);
   shown.values = shown.axis = axisFor(*volume, *shown.transfer);
 }
 

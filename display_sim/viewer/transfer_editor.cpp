@@ -58,25 +58,31 @@ void TransferEditor::colorPoint(size_t point, const glm::dvec3& color) {
   putPoints(std::move(all), Step{Kind::kColor, point});
 }
 
-bool TransferEditor::addPoint(double value, double opacity) {
+bool TransferEditor::insertPoint(size_t index, const TransferPoint& point) {
   if (points().size() >= TransferDescription::kMaxPoints) {
     return false;
   }
   std::vector<TransferPoint> all = points();
-  const auto next = std::ranges::upper_bound(all, value, {}, &TransferPoint::value);
-  const auto index = static_cast<size_t>(next - all.begin());
-  all.insert(next, {value, current_->transfer.at(value).color, std::clamp(opacity, 0.0, 1.0)});
+  all.insert(all.begin() + static_cast<std::ptrdiff_t>(index), point);
   putPoints(std::move(all), std::nullopt);
   chosen_ = index;
   return true;
 }
 
+bool TransferEditor::addPoint(double value, double opacity) {
+  const auto next = std::ranges::upper_bound(points(), value, {}, &TransferPoint::value);
+  return insertPoint(static_cast<size_t>(next - points().begin()),
+                     {value, current_->transfer.at(value).color, std::clamp(opacity, 0.0, 1.0)});
+}
+
+// Not by addPoint(), which would put it behind all points of its value: halfway up a step that lies between its ends.
 bool TransferEditor::addBeside(size_t point) {
   const std::vector<TransferPoint>& all = points();
   const size_t first = point + 1 < all.size() || point == 0 ? point : point - 1;
   const TransferPoint& a = all[first];
   const TransferPoint& b = all[std::min(first + 1, all.size() - 1)];
-  return addPoint(std::midpoint(a.value, b.value), std::midpoint(a.opacity, b.opacity));
+  return insertPoint(first + 1, {std::midpoint(a.value, b.value), glm::mix(a.color, b.color, 0.5),
+                                 std::midpoint(a.opacity, b.opacity)});
 }
 
 bool TransferEditor::removePoint(size_t point) {
@@ -122,6 +128,14 @@ bool TransferEditor::go(std::vector<Appearance>& from, std::vector<Appearance>& 
   current_ = from.back();
   from.pop_back();
   keepChosen();
+  return true;
+}
+
+bool TransferEditor::warnsOfLoss() {
+  if (isSaved() || warnedOf_ == current_) {
+    return false;
+  }
+  warnedOf_ = current_;
   return true;
 }
 

@@ -55,6 +55,8 @@ class TransferEditor {
 
   bool isSaved() const { return saved_ == current_; }
   void markSaved() { saved_ = current_; }
+  /// Whether to say, before it is lost, that it is not saved: once for each appearance that is asked for.
+  bool warnsOfLoss();
 
  private:
   using Appearance = std::shared_ptr<const VolumeAppearance>;
@@ -67,12 +69,14 @@ class TransferEditor {
 
   /// Nothing: a step by itself.
   void put(VolumeAppearance appearance, std::optional<Step> step);
+  bool insertPoint(size_t index, const TransferPoint& point);
   void putPoints(std::vector<TransferPoint> points, std::optional<Step> step);
   bool go(std::vector<Appearance>& from, std::vector<Appearance>& to);
   void keepChosen();
 
   Appearance current_;
   Appearance saved_;
+  Appearance warnedOf_;             ///< the last that warnsOfLoss() has told of
   std::vector<Appearance> past_;    ///< the last is the latest
   std::vector<Appearance> future_;  ///< the last is the next
   std::optional<Step> last_;

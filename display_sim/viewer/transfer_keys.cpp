@@ -114,6 +114,9 @@ const std::vector<PaneKey>& transferKeys() {
 }
 
 PaneKeyOutcome applyTransferKey(ViewerState& state, const KeyEvent& event) {
+  if (state.volume.transfer && !event.pressed) {
+    state.volume.transfer->endStep();
+  }
   return state.volume.transfer ? applyPaneKey(transferKeys(), Pane::kTransfer, state, event) : kKeyMeansElsewhere;
 }
 

@@ -9,7 +9,8 @@ namespace ocelli {
 
 const std::vector<PaneKey>& transferKeys();
 
-/// Where that pane is active.
+/// Where that pane is active. A key that is let go ends a step that undo() takes back, wherever it is: a key that is
+/// held repeats, and is one step.
 PaneKeyOutcome applyTransferKey(ViewerState& state, const KeyEvent& event);
 
 }  // namespace ocelli

@@ -220,7 +220,6 @@ void Viewer::take(const WorkResult& result) {
     loadedVolumeOptions_ = result.scene->volumeOptions;
     if (result.scene->volume != loadedVolume_) {
       loadedVolume_ = result.scene->volume;
-      saidUnsaved_ = false;
       if (loadedVolume_) {
         takeVolume(state_, *loadedVolume_);
       } else {

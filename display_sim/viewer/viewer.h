@@ -203,7 +203,6 @@ class Viewer {
   double messageSeconds_ = 0;  ///< left to show it; errors stay
   bool wantsScreenshot_ = false;
   bool wantsClose_ = false;
-  bool saidUnsaved_ = false;  ///< that closing loses something
 };
 
 }  // namespace ocelli

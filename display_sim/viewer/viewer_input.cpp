@@ -50,7 +50,11 @@ void Viewer::handleKey(const KeyEvent& event) {
   if (typing || panelHasKeys_ || !event.pressed) {
     gui_.handle(event);
   }
-  if (!event.pressed || typing) {
+  if (!event.pressed) {
+    applyTransferKey(state_, event);
+    return;
+  }
+  if (typing) {
     return;
   }
   if (event.key == Key::kEscape && (panelHasKeys_ || facts_.messageIsError)) {

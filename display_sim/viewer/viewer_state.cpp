@@ -164,6 +164,7 @@ void openScene(ViewerState& state, const std::string& source) {
     state.work.sceneOptions.points = {};
     state.work.sceneOptions.iso.reset();
     state.work.sceneOptions.transfer.clear();
+    state.work.sceneOptions.series.clear();
     state.work.volumeOptions = {};
     state.work.volumeIsShaded.reset();
   }

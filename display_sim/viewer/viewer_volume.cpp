@@ -58,12 +58,10 @@ VolumeWanted Viewer::volumeWanted() const {
 }
 
 void Viewer::quit() {
-  const bool isSaved = !state_.volume.transfer || state_.volume.transfer->isSaved();
-  if (isSaved || saidUnsaved_) {
+  if (!state_.volume.transfer || !state_.volume.transfer->warnsOfLoss()) {
     wantsClose_ = true;
     return;
   }
-  saidUnsaved_ = true;
   say("the transfer function is not saved: Ctrl + S saves it; close once more to lose it", false);
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "display_sim/viewer/gui_pieces.h"
+#include "oc_core/base/printable_text.h"
 #include "oc_core/image/color.h"
 #include "oc_core/volume/transfer_presets.h"
 
@@ -17,6 +18,15 @@ void tip(const char* text) {
   if (ImGui::IsItemHovered()) {
     ImGui::SetTooltip("%s", text);
   }
+}
+
+/// Text of a file, as it stands in a format of printf.
+std::string literalFormat(const std::string& text) {
+  std::string format;
+  for (const char each : printableText(text)) {
+    format += each == '%' ? std::string("%%") : std::string(1, each);
+  }
+  return format;
 }
 
 /// A slider for a double; true where it was moved.
@@ -179,8 +189,9 @@ void VolumeForm::draw(const PanelDrawing& drawing, float valueWidth) {
   }
   drawPoint(editor);
   double length = editor.appearance()->transfer.opacityLength();
-  const std::string format = "%.4g " + scene->volume->scene.volume->grid().unit;
-  const double mean = scene->volume->scene.volume->grid().meanSpacing();
+  const VolumeGrid& grid = scene->volume->scene.volume->grid();
+  const std::string format = "%.4g " + literalFormat(grid.unit);
+  const double mean = grid.meanSpacing();
   if (slider("opacity length", length, 0.01 * mean, 100 * mean, format.c_str(), ImGuiSliderFlags_Logarithmic)) {
     editor.setOpacityLength(length);
   }

@@ -7,9 +7,9 @@
 namespace ocelli {
 void VolumePainter::prepare(const VolumeWanted& wanted, bool isPreview) {
   if (volume_ != wanted.scene->volume) {
-    renderer_.reset();
+    volume_ = nullptr;  // until the next line, which may throw, has prepared one
+    renderer_.emplace(wanted.scene->volume->scene);
     volume_ = wanted.scene->volume;
-    renderer_.emplace(volume_->scene);
     appearance_ = nullptr;
     kept_ = {};
   }

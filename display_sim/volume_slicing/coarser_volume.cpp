@@ -32,6 +32,11 @@ ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor,
   constexpr double kSteps = 65535;
   const double extent = range.greatest - range.least;
   const double stepsByValue = extent > 0 ? kSteps / extent : 0;
+  // What a voxel holds at the ends of the range.
+  const double atLeast = volume.scale() != 0 ? (range.least - volume.offset()) / volume.scale() : 0;
+  const double atGreatest = volume.scale() != 0 ? (range.greatest - volume.offset()) / volume.scale() : 0;
+  const double lower = std::min(atLeast, atGreatest);
+  const double upper = std::max(atLeast, atGreatest);
   const auto values = std::make_shared<std::vector<uint16_t>>(grid.voxelCount());
   visitVoxels(volume, [&](const auto* first) {
     parallelFor(static_cast<size_t>(grid.size.z), 1, [&](size_t begin, size_t end) {
@@ -51,14 +56,15 @@ ScalarVolume coarserVolume(const ScalarVolume& volume, const glm::ivec3& factor,
                             static_cast<size_t>(fine.size.x);
             const size_t out = static_cast<size_t>(j / factor.y) * width;
             for (int i = 0; i < fine.size.x; ++i) {
-              sums[out + static_cast<size_t>(i / factor.x)] += static_cast<double>(row[i]);
+              sums[out + static_cast<size_t>(i / factor.x)] += std::clamp(static_cast<double>(row[i]), lower, upper);
               ++counts[out + static_cast<size_t>(i / factor.x)];
             }
           }
         }
         for (size_t i = 0; i < layer; ++i) {
           const double mean = volume.scale() * (sums[i] / counts[i]) + volume.offset();
-          (*values)[coarse * layer + i] = static_cast<uint16_t>((mean - range.least) * stepsByValue + 0.5);
+          (*values)[coarse * layer + i] =
+              static_cast<uint16_t>(std::clamp((mean - range.least) * stepsByValue, 0.0, kSteps) + 0.5);
         }
       }
     });

@@ -6,6 +6,7 @@
 #include "display_sim/dither/even_light.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/volume/transfer_integral.h"
 
 namespace ocelli {
 namespace {
@@ -66,13 +67,13 @@ class EmissionSums {
  public:
   EmissionSums(const TransferFunction& transfer, const ValueRange& range, const SweptLightOptions& options)
       : sums_(kSteps + 1) {
-    const double width = range.greatest - range.least;
     for (size_t i = 0; i < kSteps; ++i) {
-      const double value = range.least + (static_cast<double>(i) + 0.5) / kSteps * width;
-      const OpticalSample sample = sampleAt(transfer, value, options);
-      maxExtinction_ = std::max(maxExtinction_, sample.extinction);
-      sums_[i + 1].extinction = sums_[i].extinction + sample.extinction / kSteps;
-      sums_[i + 1].emission = sums_[i].emission + sample.color * sample.extinction / double{kSteps};
+      const auto valueOf = [&](double step) { return std::lerp(range.least, range.greatest, step / kSteps); };
+      const auto step = static_cast<double>(i);
+      maxExtinction_ = std::max(maxExtinction_, sampleAt(transfer, valueOf(step + 0.5), options).extinction);
+      const glm::dvec4 mean = meanBetween(transfer, valueOf(step), valueOf(step + 1), options);
+      sums_[i + 1].extinction = sums_[i].extinction + mean.x / kSteps;
+      sums_[i + 1].emission = sums_[i].emission + glm::dvec3(mean.y, mean.z, mean.w) / double{kSteps};
     }
   }
 
@@ -97,6 +98,18 @@ class EmissionSums {
   }
 
  private:
+  /// Of what is shown between two values, however thin its peaks: extinction, and colours times it.
+  static glm::dvec4 meanBetween(const TransferFunction& transfer, double first, double last,
+                                const SweptLightOptions& options) {
+    if (!(first < last)) {
+      const OpticalSample sample = sampleAt(transfer, first, options);
+      return glm::dvec4(1, sample.color) * sample.extinction;
+    }
+    const double from = options.shown ? std::max(first, options.shown->least) : first;
+    const double to = options.shown ? std::min(last, options.shown->greatest) : last;
+    return from < to ? transferIntegral(transfer, from, to) / (last - first) : glm::dvec4(0);
+  }
+
   static constexpr size_t kSteps = 8 * (kSweptMeans - 1);
   struct Sum {
     double extinction = 0;

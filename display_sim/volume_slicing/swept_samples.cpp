@@ -10,6 +10,7 @@
 #include "display_sim/volume_slicing/swept_field.h"
 #include "display_sim/volume_slicing/swept_light.h"
 #include "display_sim/volume_slicing/swept_outline.h"
+#include "display_sim/volume_slicing/swept_range.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/scene/shading.h"
@@ -208,7 +209,8 @@ class SweptSampler {
     for (size_t i = 0; i < points.size(); ++i) {
       glm::vec3 gradient(0);
       const glm::vec3 at = points[i] + shift;
-      const float value = ((weighing_.isNeeded() ? field_.at(at, gradient) : field_.at(at)) - least_) * byRange_;
+      const float field = weighing_.isNeeded() ? field_.at(at, gradient) : field_.at(at);
+      const float value = std::clamp((field - least_) * byRange_, 0.0f, 1.0f);
       first = i == 0 ? value : first;
       sum += value - first;
       squares += (value - first) * (value - first);
@@ -281,10 +283,14 @@ class SweptSampler {
 
 SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profile, const SweptSampling& sampling,
                            const Progress& progress)
-    : profile_(profile),
-      sweep_(profile),
-      range_(valueRange(*scene.volume)),
-      sceneLengthOfUnit_(scene.sceneLengthOfUnit()) {
+    : profile_(profile), sweep_(profile), sceneLengthOfUnit_(scene.sceneLengthOfUnit()) {
+  const ValueRange common = commonValues(*scene.volume);
+  std::vector<double> toldApart = valuesOfChange(scene.appearance.transfer);
+  toldApart.insert(toldApart.end(), sampling.toldApart.begin(), sampling.toldApart.end());
+  range_ = codedRange(valueRange(*scene.volume), common, toldApart);
+  if (range_.greatest > range_.least) {
+    commonSteps_ = (kSweptMeans - 1) * (common.greatest - common.least) / (range_.greatest - range_.least);
+  }
   std::optional<ScalarVolume> coarser;
   const glm::ivec3 factor = coarserFactor(scene.worldFromIndex, scene.volume->grid().size,
                                           std::min(sweep_.columnWidth(), sweep_.rowHeight()));

@@ -55,9 +55,12 @@ struct SweptSampling {
   /// Weigh each voxel's light by the shade of the field's gradient, as `shading` says: the ambient part and the diffuse
   /// one, for light from both sides. Specular light depends on the eye, and is left out.
   bool shaded = true;
-  /// Weigh it by how much the field changes, too: full light where it changes by this share of the volume's range over
+  /// Weigh it by how much the field changes, too: full light where it changes by this share of range() over
   /// one of its voxels, and less in proportion. 0: not at all.
   double fullLightGradient = 0;
+  /// Values that codes have to tell apart, besides what is common in the volume and where its transfer function
+  /// changes (swept_range.h): of a surface, of a mask, of transfer functions that come later.
+  std::vector<double> toldApart{};
 };
 
 class SweptSamples {
@@ -69,8 +72,10 @@ class SweptSamples {
 
   const DisplayProfile& profile() const { return profile_; }
   const SweepGeometry& sweep() const { return sweep_; }
-  /// Of the volume's values; codes are shares of it.
+  /// Of the values that codes tell apart (swept_range.h); codes are shares of it. What lies beyond counts as its end.
   const ValueRange& range() const { return range_; }
+  /// Of the values that most voxels have: how many steps of the mean tell them apart.
+  double commonSteps() const { return commonSteps_; }
   double sceneLengthOfUnit() const { return sceneLengthOfUnit_; }
 
   /// Of a half turn.
@@ -101,6 +106,7 @@ class SweptSamples {
   DisplayProfile profile_;
   SweepGeometry sweep_;
   ValueRange range_;
+  double commonSteps_ = 0;
   double sceneLengthOfUnit_ = 1;
   std::vector<SweptSlice> slices_;
   std::vector<uint16_t> codes_;

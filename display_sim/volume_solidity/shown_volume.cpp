@@ -1,43 +1,61 @@
 #include "display_sim/volume_solidity/shown_volume.h"
 
 #include <algorithm>
-#include <glm/common.hpp>
+#include <array>
+#include <cmath>
 #include <glm/geometric.hpp>
-#include <glm/matrix.hpp>
 #include <utility>
 
 #include "display_sim/observing/observer.h"
+#include "display_sim/volume_solidity/masked_volume.h"
 #include "display_sim/volume_solidity/volume_sight.h"
 
 namespace ocelli {
 namespace {
 
-/// White for what has none.
+/// The hue that a transfer function has there, at full brightness: one over a wide range of values is nearly black at
+/// its beginning, which would leave a surface there without light. White for what is black.
 glm::dvec3 surfaceColor(const TransferFunction& transfer, double value) {
   const glm::dvec3 color = transfer.at(value).color;
-  return color == glm::dvec3(0) ? glm::dvec3(1) : color;
+  const double brightest = std::max({color.x, color.y, color.z});
+  return brightest > 0 ? color / brightest : glm::dvec3(1);
 }
 
-/// Whether a mask has a voxel there that is set.
-class VolumeMask {
+/// A cell of the sweep, as a block: the half edges from its centre.
+class SweptCell {
  public:
-  explicit VolumeMask(const VolumeScene& scene)
-      : volume_(*scene.volume), indexFromScene_(glm::inverse(scene.worldFromIndex)) {}
+  SweptCell(const glm::dvec3& center, const SweepGeometry& sweep) : center_(center) {
+    const double radius = std::hypot(center.x, center.z);
+    const glm::dvec3 outward = radius > 0 ? glm::dvec3(center.x, 0, center.z) / radius : glm::dvec3(1, 0, 0);
+    halfEdges_ = {outward * (sweep.columnWidth() / 2), glm::dvec3(0, sweep.rowHeight() / 2, 0),
+                  glm::dvec3(-outward.z, 0, outward.x) * (radius * sweep.tanHalfStep())};
+  }
 
-  bool shows(const glm::dvec3& point) const {
-    constexpr double kSet = 0.5;
-    const glm::dvec3 nearest = glm::round(glm::dvec3(indexFromScene_ * glm::dvec4(point, 1)));
-    for (int axis = 0; axis < 3; ++axis) {
-      if (!(nearest[axis] >= 0 && nearest[axis] < volume_.grid().size[axis])) {
-        return false;
-      }
+  /// On the shown side of the plane: exact where it is parallel to a face of the cell, and in between a ramp.
+  double shareOf(const ClipPlane& clip) const {
+    double reach = 0;
+    for (const glm::dvec3& edge : halfEdges_) {
+      reach += std::abs(glm::dot(clip.normal, edge));
     }
-    return volume_.valueAt(glm::ivec3(nearest)) >= kSet;
+    return std::clamp(0.5 + (glm::dot(clip.normal, center_) - clip.distance) / (2 * reach), 0.0, 1.0);
+  }
+
+  /// Of the points in the middles of its eighths.
+  double shareOf(const VolumeMask& mask) const {
+    int shown = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+      glm::dvec3 point = center_;
+      for (int axis = 0; axis < 3; ++axis) {
+        point += halfEdges_[static_cast<size_t>(axis)] * ((corner >> axis & 1) != 0 ? 0.5 : -0.5);
+      }
+      shown += mask.shows(point) ? 1 : 0;
+    }
+    return shown / 8.0;
   }
 
  private:
-  const ScalarVolume& volume_;
-  glm::dmat4 indexFromScene_;
+  glm::dvec3 center_;
+  std::array<glm::dvec3, 3> halfEdges_{};
 };
 
 }  // namespace
@@ -60,11 +78,21 @@ ShownVolume::ShownVolume(VolumeScene scene, const DisplayProfile& profile, const
       scene_.clips.push_back({-glm::normalize(glm::dvec3(eye)), -*options_.cutaway});
     }
   }
+  if (options_.surface) {
+    options_.sampling.toldApart.push_back(*options_.surface);
+    // Nothing of its transfer function counts but the colour at the value.
+    const TransferFunction& transfer = scene_.appearance.transfer;
+    scene_.appearance.transfer =
+        TransferFunction({{*options_.surface, surfaceColor(transfer, *options_.surface), 1}}, transfer.opacityLength());
+  }
+  if (options_.light.shown) {
+    options_.sampling.toldApart.insert(options_.sampling.toldApart.end(),
+                                       {options_.light.shown->least, options_.light.shown->greatest});
+  }
   samples_ = std::make_unique<SweptSamples>(scene_, profile, options_.sampling, progress);
   light_ = std::make_unique<SweptLight>(lightOf(scene_.appearance.transfer));
   if (options_.surface) {
-    const TransferFunction& transfer = scene_.appearance.transfer;
-    scene_.appearance.transfer = surfaceTransfer(*options_.surface, surfaceColor(transfer, *options_.surface),
+    scene_.appearance.transfer = surfaceTransfer(*options_.surface, scene_.appearance.transfer.at(0).color,
                                                  samples_->range(), scene_.volume->grid().meanSpacing());
   }
   if (!scene_.clips.empty() || options_.mask != nullptr || options_.seenOpacity) {
@@ -80,6 +108,11 @@ SweptLight ShownVolume::lightOf(const TransferFunction& transfer) const {
   return {transfer, samples_->range(), samples_->sceneLengthOfUnit(), samples_->sweep(), options_.light};
 }
 
+VolumeScene ShownVolume::seenScene() const {
+  return maskedScene(scene_, options_.mask.get(), options_.surface ? std::nullopt : options_.light.shown,
+                     samples_->range());
+}
+
 SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const Progress& progress) const {
   std::shared_ptr<const VolumeMask> mask;
   if (options.mask != nullptr) {
@@ -87,15 +120,19 @@ SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const 
   }
   std::shared_ptr<const VolumeSight> sight;
   if (options.seenOpacity && !options.eyes.empty()) {
-    const VolumeRenderer renderer(scene_, {.depthOpacity = *options.seenOpacity});
+    const VolumeRenderer renderer(seenScene(), {.depthOpacity = *options.seenOpacity});
     sight = std::make_shared<VolumeSight>(renderer, options.eyes, samples_->profile().height, progress);
   }
-  return [&clips = scene_.clips, mask, sight](const glm::dvec3& center, double cellSide) {
-    const bool isShown =
-        std::ranges::all_of(clips,
-                            [&](const ClipPlane& clip) { return glm::dot(clip.normal, center) >= clip.distance; }) &&
-        (mask == nullptr || mask->shows(center)) && (sight == nullptr || sight->sees(center, cellSide));
-    return isShown ? 1.0 : 0.0;
+  return [&clips = scene_.clips, &sweep = samples_->sweep(), mask, sight](const glm::dvec3& center, double cellSide) {
+    const SweptCell cell(center, sweep);
+    double share = 1;
+    for (const ClipPlane& clip : clips) {
+      share *= cell.shareOf(clip);
+    }
+    if (share == 0 || (sight != nullptr && !sight->sees(center, cellSide))) {
+      return 0.0;
+    }
+    return mask == nullptr ? share : share * cell.shareOf(*mask);
   };
 }
 

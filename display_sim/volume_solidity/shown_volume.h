@@ -23,7 +23,8 @@ namespace ocelli {
 struct ShownVolumeOptions {
   SweptSampling sampling{};
   SweptLightOptions light{};
-  std::optional<double> surface{};  ///< show the surface at this value alone, in the colour that it has
+  std::optional<double>
+      surface{};  ///< show the surface at this value alone, in the hue that it has, at full brightness
   /// Shown where this volume has a value of 0.5 or more at the nearest voxel. In the scene's world; none: everywhere.
   std::shared_ptr<const VolumeScene> mask{};
   std::vector<glm::vec3> eyes{};        ///< of the viewers, in display radii, outside of the unit sphere
@@ -39,6 +40,9 @@ class ShownVolume {
 
   /// With its clips and its cutaways. Of a surface, with a transfer function that shows that alone.
   const VolumeScene& scene() const { return scene_; }
+  /// The same without what the mask and the shown values leave out (masked_volume.h), as that hides nothing: what eyes
+  /// would see of it, were it opaque.
+  VolumeScene seenScene() const;
   const SweptSamples& samples() const { return *samples_; }
   const SweptLight& light() const { return *light_; }
 

@@ -92,7 +92,7 @@ std::vector<SolidityFigures> measureVolumeWays(
         std::ranges::find_if(meters, [&](const std::unique_ptr<Measured>& each) { return each->isCut == isCut; });
     if (measured == meters.end()) {
       auto made = std::make_unique<Measured>(Measured{
-          VolumeRenderer(shown.scene(), {.depthOpacity = wanted.settings.seenOpacity}), nullptr, nullptr, isCut});
+          VolumeRenderer(shown.seenScene(), {.depthOpacity = wanted.settings.seenOpacity}), nullptr, nullptr, isCut});
       made->truth = solidVolume(made->renderer);
       made->meter = std::make_unique<SolidityMeter>(*made->truth, options);
       measured = meters.insert(meters.end(), std::move(made));

@@ -40,7 +40,7 @@ struct VolumeWaysToMeasure {
 };
 
 /// Of each way in turn; `visitor` gives what is told of the frames of a way, and may be empty. The truth of a way is
-/// the opaque image of what it shows: of a cutaway, that of the volume cut away.
+/// the opaque image of what it shows: of a cutaway, that of the volume cut away; of a mask, that of what it marks.
 std::vector<SolidityFigures> measureVolumeWays(
     const VolumeWaysToMeasure& wanted, const SolidityOptions& options, const Progress& progress = {},
     const std::function<SolidityMeter::Visitor(const std::string& way)>& visitor = {});

@@ -232,10 +232,11 @@ RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
     const RayTransition::Arc arc = arcOf(segment, i);
     const Segment next = behind(segment, arc, i);
     const double begin = segment.tOf(arc.t);
-    const RayTransition::Shares shares(bends_[i], arc);
+    RayTransition::ArcPoints arcPoints;
+    bends_[i].pointsOf(arc, points, arcPoints);
     for (size_t k = 0; k < points; ++k) {
-      const glm::dvec3 point = arc.at(static_cast<double>(k) / static_cast<double>(points - 1));
-      path.add(glm::vec3(point), static_cast<float>(begin + shares.at(point) * (next.t - begin)));
+      path.add(glm::vec3(arcPoints.x[k], arcPoints.y[k], arcPoints.z[k]),
+               static_cast<float>(begin + arcPoints.share[k] * (next.t - begin)));
     }
     segment = next;
   }

@@ -168,19 +168,45 @@ std::optional<RayTransition::Place> RayTransition::findBezier(const Epipolar& pl
   return placeOf(inner);
 }
 
-RayTransition::Shares::Shares(const RayTransition& transition, const Arc& arc)
-    : transition_(transition),
-      fromCosine_(glm::dot(transition.planes_.from.normal, glm::normalize(arc.s - arc.t))),
-      toCosine_(glm::dot(transition.planes_.to.normal, glm::normalize(arc.q - arc.s))) {}
+double RayTransition::fromStart(const Arc& arc, const glm::dvec3& point) const {
+  return planes_.from.height(point) / glm::dot(planes_.from.normal, glm::normalize(arc.s - arc.t));
+}
 
-double RayTransition::Shares::at(const glm::dvec3& point) const {
-  const double from = transition_.planes_.from.height(point) / fromCosine_;
-  const double to = -transition_.planes_.to.height(point) / toCosine_;
-  return from + to > 0 ? std::clamp(from / (from + to), 0.0, 1.0) : 0;
+double RayTransition::toEnd(const Arc& arc, const glm::dvec3& point) const {
+  return -planes_.to.height(point) / glm::dot(planes_.to.normal, glm::normalize(arc.q - arc.s));
 }
 
 double RayTransition::shareAt(const Place& place) const {
-  return Shares(*this, place.arc).at(place.arc.at(place.parameter));
+  const glm::dvec3 point = place.arc.at(place.parameter);
+  const double from = fromStart(place.arc, point);
+  const double to = toEnd(place.arc, point);
+  return from + to > 0 ? std::clamp(from / (from + to), 0.0, 1.0) : 0;
+}
+
+void RayTransition::pointsOf(const Arc& arc, size_t count, ArcPoints& points) const {
+  // Both distances are linear, so a point's are the mean of those of the control points, with the same weights; t lies
+  // on t0 and q on t2.
+  const double fromS = fromStart(arc, arc.s);
+  const double fromQ = fromStart(arc, arc.q);
+  const double toT = toEnd(arc, arc.t);
+  const double toS = toEnd(arc, arc.s);
+  const auto last = static_cast<double>(count - 1);
+  for (size_t k = 0; k < count; ++k) {
+    const double u = static_cast<double>(static_cast<int>(k)) / last;
+    const double v = 1 - u;
+    const double ofT = v * v * arc.weights.x;
+    const double ofS = 2 * u * v * arc.weights.y;
+    const double ofQ = u * u * arc.weights.z;
+    const double scale = 1 / (ofT + ofS + ofQ);
+    points.x[k] = (arc.t.x * ofT + arc.s.x * ofS + arc.q.x * ofQ) * scale;
+    points.y[k] = (arc.t.y * ofT + arc.s.y * ofS + arc.q.y * ofQ) * scale;
+    points.z[k] = (arc.t.z * ofT + arc.s.z * ofS + arc.q.z * ofQ) * scale;
+    const double from = fromS * ofS + fromQ * ofQ;
+    const double sum = from + toT * ofT + toS * ofS;
+    const double share = from / sum;
+    const double atMost = share < 1 ? share : 1;
+    points.share[k] = sum > 0 && atMost > 0 ? atMost : 0;
+  }
 }
 
 double RayTransition::parameterAt(const Arc& arc, double share) const {

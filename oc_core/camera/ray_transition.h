@@ -19,6 +19,8 @@
 // compare with.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <optional>
 
 #include "oc_core/camera/plane.h"
@@ -84,18 +86,17 @@ class RayTransition {
   /// How far along an arc a point is, from 0 to 1: for a ray that does not bend, the share of its length. It grows
   /// along every arc.
   double shareAt(const Place& place) const;
-  /// The same for many points of one arc.
-  class Shares {
-   public:
-    Shares(const RayTransition& transition, const Arc& arc);
-    /// `point` lies on the arc.
-    double at(const glm::dvec3& point) const;
-
-   private:
-    const RayTransition& transition_;
-    double fromCosine_;  ///< between the arc's first way and the normal of t0
-    double toCosine_;    ///< between its last way and the normal of t2
+  /// Points of an arc at equal steps of its parameter, its ends among them, and how far along it each is.
+  struct ArcPoints {
+    static constexpr size_t kMaxCount = 104;
+    // Without initial values: there is room for as many as a ray may have, for every ray.
+    std::array<double, kMaxCount> x;
+    std::array<double, kMaxCount> y;
+    std::array<double, kMaxCount> z;
+    std::array<double, kMaxCount> share;
   };
+  /// `count` of them, from 2 to the most: what Arc::at() and shareAt() say one by one, up to rounding.
+  void pointsOf(const Arc& arc, size_t count, ArcPoints& points) const;
   /// The parameter at which the share is so much.
   double parameterAt(const Arc& arc, double share) const;
 
@@ -109,6 +110,9 @@ class RayTransition {
   };
   std::optional<Epipolar> epipolarThrough(const glm::dvec3& point) const;
   Arc arcOf(const glm::dvec3& s, const glm::dvec3& weights) const;
+  /// How far a point of an arc is behind t0, and before t2, along the arc's first and last way.
+  double fromStart(const Arc& arc, const glm::dvec3& point) const;
+  double toEnd(const Arc& arc, const glm::dvec3& point) const;
   /// Where an arc with weights of 1 meets the line from A through a point.
   static double parameterOnLine(const Epipolar& plane, const glm::dvec3& point, const Arc& arc);
   std::optional<Place> findConic(const Epipolar& plane, const glm::dvec3& point) const;

@@ -65,10 +65,6 @@ ReferenceImages finished(ReferenceImages images, const CameraChoice& choice, con
     samples += image.sampleCount();
     image.camera = choice.name;
   }
-  if (samples == 0 && mesh.empty()) {  // of what is no mesh, which has a triangle for each hit
-    throw InputError("no ray of the view hits the scene", "view",
-                     "turn \"target\" towards it; of a volume, a lower --opacity is reached sooner");
-  }
   if (samples == 0) {
     failSeeingNothing(reference, mesh, "view");
   }

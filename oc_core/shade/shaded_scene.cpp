@@ -45,6 +45,9 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   SceneOptions own = options;
   own.fit = true;
   own.points = {};
+  own.iso.reset();
+  own.transfer.clear();
+  own.series.clear();
   const Mesh mesh = loadScene(object.source, own, progress);
   const std::vector<glm::mat4> places = placesOf(object);
   if (places.size() * mesh.triangles.size() > kMaxSceneTriangles) {

@@ -53,6 +53,9 @@ struct VolumeScene {
   /// How much of the scene's lengths the unit of the grid's world is: extinctions by the scene's lengths are those of
   /// the transfer function divided by this.
   double sceneLengthOfUnit() const;
+  /// The mean distance of the voxels of the whole, in the unit of the grid's world: the length that a transfer function
+  /// without one of its own means.
+  double voxelSpacing() const { return (whole ? whole : volume)->grid().meanSpacing(); }
   Box bounds() const { return boundsOf(volume->grid(), worldFromIndex); }
 };
 

@@ -1,5 +1,6 @@
 #include "oc_core/volume_camera/volume_picture.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -20,6 +21,12 @@ bool passesThrough(const RayPath& ray, const Box& box) {
   return false;
 }
 
+/// The ray's parameter where its opacity first reaches the threshold: in the volume, or where an opaque surface ends
+/// it.
+float opaqueFrom(const VolumePixel& pixel) {
+  return std::min(pixel.t, pixel.surfaceT);
+}
+
 }  // namespace
 
 Image<glm::vec3> pictureBefore(const glm::vec3& background, const VolumeImage& image) {
@@ -35,7 +42,7 @@ VolumePictureFacts factsOf(const VolumeImage& image) {
   for (const VolumePixel& pixel : image) {
     facts.samples += pixel.samples;
     facts.touched += pixel.color.w > 0 ? 1 : 0;
-    facts.opaque += pixel.t != VolumePixel::kNowhere ? 1 : 0;
+    facts.opaque += opaqueFrom(pixel) != VolumePixel::kNowhere ? 1 : 0;
     facts.meanOpacity += static_cast<double>(pixel.color.w) / static_cast<double>(image.size());
   }
   return facts;
@@ -62,7 +69,7 @@ void writeVolumePicture(const std::filesystem::path& path, const VolumeImage& im
   parallelFor(static_cast<size_t>(image.height()), 8, [&](size_t begin, size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        const float t = image(x, y).t;
+        const float t = opaqueFrom(image(x, y));
         if (t != VolumePixel::kNowhere) {
           const RayPath ray = camera.ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
           depths(x, y) = t;

@@ -13,7 +13,7 @@ namespace {
 /// As shaders/volume_ray.glsl has it: a parameter that no ray has.
 constexpr float kListedNowhere = 3.0e38f;
 
-ListedPiece listed(const RayPiece& piece) {
+ListedPiece listed(const VolumeRayPiece& piece) {
   const double length = piece.continues ? -piece.length : piece.length;
   return {glm::vec4(glm::dvec4(piece.from, length)), glm::vec4(glm::dvec4(piece.way, piece.t)),
           glm::vec4(glm::dvec4(piece.direction, piece.tByLength))};

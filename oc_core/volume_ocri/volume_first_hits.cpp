@@ -61,9 +61,13 @@ std::string VolumeFirstHits::identity() const {
     addColor(clip.normal);
     add(clip.distance);
   }
-  for (const glm::vec3& position : scene.surfaces.positions) {
-    addColor(position);
-  }
+  const auto addArray = [&](const auto& array) {
+    text += fmt::format(" {} ", array.size());
+    text += sha256({reinterpret_cast<const uint8_t*>(array.data()), array.size() * sizeof(array[0])});
+  };
+  addArray(scene.surfaces.positions);
+  addArray(scene.surfaces.colors);
+  addArray(scene.surfaces.triangles);
   return sha256(text);
 }
 

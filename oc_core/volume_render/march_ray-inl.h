@@ -39,7 +39,7 @@ class March {
     stopsAtDepth_ = stopsAtDepth;
   }
   /// The ray that is to be followed.
-  HWY_ATTR void begin(std::span<const RayPiece> pieces);
+  HWY_ATTR void begin(std::span<const VolumeRayPiece> pieces);
   /// Finds the next group, skipping what is empty. False where the ray has ended.
   HWY_ATTR bool prepare();
   // The phases of a group, in order.
@@ -237,14 +237,14 @@ class March {
 };
 
 template <class Field>
-HWY_ATTR void March<Field>::begin(std::span<const RayPiece> pieces) {
+HWY_ATTR void March<Field>::begin(std::span<const VolumeRayPiece> pieces) {
   result_ = {};
   isDone_ = false;
   pieceCount_ = pieces.size();
   nextPiece_ = 0;
   double length = 0;
   for (size_t i = 0; i < pieces.size(); ++i) {
-    const RayPiece& p = pieces[i];
+    const VolumeRayPiece& p = pieces[i];
     length = p.continues ? length : 0;
     glm::vec3 between(0);
     if (setup_->isShaded) {
@@ -429,11 +429,14 @@ HWY_ATTR void March<Field>::add() {
   Ends last;
   hn::LoadInterleaved4(d, ends_, first.extinction, first.red, first.green, first.blue);
   hn::LoadInterleaved4(d, ends_ + 4, last.extinction, last.red, last.green, last.blue);
-  // Of a step that is seen by a peak within it, rather than by what its ends have, these say little.
-  const FloatVec byEnds = hn::Mul(hn::Mul(hn::Add(first.extinction, last.extinction), step_), hn::Set(d, 0.5f));
+  // Of a step that is seen by a peak within it, rather than by what its ends have, these say little. An end that shows
+  // nothing, as at the surface of what is dense, takes nothing from what the other says.
+  const auto isOneSided = hn::Or(hn::Eq(first.extinction, hn::Zero(d)), hn::Eq(last.extinction, hn::Zero(d)));
+  const FloatVec bothEnds = hn::Mul(hn::Add(first.extinction, last.extinction), step_);
+  const FloatVec byEnds = hn::IfThenElse(isOneSided, bothEnds, hn::Mul(bothEnds, hn::Set(d, 0.5f)));
   const FloatVec likeEnds = hn::Min(hn::Mul(byEnds, perDepth), one);
-  const FloatVec through = hn::Mul(transmittance, hn::Sqrt(hn::Mul(before, after)));
-  const ColorOrder order(first.extinction, last.extinction, depth_, hn::Mul(through, likeEnds));
+  const ColorOrder order(first.extinction, last.extinction, depth_, perDepth,
+                         {hn::Mul(transmittance, before), hn::Mul(transmittance, after)}, likeEnds);
   const auto seen = [&](FloatVec byDepth, FloatVec atFirst, FloatVec atLast) HWY_ATTR {
     const FloatVec mean = hn::Mul(byDepth, perDepth);
     return hn::MulAdd(mean, kept, order.light(mean, atFirst, atLast));

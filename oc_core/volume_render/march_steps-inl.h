@@ -122,13 +122,20 @@ struct Ends {
 /// optical depth that lies before it, from c0 to c1 over a depth of tau, the light of the step is that of its mean
 /// colour and, besides,
 ///
-///   (c1 - c0) exp(-tau / 2) (2 sinh(tau / 2) / tau - cosh(tau / 2)),
+///   (c1 - c0) ((1 - exp(-tau)) / tau - (1 + exp(-tau)) / 2).
 ///
-/// whose last factor is -(tau^2 / 12) (1 + tau^2 / 40 + tau^4 / 4480 + ...).
+/// The last factor is exp(-tau / 2) (-tau^2 / 12) (1 + tau^2 / 40 + tau^4 / 4480 + ...), from which steps of tau below
+/// 1 are reckoned, as the difference above loses digits there. What passes nothing shows c0 alone.
 class ColorOrder {
  public:
-  /// `through` is how much light passes all before, and half of the step's depth, times how much this is to count.
-  HWY_ATTR HWY_INLINE ColorOrder(FloatVec before, FloatVec after, FloatVec depth, FloatVec through) {
+  /// How much light passes all before the step, and all before its end.
+  struct Passes {
+    FloatVec before;
+    FloatVec after;
+  };
+  /// `before` and `after` are the extinctions at both ends, `depth` is tau, and `likeEnds` how much this is to count.
+  HWY_ATTR HWY_INLINE ColorOrder(FloatVec before, FloatVec after, FloatVec depth, FloatVec perDepth,
+                                 const Passes& passes, FloatVec likeEnds) {
     const Floats d;
     const FloatVec zero = hn::Zero(d);
     const FloatVec one = hn::Set(d, 1.0f);
@@ -136,19 +143,31 @@ class ColorOrder {
     isAfter_ = hn::Gt(after, zero);
     perBefore_ = hn::Div(one, hn::IfThenElse(isBefore_, before, one));
     perAfter_ = hn::Div(one, hn::IfThenElse(isAfter_, after, one));
-    const FloatVec square = hn::Mul(depth, depth);
+    const auto isSteep = hn::Gt(depth, one);
+    const FloatVec bounded = hn::Min(depth, one);
+    const FloatVec square = hn::Mul(bounded, bounded);
     const FloatVec series = hn::MulAdd(square, hn::MulAdd(square, hn::Set(d, 1.0f / 4480), hn::Set(d, 1.0f / 40)), one);
-    weight_ = hn::Mul(hn::Mul(hn::Mul(square, hn::Set(d, -1.0f / 12)), series), through);
+    const FloatVec through = hn::Sqrt(hn::Mul(passes.before, passes.after));
+    const FloatVec bySeries = hn::Mul(hn::Mul(hn::Mul(square, hn::Set(d, -1.0f / 12)), series), through);
+    const FloatVec kept = hn::Sub(passes.before, passes.after);
+    const FloatVec halfSum = hn::Mul(hn::Add(passes.before, passes.after), hn::Set(d, 0.5f));
+    const FloatVec closed = hn::MulSub(kept, perDepth, halfSum);
+    weight_ = hn::Mul(hn::IfThenElse(isSteep, closed, bySeries), likeEnds);
+    steep_ = hn::IfThenElseZero(isSteep, hn::Sub(one, perDepth));
   }
 
   /// Of a channel, whose mean is `mean`. An end that shows nothing has no colour: it lies as far from the mean as the
-  /// other.
+  /// other. Where colours are not linear in the depth, c1 - c0 is not twice what the mean is more than c0: steps that
+  /// pass next to nothing go by the latter, which makes c0 of them.
   HWY_ATTR HWY_INLINE FloatVec light(FloatVec mean, FloatVec before, FloatVec after) const {
     FloatVec first = hn::Mul(before, perBefore_);
     FloatVec last = hn::Mul(after, perAfter_);
     first = hn::IfThenElse(isBefore_, first, hn::Sub(hn::Add(mean, mean), last));
     last = hn::IfThenElse(isAfter_, last, hn::Sub(hn::Add(mean, mean), first));
-    return hn::IfThenZeroElse(hn::AndNot(isBefore_, hn::Not(isAfter_)), hn::Mul(hn::Sub(last, first), weight_));
+    const FloatVec change = hn::Sub(last, first);
+    const FloatVec fromFirst = hn::Sub(mean, first);
+    const FloatVec order = hn::MulAdd(steep_, hn::Sub(hn::Add(fromFirst, fromFirst), change), change);
+    return hn::IfThenZeroElse(hn::AndNot(isBefore_, hn::Not(isAfter_)), hn::Mul(order, weight_));
   }
 
  private:
@@ -157,6 +176,7 @@ class ColorOrder {
   FloatVec perBefore_;
   FloatVec perAfter_;
   FloatVec weight_;
+  FloatVec steep_;  ///< 0 up to a depth of 1, towards 1 behind
 };
 
 }  // namespace ocelli::HWY_NAMESPACE

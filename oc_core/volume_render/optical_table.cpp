@@ -4,6 +4,8 @@
 #include <cmath>
 #include <glm/vec4.hpp>
 
+#include "oc_core/volume/transfer_integral.h"
+
 namespace ocelli {
 namespace {
 
@@ -25,19 +27,9 @@ ValueRange rangeOfInterest(const TransferFunction& transfer, const ValueRange& r
   return {center - width, center + width};
 }
 
-glm::dvec4 opticalAt(const TransferFunction& transfer, double value) {
-  const OpticalSample sample = transfer.at(value);
-  return glm::dvec4(1, sample.color) * sample.extinction;
-}
-
-/// The mean from half an entry before a value to half an entry after it.
+/// The mean from half an entry before a value to half an entry after it: sums of these keep all of the integral.
 glm::dvec4 meanAround(const TransferFunction& transfer, double value, double distance) {
-  constexpr int kParts = 8;
-  glm::dvec4 sum(0);
-  for (int i = 0; i < kParts; ++i) {
-    sum += opticalAt(transfer, value + distance * ((i + 0.5) / kParts - 0.5));
-  }
-  return sum / static_cast<double>(kParts);
+  return transferIntegral(transfer, value - distance / 2, value + distance / 2) / distance;
 }
 
 }  // namespace

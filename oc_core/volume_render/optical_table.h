@@ -11,7 +11,8 @@
 // (1 - exp(-tau)) times the quotient of both, were it not for the order of its colours (march_steps-inl.h).
 //
 // Both are linear between entries, which stand at equal distances of values, and constant beyond the first and last.
-// A peak that is thinner than the distance of two entries keeps its integral. K is kept as the sum of two numbers: the
+// Each entry is the exact mean over the values that are nearer to it than to others, so a peak that is thinner than the
+// distance of two entries keeps its integral, and is spread over two of them. K is kept as the sum of two numbers: the
 // difference of two large ones would lose the faint.
 #pragma once
 

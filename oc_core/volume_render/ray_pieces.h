@@ -13,7 +13,7 @@ namespace ocelli {
 
 /// A straight piece of a ray.
 // Without initial values: there is room for as many as a ray may have points, for every ray.
-struct RayPiece {
+struct VolumeRayPiece {
   glm::dvec3 from;       ///< index coordinates
   glm::dvec3 way;        ///< the same, by length
   glm::dvec3 direction;  ///< in the scene's world, of length 1
@@ -26,7 +26,7 @@ struct RayPiece {
 /// The box of a volume and its clips, which together are convex.
 class VolumeExtent {
  public:
-  using Pieces = std::array<RayPiece, RayPath::kMaxPoints>;
+  using Pieces = std::array<VolumeRayPiece, RayPath::kMaxPoints>;
 
   /// The scene must outlive it, and its volume and clips must not change.
   explicit VolumeExtent(const VolumeScene& scene);

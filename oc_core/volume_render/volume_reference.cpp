@@ -24,7 +24,7 @@ VolumePixel VolumeReference::pixel(const RayPath& ray) const {
   glm::dvec3 color(0);
   double transmittance = 1;
   for (size_t i = 0; i < count; ++i) {
-    const RayPiece& piece = pieces[i];
+    const VolumeRayPiece& piece = pieces[i];
     const auto steps = static_cast<size_t>(std::max(1.0, std::ceil(piece.length / longest)));
     const double step = piece.length / static_cast<double>(steps);
     for (size_t k = 0; k < steps; ++k) {

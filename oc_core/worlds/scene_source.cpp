@@ -107,6 +107,10 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
 GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
   requireSurfaceOfVolume(source, options);
   refuseUnusedPoints({}, options);
+  if (!options.motion.animation.empty() || options.motion.meshesPerSecond ||
+      options.motion.between != BetweenMeshes::kHold) {
+    throw InputError("a volume has no animations or meshes", source, "leave out --animation, --rate and --between");
+  }
   const VolumeScene volume = loadVolumeScene(source, volumeOptionsOf(options), progress);
   const IsosurfaceOptions surface{.value = *options.iso, .isShaded = options.shading == Shading::kLambert};
   GuidedScene loaded;

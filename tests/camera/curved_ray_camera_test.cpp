@@ -118,6 +118,25 @@ TEST(CurvedRayCamera, raysAreSmoothAtBothEndsOfATurn) {
 }
 
 // The ray of the border is the Bezier arc of Equation 4.1; the others are nearly.
+TEST(CurvedRayCamera, pointsOfAnArcAtOnceAreThoseOneByOne) {
+  for (const ArcModel model : {ArcModel::kConic, ArcModel::kBezier}) {
+    const CurvedRayCamera camera = test::bendingTwice(test::smallCamera(), model);
+    const RayTransition& turn = camera.bends()[0];
+    for (const glm::dvec2& pixel : {glm::dvec2(0, 0), glm::dvec2(31, 44), glm::dvec2(90, 60)}) {
+      const glm::dvec3 s =
+          turn.planes().middle.crossing(turn.before(), *camera.unprojectExactly({pixel.x, pixel.y, 1}));
+      const RayTransition::Arc arc = turn.arcThrough(s);
+      RayTransition::ArcPoints points;
+      turn.pointsOf(arc, 24, points);
+      for (size_t k = 0; k < 24; ++k) {
+        const double parameter = static_cast<double>(k) / 23;
+        EXPECT_LT(glm::distance(glm::dvec3(points.x[k], points.y[k], points.z[k]), arc.at(parameter)), 1e-12);
+        EXPECT_NEAR(points.share[k], turn.shareAt({arc, parameter}), 1e-12);
+      }
+    }
+  }
+}
+
 TEST(CurvedRayCamera, arcsAreNearlyThoseOfTheUnmodifiedModel) {
   const CurvedRayCamera camera = bendingRight();
   const RayTransition& turn = camera.bends()[0];

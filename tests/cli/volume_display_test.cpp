@@ -95,6 +95,7 @@ TEST(VolumeDisplay, ErrorsSayWhatToDo) {
   EXPECT_THAT(errorOf("slice " + kVolume + " --mask nothing" + output), HasSubstr("neither a volume nor a range"));
   EXPECT_THAT(errorOf("slice " + kVolume + " --mask 3:1" + output), HasSubstr("LEAST:GREATEST"));
   EXPECT_THAT(errorOf("slice " + kVolume + " --mask 0:1 --iso 0.5" + output), HasSubstr("one value alone"));
+  EXPECT_THAT(errorOf("slice " + kVolume + " --iso 7" + output), HasSubstr("its values run from"));
   EXPECT_THAT(errorOf("slice " + kVolume + " --viewer 0,0,10" + output), HasSubstr("--seen-opacity"));
   EXPECT_THAT(errorOf("slice " + kVolume + " --viewer 0,0,0.5 --cutaway 0" + output), HasSubstr("display"));
   EXPECT_THAT(errorOf("slice builtin:teapot --gradient-light 0.2" + output), HasSubstr("for volumes alone"));
@@ -110,7 +111,7 @@ TEST(VolumeDisplay, ErrorsSayWhatToDo) {
 TEST(VolumeDisplay, SaysWhereNothingIsLit) {
   const TemporaryFolder folder;
   const ProgramResult result =
-      runProgram("slice " + kVolume + " --profile test --iso 7 -o " + inQuotes(folder / "a.svol"));
+      runProgram("slice " + kVolume + " --profile test --mask 7:8 -o " + inQuotes(folder / "a.svol"));
   EXPECT_EQ(result.exitCode, 0);
   EXPECT_THAT(result.error, HasSubstr("nothing of the volume has light"));
 }

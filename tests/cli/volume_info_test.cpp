@@ -42,6 +42,20 @@ TEST(VolumeInfo, refusesWhatThereIsNot) {
   const ProgramResult unknown = runProgram("scene info builtin:volume,name=teapot");
   EXPECT_EQ(unknown.exitCode, 2);
   EXPECT_THAT(unknown.error, HasSubstr("one of skull"));
+  const ProgramResult shown = runProgram("scene info builtin:volume,name=ramp --transfer bogus");
+  EXPECT_EQ(shown.exitCode, 2);
+  EXPECT_THAT(shown.error, HasSubstr("--transfer"));
+}
+
+TEST(VolumeInfo, ofASurfaceIsThatOfItsMesh) {
+  const ProgramResult info = runProgram("scene info --json builtin:volume,name=sphere,size=24 --iso 0.5");
+  ASSERT_EQ(info.exitCode, 0) << info.error;
+  const auto json = nlohmann::json::parse(info.output);
+  EXPECT_GT(json["triangles"], 500);
+  EXPECT_EQ(json["triangles_in_file"], json["triangles"]);
+  const ProgramResult moving = runProgram("scene info builtin:volume,name=sphere,size=24 --iso 0.5 --animation walk");
+  EXPECT_EQ(moving.exitCode, 2);
+  EXPECT_THAT(moving.error, HasSubstr("--animation"));
 }
 
 TEST(SceneList, showsVolumesToo) {

@@ -51,6 +51,31 @@ TEST(SweptLight, AveragesOverTheSpreadOfACell) {
   EXPECT_NEAR(got.x + got.y, share, 0.02 * share);
 }
 
+TEST(SweptLight, MissesNoPeakHoweverThin) {
+  const SweepGeometry sweep(loadProfile("test"));
+  const double thickness = sweptThickness(sweep, 63);
+  const uint16_t code = sweptCode(0.5f, 0.02f);
+  const double spread = 2 * static_cast<double>(sweptHalfSpreadOf(code));
+  // A hundredth of a step of the mean, at places that are not the same between steps; of all values that the cell has,
+  // its optical depth is 1.
+  const double width = 0.01 / (kSweptMeans - 1);
+  const double length = -std::log(0.1) * thickness * width / spread;
+  for (int i = 0; i < 20; ++i) {
+    const double first = 0.49 + 0.00037 * i;
+    const TransferFunction peak({{0, {1, 0.5, 0}, 0},
+                                 {first, {1, 0.5, 0}, 0},
+                                 {first, {1, 0.5, 0}, 0.9},
+                                 {first + width, {1, 0.5, 0}, 0.9},
+                                 {first + width, {1, 0.5, 0}, 0},
+                                 {1, {1, 0.5, 0}, 0}},
+                                length);
+    const glm::vec3 got = SweptLight(peak, kUnitRange, 1, sweep).lightOf(code, 63);
+    // Rounded to a 64th of an octave, as above.
+    EXPECT_NEAR(got.x, 1 - std::exp(-1), 0.02) << first;
+    EXPECT_NEAR(got.y, got.x / 2, 0.01) << first;
+  }
+}
+
 TEST(SweptLight, ShowsValuesOfARangeAlone) {
   const SweepGeometry sweep(loadProfile("test"));
   const TransferFunction transfer({{0, {1, 1, 1}, 0.5}}, 0.01);

@@ -7,7 +7,9 @@
 #include <functional>
 #include <memory>
 
+#include "display_sim/volume_solidity/volume_truth.h"
 #include "oc_core/base/error.h"
+#include "oc_core/image/color.h"
 #include "tests/display_sim_volume_slicing/swept_scenes.h"
 
 namespace ocelli {
@@ -50,12 +52,48 @@ TEST(ShownVolume, IsClipped) {
   scene.clips.push_back({{0, 1, 0}, 0.1});
   const ShownVolume shown(scene, loadProfile("test"), {});
   EXPECT_GT(lightWhere(shown, kAnywhere), 10);
-  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.y < 0.1; }), 0);
+  // Cells that the plane cuts are shown in part: 64 rows, of which half of one is 1/64.
+  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.y < 0.1 - 1.0 / 64; }), 0);
+}
+
+TEST(ShownVolume, IsClippedByTheShareOfEachCell) {
+  // A plane that moves by a tenth of a row takes a tenth of the row's light, wherever it stands.
+  const auto lightAbove = [](double y) {
+    VolumeScene scene = test::sceneOfField(
+        16, 0.6, [](const glm::dvec3&) { return 1.0; }, TransferFunction({{0, {1, 1, 1}, 0.5}}, 0.05));
+    scene.clips.push_back({{0, 1, 0}, y});
+    return lightWhere(ShownVolume(scene, loadProfile("test"), {}), kAnywhere);
+  };
+  const double row = lightAbove(0) - lightAbove(1.0 / 32);
+  EXPECT_GT(row, 50);
+  for (int i = 0; i < 10; ++i) {
+    // Weights are in 255 steps.
+    EXPECT_NEAR(lightAbove(i / 320.0) - lightAbove((i + 1) / 320.0), 0.1 * row, 0.01 * row) << i;
+  }
+}
+
+TEST(ShownVolume, IsMaskedByTheShareOfEachCell) {
+  // A slab of two rows, or so placed that it covers a row and two halves: the same light.
+  const auto lightOfSlab = [](double least) {
+    auto mask = std::make_shared<VolumeScene>(test::sceneOfField(
+        2, 1, [](const glm::dvec3&) { return 1.0; }, TransferFunction({{0, {}, 0}}, 1)));
+    // Its two layers are as high as two rows of the display.
+    mask->worldFromIndex = glm::dmat4(1);
+    mask->worldFromIndex[1][1] = 1.0 / 32;
+    mask->worldFromIndex[3] = glm::dvec4(-0.5, least + 0.5 / 32, -0.5, 1);
+    const VolumeScene scene = test::sceneOfField(
+        16, 0.6, [](const glm::dvec3&) { return 1.0; }, TransferFunction({{0, {1, 1, 1}, 0.5}}, 0.05));
+    return lightWhere(ShownVolume(scene, loadProfile("test"), {.mask = mask}), kAnywhere);
+  };
+  const double whole = lightOfSlab(0.001);
+  EXPECT_GT(whole, 100);
+  EXPECT_NEAR(lightOfSlab(0.5 / 32 + 0.001), whole, 0.01 * whole);
 }
 
 TEST(ShownVolume, IsCutAwayOnTheViewersSide) {
   const ShownVolume shown(softBall(), loadProfile("test"), {.eyes = {glm::vec3(10, 0, 0)}, .cutaway = 0.2});
-  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.x > 0.2; }), 0);
+  // Cells that the plane cuts are shown in part: they reach 0.033 to both sides of their centres at the most.
+  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.x > 0.234; }), 0);
   EXPECT_GT(lightWhere(shown, [](const glm::dvec3& p) { return p.x > 0.1; }), 0);
 }
 
@@ -95,6 +133,56 @@ TEST(ShownVolume, HidesBehindASurface) {
                           {.surface = 0.4, .eyes = {glm::vec3(0, 0, 10)}, .seenOpacity = 0.5});
   EXPECT_GT(lightWhere(shown, [](const glm::dvec3& p) { return p.z > 0.2; }), 20);
   EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.z < -0.15; }), 0);
+}
+
+/// Opaque: red at negative z, green at positive z. The field is z.
+VolumeScene redBehindGreen() {
+  return test::sceneOfField(
+      32, 0.5, [](const glm::dvec3& p) { return p.z; },
+      TransferFunction({{-0.5, {1, 0, 0}, 0.9}, {0, {1, 0, 0}, 0.9}, {0, {0, 1, 0}, 0.9}, {0.5, {0, 1, 0}, 0.9}},
+                       0.05));
+}
+
+void expectOnlyTheBackCounts(const ShownVolume& shown) {
+  // Its front is seen though the green lies before it, and hides what lies deeper.
+  EXPECT_GT(lightWhere(shown, [](const glm::dvec3& p) { return p.z < -0.02 && p.z > -0.15; }), 20);
+  EXPECT_EQ(lightWhere(shown, [](const glm::dvec3& p) { return p.z > 0.07 || p.z < -0.35; }), 0);
+  // So does the truth that solidity is measured by.
+  const VolumeRenderer renderer(shown.seenScene());
+  const Image<Rgb8> image = solidVolume(renderer)->opaqueImage({.width = 32, .height = 32});
+  EXPECT_GT(image(16, 16).r, 240);
+  // What is left between a voxel that is shown and one that is not.
+  EXPECT_LT(image(16, 16).g, 100);
+}
+
+TEST(ShownVolume, IsNotHiddenByWhatItsMaskRemoves) {
+  const auto mask = std::make_shared<VolumeScene>(test::sceneOfField(
+      2, 1, [](const glm::dvec3& p) { return p.z < 0 ? 1.0 : 0.0; }, TransferFunction({{0, {}, 0}}, 1)));
+  expectOnlyTheBackCounts(ShownVolume(redBehindGreen(), loadProfile("test"),
+                                      {.mask = mask, .eyes = {glm::vec3(0, 0, 10)}, .seenOpacity = 0.5}));
+}
+
+TEST(ShownVolume, IsNotHiddenByValuesThatAreNotShown) {
+  expectOnlyTheBackCounts(
+      ShownVolume(redBehindGreen(), loadProfile("test"),
+                  {.light = {.shown = ValueRange{-1, 0}}, .eyes = {glm::vec3(0, 0, 10)}, .seenOpacity = 0.5}));
+}
+
+TEST(ShownVolume, OfASurfaceIsTheSameBesideOneExtremeVoxel) {
+  const auto litWith = [](double extreme) {
+    const auto ball = [&](const glm::dvec3& p) {
+      // Far from the ball, in a corner.
+      return glm::length(p - glm::dvec3(0.58)) < 0.02 ? extreme : 1000 * std::max(1 - glm::length(p) / 0.5, 0.0);
+    };
+    const VolumeScene scene = test::sceneOfField(
+        32, 0.6, ball, TransferFunction({{0, {0, 0, 0}, 0}, {std::max(extreme, 1000.0), {1, 1, 1}, 1}}, 1));
+    return lightWhere(ShownVolume(scene, loadProfile("test"), {.surface = 300}), kAnywhere);
+  };
+  const double light = litWith(0);
+  EXPECT_GT(light, 100);
+  // Steps are half as wide again where the range is wider than what is common, and spreads are in tenths of an octave.
+  EXPECT_NEAR(litWith(30000), light, 0.05 * light);
+  EXPECT_NEAR(litWith(1e6), light, 0.05 * light);
 }
 
 TEST(ShownVolume, RefusesEyesInTheDisplay) {

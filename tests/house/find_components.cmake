@@ -90,8 +90,8 @@ find_needs(pages TARGETS Ocelli::drawing Ocelli::page
   LACKS glm::glm PNG::PNG SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${checksums} ${statistics} Ocelli::maze
     Ocelli::analysis_base)
 find_needs(core TARGETS Ocelli::pages Ocelli::mazes Ocelli::ocri Ocelli::evaluation
-  PACKAGES SQLiteCpp Eigen3 Boost assimp hwy glfw3 MPI
-  LACKS MPI::MPI_CXX SQLiteCpp assimp::assimp hwy::hwy ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::analysis_base Ocelli::gl)
+  PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3 MPI
+  LACKS MPI::MPI_CXX SQLiteCpp assimp::assimp ${windows} ${usb} ${statistics} Ocelli::frames Ocelli::analysis_base Ocelli::gl)
 find_needs(display TARGETS Ocelli::core Ocelli::solidity
   PACKAGES SQLiteCpp Eigen3 Boost assimp glfw3
   LACKS SQLiteCpp assimp::assimp ${windows} ${usb} ${statistics} Ocelli::device Ocelli::viewer)
@@ -109,8 +109,8 @@ find_needs(power TARGETS Ocelli::study Ocelli::analysis Ocelli::analysis_power
   PACKAGES assimp glfw3
   LACKS assimp::assimp ${windows} ${usb})
 find_needs(import TARGETS Ocelli::core Ocelli::scene_import
-  PACKAGES SQLiteCpp Eigen3 Boost hwy glfw3
-  LACKS SQLiteCpp hwy::hwy ${windows} ${usb} ${statistics})
+  PACKAGES SQLiteCpp Eigen3 Boost glfw3
+  LACKS SQLiteCpp ${windows} ${usb} ${statistics})
 
 # Several, and the same one twice.
 must_configure("find_package(Ocelli 0.1 REQUIRED COMPONENTS core)

@@ -3,6 +3,8 @@
 
 #include <gmock/gmock.h>
 
+#include <glm/geometric.hpp>
+
 #include "display_sim/viewer/transfer_overlays.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -55,6 +57,29 @@ TEST(TransferEditor, aNewPointLiesOnTheColoursOfTheOthers) {
   EXPECT_EQ(editor.points()[3].opacity, 0.75);
   editor.addBeside(4);
   EXPECT_EQ(editor.points()[4].value, 87.5) << "before the last one";
+}
+
+TEST(TransferEditor, aPointBesideAnotherLeavesTheCurveAsItIs) {
+  VolumeAppearance appearance = eightVoxels().scene.appearance;
+  appearance.transfer = TransferFunction({{100, {1, 0, 0}, 0}, {100, {0, 0, 1}, 1}, {200, {0, 1, 0}, 1}}, 1);
+  for (const size_t point : {0U, 1U, 2U}) {
+    TransferEditor editor(appearance);
+    ASSERT_TRUE(editor.addBeside(point));
+    EXPECT_EQ(editor.points().size(), 4U);
+    for (double value = 90; value < 210; value += 2.5) {
+      const OpticalSample before = appearance.transfer.at(value);
+      const OpticalSample after = editor.appearance()->transfer.at(value);
+      // Rounding of opacities up to 0.9999, 10,000 times as large in the logarithm of what is left.
+      EXPECT_NEAR(after.extinction, before.extinction, 1e-11) << point << " at " << value;
+      EXPECT_LT(glm::distance(after.color, before.color), 1e-14) << point << " at " << value;
+    }
+  }
+  TransferEditor editor(appearance);
+  editor.addBeside(0);
+  EXPECT_EQ(editor.chosen(), 1U);
+  EXPECT_EQ(editor.points()[1].value, 100);
+  EXPECT_EQ(editor.points()[1].opacity, 0.5) << "halfway up the step";
+  EXPECT_EQ(editor.points()[1].color, glm::dvec3(0.5, 0, 0.5));
 }
 
 TEST(TransferEditor, oneIsLeftAndNoMoreThanAFileTakesAreAdded) {
@@ -125,6 +150,20 @@ TEST(TransferEditor, itIsSavedWhereItIsWhatWasSaved) {
   EXPECT_FALSE(editor.isSaved());
   editor.replace(eightVoxels().scene.appearance, true);
   EXPECT_TRUE(editor.isSaved());
+}
+
+TEST(TransferEditor, warnsOnceOfEachEditThatWouldBeLost) {
+  TransferEditor editor = threePoints();
+  EXPECT_FALSE(editor.warnsOfLoss());
+  editor.movePoint(1, 60, 0.5);
+  EXPECT_TRUE(editor.warnsOfLoss());
+  EXPECT_FALSE(editor.warnsOfLoss()) << "it has been said";
+  editor.markSaved();
+  EXPECT_FALSE(editor.warnsOfLoss());
+  editor.movePoint(1, 70, 0.5);
+  EXPECT_TRUE(editor.warnsOfLoss()) << "saved since, and edited again";
+  editor.movePoint(1, 80, 0.5);
+  EXPECT_TRUE(editor.warnsOfLoss()) << "edited after it was said";
 }
 
 TEST(TransferChoice, whatIsSavedIsReadBackAndPresetsAreChosenByName) {

@@ -146,6 +146,20 @@ TEST(TransferKeys, arrowsMoveTheChosenPoint) {
   EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 50.9);
 }
 
+TEST(TransferKeys, anArrowIsOneStepUntilItIsLetGo) {
+  ViewerState state = transferState();
+  state.volume.transfer->choose(1);
+  pressTransferKey(state, Key::kRight);
+  pressTransferKey(state, Key::kRight);  // held, it repeats
+  EXPECT_FALSE(applyTransferKey(state, {Key::kRight, false, {}}).used);
+  pressTransferKey(state, Key::kRight);
+  EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 53);
+  EXPECT_TRUE(applyAction(state, ViewerAction::kUndoTransfer));
+  EXPECT_DOUBLE_EQ(state.volume.transfer->points()[1].value, 52);
+  EXPECT_TRUE(applyAction(state, ViewerAction::kUndoTransfer));
+  EXPECT_EQ(state.volume.transfer->points()[1].value, 50);
+}
+
 TEST(TransferKeys, pointsAreAddedAndRemoved) {
   ViewerState state = transferState();
   state.volume.transfer->choose(1);

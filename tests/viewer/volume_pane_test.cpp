@@ -167,6 +167,13 @@ TEST_P(VolumePaneTest, closingTellsOnceOfWhatIsNotSaved) {
   EXPECT_THAT(test.viewer.facts().message, HasSubstr("not saved"));
   test.viewer.handle(CloseEvent{});
   EXPECT_TRUE(test.viewer.wantsClose());
+  VolumeViewer again(GetParam());
+  again.player.play(DragStep{again.placeOf(1), again.placeOf(1) + glm::dvec2(0, 10)});
+  again.viewer.handle(CloseEvent{});
+  again.key(Key::kS, {.control = true});
+  again.player.play(DragStep{again.placeOf(1), again.placeOf(1) + glm::dvec2(0, 10)});
+  again.viewer.handle(CloseEvent{});
+  EXPECT_FALSE(again.viewer.wantsClose()) << "what has been edited since is not saved";
   VolumeViewer unchanged(GetParam());
   unchanged.viewer.handle(CloseEvent{});
   EXPECT_TRUE(unchanged.viewer.wantsClose());

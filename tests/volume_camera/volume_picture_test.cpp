@@ -7,7 +7,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume_render/volume_target.h"
@@ -49,6 +52,55 @@ TEST(VolumePicture, CountsWhatItTook) {
   EXPECT_DOUBLE_EQ(facts.meanOpacity, 0.25);
 }
 
+TEST(VolumePicture, SurfacesEndRaysAsOpaqueMatterDoes) {
+  VolumeImage image = threePixels();
+  image[1].surfaceT = 12;
+  EXPECT_EQ(factsOf(image).opaque, 2u);
+  image[0].surfaceT = 20;
+  EXPECT_EQ(factsOf(image).opaque, 2u) << "each ray once";
+}
+
+/// The channels of an EXR of 9 x 7 pixels.
+std::map<std::string, std::vector<float>> channelsOf(Imf::InputFile& file) {
+  std::map<std::string, std::vector<float>> channels;
+  Imf::FrameBuffer buffer;
+  for (const char* name : {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z"}) {
+    channels[name].resize(63);
+    buffer.insert(
+        name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channels[name].data()), sizeof(float), 9 * sizeof(float)));
+  }
+  const Imath::Box2i window = file.header().dataWindow();
+  file.setFrameBuffer(buffer);
+  file.readPixels(window.min.y, window.max.y);
+  return channels;
+}
+
+TEST(VolumePicture, DepthsAreThoseOfSurfacesWhereTheyComeFirst) {
+  const TemporaryFolder folder;
+  const PinholeCamera pinhole(View{}, 9, 7);
+  VolumeScene scene = ballVolume();
+  // As wide as the view, behind the middle of the ball, which hides it there, and then before the ball.
+  for (const auto& [z, middleZ] : {std::pair(-0.5f, 9.5), std::pair(0.75f, 9.25)}) {
+    scene.surfaces.positions = {{-50, -50, z}, {50, -50, z}, {0, 50, z}};
+    scene.surfaces.triangles = {{0, 1, 2}};
+    const VolumeRenderer renderer(scene);
+    const VolumeTarget target(renderer);
+    const VolumeCamera camera =
+        volumeCamera("di", pinhole, renderer.scene(), [&]() -> const RayTarget& { return target; });
+    const VolumeImage image = renderer.render(9, 7, camera.ray);
+    EXPECT_EQ(factsOf(image).opaque, 63u);
+    const std::filesystem::path path = folder / "ball.exr";
+    writeVolumePicture(path, image, camera, 0.5);
+    Imf::InputFile file(path.c_str());
+    const auto channels = channelsOf(file);
+    const size_t middle = 3 * 9 + 4;
+    EXPECT_NEAR(channels.at("Z")[middle], middleZ, 1.0 / 32 + 0.01);
+    EXPECT_NEAR(channels.at("P.Z")[middle], 10 - middleZ, 1.0 / 32 + 0.01);
+    EXPECT_NEAR(channels.at("Z")[0], 10 - z, 1e-5) << "beside the ball";
+    EXPECT_NEAR(channels.at("P.Z")[0], z, 1e-5);
+  }
+}
+
 TEST(VolumePicture, KeepsOpacityDepthAndPlacesInAFile) {
   const TemporaryFolder folder;
   const VolumeRenderer renderer(ballVolume());
@@ -63,16 +115,7 @@ TEST(VolumePicture, KeepsOpacityDepthAndPlacesInAFile) {
   Imf::InputFile file(path.c_str());
   const Imath::Box2i window = file.header().dataWindow();
   ASSERT_EQ(window.max.x - window.min.x + 1, 9);
-  std::map<std::string, std::vector<float>> channels;
-  Imf::FrameBuffer buffer;
-  for (const char* name : {"R", "G", "B", "A", "Z", "P.X", "P.Y", "P.Z"}) {
-    channels[name].resize(63);
-    buffer.insert(
-        name, Imf::Slice(Imf::FLOAT, reinterpret_cast<char*>(channels[name].data()), sizeof(float), 9 * sizeof(float)));
-  }
-  file.setFrameBuffer(buffer);
-  file.readPixels(window.min.y, window.max.y);
-
+  auto channels = channelsOf(file);
   const size_t middle = 3 * 9 + 4;
   EXPECT_EQ(channels["A"][middle], image[middle].color.w);
   EXPECT_EQ(channels["R"][middle], image[middle].color.x);

@@ -74,6 +74,23 @@ TEST_P(GlVolumeRendererTest, takesVoxelsOfAnyType) {
   expect(int16_t(), VoxelType::kInt16, 30000, 0, -1);
 }
 
+TEST_P(GlVolumeRendererTest, isFiniteAndTheSameHoweverDense) {
+  const auto number = [](const glm::dvec3& p) { return p.x; };
+  for (const double length : {1e-2, 1e-9, 1e-20}) {
+    const TransferFunction dense({{10.3, {1, 0, 0}, 0}, {10.3, {1, 0, 0}, 0.9999}, {30.3, {0, 0, 1}, 0.9999}}, length);
+    const VolumeScene scene = test::floatVolume({32, 8, 8}, 0.05, number, dense);
+    expectCpu(PinholeCamera(View{}, 30, 20), scene, "dense " + std::to_string(length));
+  }
+}
+
+TEST_P(GlVolumeRendererTest, takesGridsOfAnyAxes) {
+  for (const bool isShaded : {false, true}) {
+    const VolumeScene scene = test::slantedWaves(isShaded);
+    expectCpu(test::smallCamera(), scene, "slanted");
+    expectCpu(test::bendingTwice(), scene, "slanted, curved");
+  }
+}
+
 // The lowest number of a type with a sign has no positive counterpart.
 TEST_P(GlVolumeRendererTest, theLowestNumberIsItself) {
   const auto number = [](const glm::dvec3& p) { return p.x < 8 ? -32768 : -32767; };

@@ -149,6 +149,16 @@ TEST(VolumeFirstHits, AreToldApart) {
   VolumeScene other = test::blockBeforeWall();
   other.appearance.shading.isOn = true;
   EXPECT_NE(VolumeFirstHits(other).identity(), first);
+  VolumeScene surfaces = test::blockBeforeWall();
+  surfaces.surfaces.positions = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+  surfaces.surfaces.triangles = {{0, 1, 2}};
+  const std::string half = VolumeFirstHits(surfaces).identity();
+  EXPECT_NE(half, first);
+  surfaces.surfaces.triangles = {{0, 2, 3}};
+  const std::string otherHalf = VolumeFirstHits(surfaces).identity();
+  EXPECT_NE(otherHalf, half) << "of the same corners";
+  surfaces.surfaces.colors.assign(4, {1, 0, 0});
+  EXPECT_NE(VolumeFirstHits(surfaces).identity(), otherHalf);
   EXPECT_EQ(VolumeFirstHits(test::blockBeforeWall(), {.depthOpacity = 0.4}).description(),
             "64 x 64 x 64 voxels, first hits at an opacity of 0.4");
 }

@@ -143,6 +143,48 @@ TEST(AnalyticVolume, aThinPeakIsNotMissedBetweenSamples) {
   }
 }
 
+TEST(AnalyticVolume, aPeakThinnerThanAnEntryKeepsItsOpacity) {
+  // The table spans 31 values here, so its 2043 distances are 0.0152 wide: the peak has a thirtieth of one, at places
+  // that are not the same between entries.
+  constexpr double kWidth = 0.0005;
+  for (int i = 0; i < 16; ++i) {
+    const double first = 15.1 + 0.00173 * i;
+    const TransferFunction peak({{0, kColor, 0},
+                                 {first, kColor, 0},
+                                 {first, kColor, 0.9},
+                                 {first + kWidth, kColor, 0.9},
+                                 {first + kWidth, kColor, 0},
+                                 {31, kColor, 0}},
+                                kWidth);
+    const VolumeScene scene = test::floatVolume(
+        {32, 8, 8}, 1, [](const glm::dvec3& p) { return p.x; }, peak);
+    for (const double step : {0.25, 1.0}) {
+      const VolumePixel pixel = VolumeRenderer(scene, toTheEnd(step)).pixel({{-40, 0.3, 0.2}, {40, 0.3, 0.2}});
+      expectColor(pixel, kColor * 0.9, 0.1, "peak");
+    }
+  }
+}
+
+TEST(AnalyticVolume, theSurfaceOfWhatIsDenseHasItsColorForAnySteps) {
+  // Red where it begins, at a value of 10.3, blue 20 voxels behind, and 92 optical depths a voxel, or more than a
+  // square of single precision holds: what is seen is red, but for the share of the change that lies within the first
+  // optical depths.
+  for (const double length : {0.1, 1e-3, 1e-9, 1e-20}) {
+    const TransferFunction dense({{10.3, {1, 0, 0}, 0}, {10.3, {1, 0, 0}, 0.9999}, {30.3, {0, 0, 1}, 0.9999}}, length);
+    const VolumeScene scene = test::floatVolume(
+        {32, 8, 8}, 1, [](const glm::dvec3& p) { return p.x; }, dense);
+    const double blue = length / -std::log(1e-4) / 20;
+    for (const double step : {0.0625, 0.25, 1.0, 4.0}) {
+      const VolumePixel pixel = VolumeRenderer(scene, toTheEnd(step)).pixel({{-40, 0.3, 0.2}, {40, 0.3, 0.2}});
+      // An entry of the table, of 0.01 values, mixes what is before 10.3 with what is behind it: up to 0.0005 of blue.
+      for (const auto& [channel, expected] : {std::pair(0, 1 - blue), std::pair(1, 0.0), std::pair(2, blue)}) {
+        EXPECT_NEAR(static_cast<double>(pixel.color[channel]), expected, 1e-3) << length << ", " << step;
+      }
+      EXPECT_NEAR(static_cast<double>(pixel.color.w), 1, kAnalytic) << length << ", " << step;
+    }
+  }
+}
+
 TEST(AnalyticVolume, depthIsWhereTheOpacityReachesItsThreshold) {
   const VolumeScene scene = test::floatVolume(
       glm::ivec3(20), 0.1, [](auto) { return 1; }, test::everywhere(0.5, 0.5));

@@ -14,14 +14,13 @@
 
 namespace ocelli::test {
 
-/// `size` voxels, `spacing` apart, their middle at the origin of the scene; each holds what `number` says of its index.
+/// The middle of the voxels is at the origin of the scene; each holds what `number` says of its index.
 template <class Voxel, class Number>
-VolumeScene volumeOf(const glm::ivec3& size, double spacing, VoxelType type, const Number& number,
-                     TransferFunction transfer, double scale = 1, double offset = 0) {
+VolumeScene volumeAlong(const glm::dmat3& axes, const glm::ivec3& size, VoxelType type, const Number& number,
+                        TransferFunction transfer, double scale = 1, double offset = 0) {
   VolumeGrid grid;
   grid.size = size;
-  grid.worldFromIndex =
-      glm::scale(glm::dmat4(1), glm::dvec3(spacing)) * glm::translate(glm::dmat4(1), -(glm::dvec3(size) - 1.0) / 2.0);
+  grid.worldFromIndex = glm::dmat4(axes) * glm::translate(glm::dmat4(1), -(glm::dvec3(size) - 1.0) / 2.0);
   const auto voxels = std::make_shared<std::vector<Voxel>>();
   for (int k = 0; k < size.z; ++k) {
     for (int j = 0; j < size.y; ++j) {
@@ -34,6 +33,13 @@ VolumeScene volumeOf(const glm::ivec3& size, double spacing, VoxelType type, con
       .volume = std::make_shared<ScalarVolume>(grid, type, std::as_bytes(std::span(*voxels)), voxels, scale, offset),
       .worldFromIndex = grid.worldFromIndex,
       .appearance = {std::move(transfer), {}}};
+}
+
+/// `size` voxels, `spacing` apart.
+template <class Voxel, class Number>
+VolumeScene volumeOf(const glm::ivec3& size, double spacing, VoxelType type, const Number& number,
+                     TransferFunction transfer, double scale = 1, double offset = 0) {
+  return volumeAlong<Voxel>(glm::dmat3(spacing), size, type, number, std::move(transfer), scale, offset);
 }
 
 template <class Number>
@@ -62,6 +68,15 @@ inline TransferFunction layers(double length) {
 inline VolumeScene waves(bool isShaded = true) {
   // 48 voxels of 1/24 fill the cube of half side 1.
   VolumeScene scene = floatVolume(glm::ivec3(48, 44, 40), 1.0 / 24, wavesAt, layers(1.0 / 12));
+  scene.appearance.shading.isOn = isShaded;
+  return scene;
+}
+/// Waves of the same lengths, in voxels of 1 to 1 to 3 whose axes are not perpendicular, and mirror.
+inline VolumeScene slantedWaves(bool isShaded) {
+  const glm::dmat3 axes(glm::dvec3(-1, 0, 0) / 24.0, glm::dvec3(0.4, 0.9, 0.1) / 24.0,
+                        glm::dvec3(0.5, -0.7, 2.9) / 24.0);
+  const auto number = [](const glm::dvec3& p) { return wavesAt({p.x, p.y, 3 * p.z}); };
+  VolumeScene scene = volumeAlong<float>(axes, {48, 44, 14}, VoxelType::kFloat32, number, layers(1.0 / 12));
   scene.appearance.shading.isOn = isShaded;
   return scene;
 }

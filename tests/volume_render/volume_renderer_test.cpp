@@ -52,11 +52,11 @@ constexpr double kFine = 1.0 / 8;
 constexpr double kFineTolerance = 2e-3;
 
 template <class C>
-void expectReference(const C& camera, const char* name, const VolumeScene& scene) {
-  const VolumeImage reference = renderReference(camera, scene, 1.0 / 16);
-  const VolumeImage image = renderVolume(camera, scene, {.step = kFine, .endTransmittance = 0});
+void expectReference(const C& camera, const char* name, const VolumeScene& scene, double step = kFine) {
+  const VolumeImage reference = renderReference(camera, scene, step / 2);
+  const VolumeImage image = renderVolume(camera, scene, {.step = step, .endTransmittance = 0});
   const VolumeDifference d = differenceOf(image, reference);
-  EXPECT_LT(d.greatest, kFineTolerance) << name;
+  EXPECT_LT(d.greatest, kFineTolerance) << name << (scene.appearance.shading.isOn ? ", shaded" : "");
   EXPECT_GT(greatestOpacity(reference), 0.5) << name << ": there is something to compare";
 }
 
@@ -102,6 +102,18 @@ TEST(VolumeRenderer, isTheReferenceForAnyTypeOfVoxels) {
   expect(float(), VoxelType::kFloat32, 1e6, 0, 1);
   // Values that fall where numbers rise.
   expect(int16_t(), VoxelType::kInt16, 30000, 0, -1);
+}
+
+TEST(VolumeRenderer, isTheReferenceForGridsOfAnyAxes) {
+  for (const bool isShaded : {false, true}) {
+    const VolumeScene scene = test::slantedWaves(isShaded);
+    // Steps are counted in mean distances of voxels, and some are shorter.
+    const VolumeGrid& grid = scene.volume->grid();
+    const glm::dvec3 spacing = grid.spacing();
+    const double step = kFine * std::min({spacing.x, spacing.y, spacing.z}) / grid.meanSpacing();
+    expectReference(test::smallCamera(), "slanted", scene, step);
+    expectReference(test::bendingTwice(), "slanted, curved", scene, step);
+  }
 }
 
 TEST(VolumeRenderer, isTheReferenceForThinVolumes) {

@@ -30,6 +30,26 @@ TEST(OpticalTable, keepsTheIntegralOfExtinction) {
   EXPECT_NEAR(static_cast<double>(table.entries().back().at[2]), -std::log(0.4) / 4, 1e-6) << "green";
 }
 
+TEST(OpticalTable, noPeakIsTooThinToBeSeen) {
+  for (int i = 0; i < 20; ++i) {
+    // A hundredth of an entry.
+    const double value = 40 + 0.0047 * i;
+    const double width = 0.0005;
+    const TransferFunction peak({{0, {1, 0, 0}, 0},
+                                 {value, {1, 0, 0}, 0},
+                                 {value + width / 2, {1, 0, 0}, 1},
+                                 {value + width, {1, 0, 0}, 0},
+                                 {100, {1, 0, 0}, 0}},
+                                2);
+    const OpticalTable table(peak, {0, 100});
+    EXPECT_FALSE(table.isEmpty(39, 41)) << value;
+    EXPECT_TRUE(table.isEmpty(42, 99)) << value;
+    // The integral of -ln(1 - o) from 0 to 1 is 1; the last ten-thousandth counts as its beginning, a loss of 1e-4.
+    const double integral = integralUpTo(table, OpticalTable::kEntries - 1) / table.entriesByValue();
+    EXPECT_NEAR(integral / (width / 2), 1 - 1e-4, 1e-6) << value;
+  }
+}
+
 TEST(OpticalTable, aFaintValueBehindADenseOneIsNotLost) {
   // An extinction of 9.2, and behind it one of 1e-6: a sum of single precision could not hold the latter.
   const OpticalTable table(

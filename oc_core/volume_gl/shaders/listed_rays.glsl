@@ -13,12 +13,12 @@ uint pieceCount(ivec2 pixel, uint inRows) {
   return firstPiece[inRows + 1u] - listedFrom;
 }
 
-RayPiece pieceAt(uint i) {
+VolumeRayPiece pieceAt(uint i) {
   uint at = 3u * (listedFrom + i);
   vec4 a = pieces[at];
   vec4 b = pieces[at + 1u];
   vec4 c = pieces[at + 2u];
-  return RayPiece(a.xyz, abs(a.w), b.xyz, b.w, c.xyz, c.w, a.w < 0.0);
+  return VolumeRayPiece(a.xyz, abs(a.w), b.xyz, b.w, c.xyz, c.w, a.w < 0.0);
 }
 
 // The colour of the surface at which a ray ends, and its parameter there.

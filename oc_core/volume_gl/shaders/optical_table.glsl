@@ -52,10 +52,16 @@ vec3 lightOfOrder(Slab slab, vec3 meanColor) {
   first = isBegin ? first : 2.0 * meanColor - last;
   last = isEnd ? last : 2.0 * meanColor - first;
   float depth = slab.mean.x * slab.size;
-  float square = depth * depth;
+  float bounded = min(depth, 1.0);
+  float square = bounded * bounded;
   float series = 1.0 + square * (1.0 / 40.0 + square * (1.0 / 4480.0));
-  // Of a slab that is seen by a peak within it, rather than by what its ends have, these say little.
-  float likeEnds = min(0.5 * (slab.begin.at.x + slab.end.at.x) / slab.mean.x, 1.0);
-  float weight = -square / 12.0 * series * likeEnds * sqrt(slab.before * slab.after);
-  return isBegin || isEnd ? weight * (last - first) : vec3(0);
+  float bySeries = -square / 12.0 * series * sqrt(slab.before * slab.after);
+  float closed = (slab.before - slab.after) / max(depth, 1.0) - 0.5 * (slab.before + slab.after);
+  // Of a slab that is seen by a peak within it, rather than by what its ends have, these say little. An end that shows
+  // nothing takes nothing from what the other says.
+  float ends = (isBegin && isEnd ? 0.5 : 1.0) * (slab.begin.at.x + slab.end.at.x);
+  float weight = (depth > 1.0 ? closed : bySeries) * min(ends / slab.mean.x, 1.0);
+  float steep = 1.0 - 1.0 / max(depth, 1.0);
+  vec3 order = mix(last - first, 2.0 * (meanColor - first), steep);
+  return isBegin || isEnd ? weight * order : vec3(0);
 }

@@ -33,7 +33,7 @@ vec2 pinholeFromImage(vec2 image) {
 }
 #endif
 
-RayPiece pinholePiece;
+VolumeRayPiece pinholePiece;
 
 // A half space cuts what lies between two depths: `height` is how far within it the eye is, and grows by `slope` with
 // depth. False where nothing is left.
@@ -67,12 +67,12 @@ uint pieceCount(ivec2 pixel, uint inRows) {
   }
   float worldLength = length(way);
   float unitLength = worldLength * unitsByWorldLength;
-  pinholePiece = RayPiece(eyeIndex + wayIndex * first, unitLength * (last - first), wayIndex / unitLength, first,
+  pinholePiece = VolumeRayPiece(eyeIndex + wayIndex * first, unitLength * (last - first), wayIndex / unitLength, first,
                           way / worldLength, 1.0 / unitLength, false);
   return 1u;
 }
 
-RayPiece pieceAt(uint i) {
+VolumeRayPiece pieceAt(uint i) {
   return pinholePiece;
 }
 

@@ -70,7 +70,7 @@ void main() {
   }
   uint count = pieceCount(pixel, stopIndex);
   bool isDone = place.piece >= count;
-  RayPiece piece = isDone ? kNoPiece : pieceAt(place.piece);
+  VolumeRayPiece piece = isDone ? kNoPiece : pieceAt(place.piece);
   // Empty bricks around the place.
   int empty = emptyBricksAround(piece.from + piece.way * (float(place.step) * stepLength - place.chainBegin));
 
@@ -79,8 +79,8 @@ void main() {
     ++turns;
     // The next slab in which something is seen, and the pieces in which it begins and ends.
     Slab slab = Slab(kNoOpticalPlace, kNoOpticalPlace, vec4(0), 0.0, 0.0, 0.0);
-    RayPiece slabPiece = kNoPiece;
-    RayPiece slabEndPiece = kNoPiece;
+    VolumeRayPiece slabPiece = kNoPiece;
+    VolumeRayPiece slabEndPiece = kNoPiece;
     float slabEnd = 0.0;  // lengths from where the chain begins
     float slabChainBegin = 0.0;
     float slabEndChainBegin = 0.0;
@@ -99,11 +99,11 @@ void main() {
       }
       // The sample at the other end, in this piece or in one that continues it.
       float target = begin + stepLength;
-      RayPiece next = piece;
+      VolumeRayPiece next = piece;
       uint nextPiece = place.piece;
       float nextBegin = place.chainBegin;
       while (target >= nextBegin + next.length && nextPiece + 1u < count) {
-        RayPiece behind = pieceAt(nextPiece + 1u);
+        VolumeRayPiece behind = pieceAt(nextPiece + 1u);
         if (!behind.continues) {
           break;
         }

@@ -4,7 +4,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(location = 0) uniform int firstRow;  // of the image
 layout(location = 1) uniform int endRow;
 
-struct RayPiece {
+struct VolumeRayPiece {
   vec3 from;       // index coordinates
   float length;    // in the unit of extinctions
   vec3 way;        // index coordinates by length
@@ -13,7 +13,7 @@ struct RayPiece {
   float tByLength;
   bool continues;  // it begins where the piece before ends
 };
-const RayPiece kNoPiece = RayPiece(vec3(0), 0.0, vec3(0), 0.0, vec3(0), 0.0, false);
+const VolumeRayPiece kNoPiece = VolumeRayPiece(vec3(0), 0.0, vec3(0), 0.0, vec3(0), 0.0, false);
 
 // A parameter that no ray has.
 const float kNowhere = 3.0e38;
