@@ -151,8 +151,9 @@ ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const Volume
     return options;
   }
   if (isVolumeSource(slicing.mask)) {
-    VolumeScene mask =
-        loadVolumeScene(slicing.mask, {.fit = false, .warn = choice.scene.options.warn}, context.progress());
+    // Nobody sees its colours: any absolute ones will do, which a mask of one value has too.
+    VolumeScene mask = loadVolumeScene(
+        slicing.mask, {.fit = false, .transfer = "ct-bone", .warn = choice.scene.options.warn}, context.progress());
     // As the volume was, from its own world into the display.
     const glm::dmat4 ownFromIndex = scene.volume->grid().isAnatomical
                                         ? sceneFromPatient() * scene.volume->grid().worldFromIndex
@@ -194,6 +195,7 @@ ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& pr
         if (i == 0) {  // all moments look as the first tells, which need not be read again for each
           series.appearance = scene.appearance;
           options.transfer.clear();
+          options.warn = {};  // what is said of the first is said of the series
         }
         applyShading(choice.scene, scene);
         const ShownVolumeOptions shownOptions = shownVolumeOptionsOf(choice, scene, context);

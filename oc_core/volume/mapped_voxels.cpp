@@ -45,28 +45,32 @@ std::vector<std::pair<uint64_t, uint64_t>> dataExtents(const std::filesystem::pa
 
 }  // namespace
 
-MappedVoxels::MappedVoxels(const VoxelFile& file)
-    : file_(file.path), offset_(file.offset), size_(file.bytes), data_(dataExtents(file.path, file_.bytes().size())) {
-  const uint64_t has = file_.bytes().size();
+MappedVoxelFile::MappedVoxelFile(std::filesystem::path path)
+    : path_(std::move(path)), file_(path_), data_(dataExtents(path_, file_.bytes().size())) {}
+
+MappedVoxels::MappedVoxels(std::shared_ptr<const MappedVoxelFile> file, uint64_t offset, uint64_t bytes)
+    : file_(std::move(file)), offset_(offset), size_(bytes) {
+  const uint64_t has = file_->file().bytes().size();
   if (offset_ > has || size_ > has - offset_) {
     throw InputError("the file ends before its last voxel: " + std::to_string(size_) + " bytes of voxels from byte " +
                          std::to_string(offset_) + " on are not in the " + std::to_string(has) + " that it has",
-                     file.path.string(), "copy it again, or correct the sizes in its header");
+                     file_->path().string(), "copy it again, or correct the sizes in its header");
   }
 }
 
 std::span<const std::byte> MappedVoxels::bytes() const {
-  return std::as_bytes(file_.bytes()).subspan(offset_, size_);
+  return std::as_bytes(file_->file().bytes()).subspan(offset_, size_);
 }
 
 bool MappedVoxels::isKnownZero(size_t begin, size_t end) const {
-  const auto next = std::ranges::upper_bound(data_, offset_ + begin, {}, &Extent::second);
-  return next == data_.end() || next->first >= offset_ + end;
+  const std::vector<MappedVoxelFile::Extent>& data = file_->data();
+  const auto next = std::ranges::upper_bound(data, offset_ + begin, {}, &MappedVoxelFile::Extent::second);
+  return next == data.end() || next->first >= offset_ + end;
 }
 
 size_t MappedVoxels::bytesToRead() const {
   uint64_t sum = 0;
-  for (const auto& [begin, end] : data_) {
+  for (const auto& [begin, end] : file_->data()) {
     const uint64_t from = std::max(begin, offset_);
     const uint64_t to = std::min(end, offset_ + size_);
     sum += to > from ? to - from : 0;
@@ -75,17 +79,29 @@ size_t MappedVoxels::bytesToRead() const {
 }
 
 void MappedVoxels::willRead(size_t begin, size_t end) const {
-  file_.willNeed(offset_ + begin, offset_ + end);
+  file_->file().willNeed(offset_ + begin, offset_ + end);
 }
 
 void MappedVoxels::release(size_t begin, size_t end) const {
-  file_.release(offset_ + begin, offset_ + end);
+  file_->file().release(offset_ + begin, offset_ + end);
+}
+
+std::vector<ScalarVolume> mapVolumes(const VolumeGrid& grid, VoxelType type, const std::filesystem::path& path,
+                                     const std::vector<uint64_t>& begins, double scale, double offset) {
+  const auto file = std::make_shared<const MappedVoxelFile>(path);
+  std::vector<ScalarVolume> volumes;
+  for (const uint64_t begin : begins) {
+    OC_CHECK(areVoxelsAligned(begin, type), "voxels that are mapped lie at multiples of their size");
+    volumes.emplace_back(grid, type,
+                         std::make_shared<const MappedVoxels>(file, begin, grid.voxelCount() * bytesOf(type)), scale,
+                         offset);
+  }
+  return volumes;
 }
 
 ScalarVolume mapVolume(const VolumeGrid& grid, VoxelType type, const VoxelFile& file, double scale, double offset) {
-  OC_CHECK(areVoxelsAligned(file.offset, type), "voxels that are mapped lie at multiples of their size");
   OC_CHECK(file.bytes == grid.voxelCount() * bytesOf(type), "a file has the bytes of its grid");
-  return {grid, type, std::make_shared<const MappedVoxels>(file), scale, offset};
+  return std::move(mapVolumes(grid, type, file.path, {file.offset}, scale, offset).front());
 }
 
 }  // namespace ocelli

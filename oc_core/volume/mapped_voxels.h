@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <memory>
 #include <utility>
 #include <vector>
 
@@ -24,11 +25,28 @@ inline bool areVoxelsAligned(uint64_t offset, VoxelType type) {
   return offset % bytesOf(type) == 0;
 }
 
+/// A file that is mapped, and what of it is no hole: what several volumes can stand on.
+class MappedVoxelFile {
+ public:
+  using Extent = std::pair<uint64_t, uint64_t>;  ///< begin and end, bytes of the file
+
+  /// Throws InputError where the file cannot be read. Once this is made the file may be unlinked.
+  explicit MappedVoxelFile(std::filesystem::path path);
+
+  const std::filesystem::path& path() const { return path_; }
+  const MappedFile& file() const { return file_; }
+  const std::vector<Extent>& data() const { return data_; }  ///< what is no hole, in order
+
+ private:
+  std::filesystem::path path_;
+  MappedFile file_;
+  std::vector<Extent> data_;
+};
+
 class MappedVoxels : public VoxelStore {
  public:
-  /// Throws InputError where the file cannot be read, or ends before the last voxel. Once this is made the file may be
-  /// unlinked.
-  explicit MappedVoxels(const VoxelFile& file);
+  /// Throws InputError where the file ends before the last voxel.
+  MappedVoxels(std::shared_ptr<const MappedVoxelFile> file, uint64_t offset, uint64_t bytes);
 
   std::span<const std::byte> bytes() const override;
   bool isKnownZero(size_t begin, size_t end) const override;
@@ -37,15 +55,17 @@ class MappedVoxels : public VoxelStore {
   void release(size_t begin, size_t end) const override;
 
  private:
-  using Extent = std::pair<uint64_t, uint64_t>;  ///< begin and end, bytes of the file
-
-  MappedFile file_;
+  std::shared_ptr<const MappedVoxelFile> file_;
   uint64_t offset_;
   uint64_t size_;
-  std::vector<Extent> data_;  ///< what is no hole, in order
 };
 
-/// A volume on a file. Throws as MappedVoxels does. The offset must be aligned, and the bytes those of the grid.
+/// Volumes of one grid on one file, which is mapped once; the voxels of each begin at one of `begins`. Throws as
+/// MappedVoxelFile and MappedVoxels do. The begins must be aligned.
+std::vector<ScalarVolume> mapVolumes(const VolumeGrid& grid, VoxelType type, const std::filesystem::path& path,
+                                     const std::vector<uint64_t>& begins, double scale = 1, double offset = 0);
+
+/// A volume on a file. Throws as mapVolumes() does. The offset must be aligned, and the bytes those of the grid.
 ScalarVolume mapVolume(const VolumeGrid& grid, VoxelType type, const VoxelFile& file, double scale = 1,
                        double offset = 0);
 

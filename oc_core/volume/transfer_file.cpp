@@ -11,7 +11,7 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/image/color.h"
-#include "oc_core/volume/volume_histogram.h"
+#include "oc_core/volume/volume_percentiles.h"
 
 namespace ocelli {
 namespace {
@@ -26,9 +26,10 @@ ValueRange absoluteValues(const ScalarVolume& /*volume*/) {
   return {0, 1};
 }
 
-ValueRange percentilesOf(const ScalarVolume& volume) {
-  const VolumeHistogram histogram = histogramOf(volume);
-  return {histogram.percentile(kLowPercentile), histogram.percentile(kHighPercentile)};
+ValueRange percentileRange(const ScalarVolume& volume) {
+  const std::vector<double> values = percentilesOf(volume, std::array{kLowPercentile, kHighPercentile});
+  // A mask, say, whose foreground is less than 1 % of its voxels.
+  return values[0] < values[1] ? ValueRange{values[0], values[1]} : valueRange(volume);
 }
 
 const TransferScale& scaleOf(const std::string& name) {
@@ -136,7 +137,7 @@ const std::vector<TransferScale>& transferScales() {
       {"absolute", "what voxels mean: Hounsfield units where the volume is a CT", absoluteValues},
       {"range", "0 is the least value of the volume, and 1 the greatest", valueRange},
       {"percentiles", "0 is the value that 1 % of the voxels lie below, and 1 the one that 99 % lie below",
-       percentilesOf}};
+       percentileRange}};
   return scales;
 }
 
@@ -199,8 +200,16 @@ VolumeAppearance appearanceOf(const TransferDescription& description, const Scal
   std::vector<TransferPoint> points = description.points;
   for (TransferPoint& point : points) {
     point.value = scale.least + point.value * (scale.greatest - scale.least);
+    if (!(scale.least < scale.greatest)) {
+      point.opacity = 0;
+    }
   }
   return {TransferFunction(std::move(points), description.opacityLength.value_or(meanSpacing)), description.shading};
+}
+
+bool hasScaleFor(const TransferDescription& description, const ScalarVolume& volume) {
+  const ValueRange scale = scaleOf(description.scale).zeroAndOne(volume);
+  return scale.least < scale.greatest;
 }
 
 TransferDescription describe(const VolumeAppearance& appearance) {

@@ -49,8 +49,13 @@ TransferDescription transferFromJsonText(const std::string& text, const std::str
 std::string transferToJsonText(const TransferDescription& description);
 
 /// What it is for a volume. Where it says no opacity length, `meanSpacing` is it: that of the volume, or, of a coarse
-/// level of one, that of the whole, so that no level is more transparent than another.
+/// level of one, that of the whole, so that no level is more transparent than another. Where hasScaleFor() is false,
+/// all is clear: no point of a relative scale says more of the one value that there is than any other.
 VolumeAppearance appearanceOf(const TransferDescription& description, const ScalarVolume& volume, double meanSpacing);
+
+/// Whether the volume's values have a 0 and a 1 on the scale of the description: on a relative one, a volume of one
+/// value has none.
+bool hasScaleFor(const TransferDescription& description, const ScalarVolume& volume);
 
 /// The same appearance with absolute values.
 TransferDescription describe(const VolumeAppearance& appearance);

@@ -20,7 +20,7 @@ struct VolumeHistogram {
   uint64_t total() const;
   double binWidth() const { return (bounds.greatest - bounds.least) / double(counts.size()); }
   /// The value that this share of the voxels lies below, 0 to 100: the number where each is counted, else linear within
-  /// a bin, and never beyond `values`.
+  /// a bin, and never beyond `values`. Outliers make bins wide: percentilesOf() (volume_percentiles.h) is exact.
   double percentile(double percent) const;
   /// The same counts in fewer bins of equal width: for drawing. `bins` is at least 1.
   VolumeHistogram withBins(size_t bins) const;

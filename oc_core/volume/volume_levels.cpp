@@ -80,8 +80,18 @@ class RowSums {
   size_t rows_ = 0;
 };
 
-/// Calls `row(c, b, voxels of the level's row)` for each row of a level, on all threads. While slice c of the level is
-/// made, the slices `slicesOf(c)` of the whole may be read; all of them are, where `readsAll`.
+/// What is read at once of a volume that may not fit into memory.
+constexpr size_t kLevelBytesAtOnce = size_t{128} << 20U;
+
+/// Rows of a level that are made at once, of those of its slice, where they stand for `slices` of a whole.
+size_t levelRowsAtOnce(const ScalarVolume& whole, size_t slices, int factor, size_t height) {
+  const size_t rowBytes = static_cast<size_t>(whole.grid().size.x) * bytesOf(whole.type());
+  return std::clamp<size_t>(kLevelBytesAtOnce / (slices * static_cast<size_t>(factor) * rowBytes), 1, height);
+}
+
+/// Calls `row(c, b, voxels of the level's row)` for each row of a level, on all threads. While rows of slice c of
+/// the level are made, those of the slices `slicesOf(c)` of the whole that they stand for may be read; all of them are,
+/// where `readsAll`.
 template <class Voxel, class SlicesOf, class MakeRow>
 ScalarVolume makeLevel(const ScalarVolume& whole, int factor, bool readsAll, const Progress& progress,
                        const SlicesOf& slicesOf, const MakeRow& makeRow) {
@@ -90,16 +100,25 @@ ScalarVolume makeLevel(const ScalarVolume& whole, int factor, bool readsAll, con
   const auto height = static_cast<size_t>(size.y);
   const auto depth = static_cast<size_t>(size.z);
   std::vector<Voxel> voxels(width * height * depth);
-  // What is in memory already, all at once.
-  const size_t atOnce = whole.store() == nullptr ? depth : 1;
-  for (size_t begin = 0; begin < depth; begin += atOnce) {
-    report(progress, kLevelStage, static_cast<double>(begin) / static_cast<double>(depth));
-    const auto [firstSlice, lastSlice] = slicesOf(begin);
-    const SlicesInMemory slices(whole, firstSlice, lastSlice, readsAll);
-    parallelFor(atOnce * height, 16, [&](size_t from, size_t to) {
-      makeRow(std::pair(begin * height + from, begin * height + to),
+  const auto makeRows = [&](size_t first, size_t last) {
+    report(progress, kLevelStage, static_cast<double>(first) / static_cast<double>(depth * height));
+    parallelFor(last - first, std::min<size_t>(16, last - first), [&](size_t from, size_t to) {
+      makeRow(std::pair(first + from, first + to),
               [&](size_t row) { return std::span(voxels).subspan(row * width, width); });
     });
+  };
+  if (whole.store() == nullptr) {
+    makeRows(0, depth * height);
+  }
+  for (size_t c = 0; c < depth && whole.store() != nullptr; ++c) {
+    const auto [firstSlice, lastSlice] = slicesOf(c);
+    const size_t atOnce = levelRowsAtOnce(whole, lastSlice - firstSlice, factor, height);
+    for (size_t b = 0; b < height; b += atOnce) {
+      const size_t end = std::min(b + atOnce, height);
+      const auto step = static_cast<size_t>(factor);
+      const RowsInMemory rows(whole, {firstSlice, lastSlice}, {b * step, end * step}, readsAll);
+      makeRows(c * height + b, c * height + end);
+    }
   }
   return levelOf(whole, factor, std::move(voxels));
 }

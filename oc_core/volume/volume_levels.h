@@ -28,7 +28,7 @@ int levelFactor(const glm::ivec3& size, size_t maxVoxels);
 VolumeGrid levelGrid(const VolumeGrid& whole, int factor);
 
 /// Each voxel is the mean of those that it stands for, rounded where the type is one of whole numbers. Reads all voxels
-/// but the holes of sparse files, a few slices at a time: the memory of a mapped volume is given back on the way. On
+/// but the holes of sparse files, some 128 MiB at a time: the memory of a mapped volume is given back on the way. On
 /// all threads, the same with any number of them. Voxels that are no numbers spread: ask surveyVoxels().
 ScalarVolume averagedLevel(const ScalarVolume& whole, int factor, const Progress& progress = {});
 

@@ -10,8 +10,8 @@
 namespace ocelli {
 
 /// Calls `body(begin, end)` on all threads, for slices (indices along k) that together are those of [first, last). Of a
-/// volume that comes from a store (voxel_store.h), parts are read ahead and given back when they are done, so that no
-/// more than some 256 MiB of it are in memory for this.
+/// volume that comes from a store (voxel_store.h), parts of some 128 MiB, or of one slice where that is more, are
+/// read ahead and given back when they are done: no more of it is in memory for this.
 void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
                 const std::function<void(size_t begin, size_t end)>& body);
 
@@ -28,6 +28,31 @@ class SlicesInMemory {
   const VoxelStore* store_;
   size_t begin_ = 0;  ///< bytes of the voxels
   size_t end_ = 0;
+};
+
+/// Slices, or rows of one: those from `first` on, before `last`.
+struct IndexRange {
+  size_t first = 0;
+  size_t last = 0;
+};
+
+/// As SlicesInMemory, of these rows of these slices, of those that there are.
+class RowsInMemory {
+ public:
+  RowsInMemory(const ScalarVolume& volume, const IndexRange& slices, const IndexRange& rows, bool readsAhead = true);
+  ~RowsInMemory();
+  RowsInMemory(const RowsInMemory&) = delete;
+  RowsInMemory& operator=(const RowsInMemory&) = delete;
+
+ private:
+  /// Calls `visit(begin, end)` with the bytes of each piece.
+  void forEachPiece(const std::function<void(size_t begin, size_t end)>& visit) const;
+
+  const VoxelStore* store_;
+  size_t pieces_ = 0;
+  size_t firstByte_ = 0;  ///< of the first piece
+  size_t pieceBytes_ = 0;
+  size_t stride_ = 0;  ///< bytes from one piece to the next
 };
 
 /// Whether the rows [firstRow, lastRow) of slice k, in the store of the volume, are known to be zero without being

@@ -3,6 +3,11 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
+#include <glm/common.hpp>
+#include <glm/geometric.hpp>
+#include <limits>
+#include <type_traits>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -36,13 +41,43 @@ VolumeSeries seriesOf(VolumeFile file, const std::string& source) {
   return series;
 }
 
+/// Beyond this, what is drawn with floats (gradients, steps between values) may overflow.
+constexpr double kMaxShownValue = 1e37;
+
+bool isWithinShown(double value) {
+  return std::abs(value) <= kMaxShownValue;
+}
+
+/// Whether every voxel of whole numbers of this type means a value that can be shown, whatever it holds.
+bool areAllShowable(const ScalarVolume& volume) {
+  return visitVoxels(volume, [&](const auto* first) {
+    using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
+    using Limits = std::numeric_limits<Voxel>;
+    return std::is_integral_v<Voxel> &&
+           isWithinShown(volume.scale() * static_cast<double>(Limits::max()) + volume.offset()) &&
+           isWithinShown(volume.scale() * static_cast<double>(Limits::lowest()) + volume.offset());
+  });
+}
+
+/// Throws InputError where a voxel is no number, or means a value that cannot be shown.
+void requireShowable(const VolumeLevel& level, const std::string& source) {
+  if (areAllShowable(*level.volume)) {
+    return;
+  }
+  const VoxelSurvey survey = surveyVoxels(*level.volume);
+  requireFinite(survey, source, level.factor);
+  if (!isWithinShown(survey.range.least) || !isWithinShown(survey.range.greatest)) {
+    throw InputError(fmt::format("voxels mean values from {:g} to {:g}: they can be shown from {:g} to {:g}",
+                                 survey.range.least, survey.range.greatest, -kMaxShownValue, kMaxShownValue),
+                     source,
+                     "correct the scale in its header, or give voxels that have no value that of the background");
+  }
+}
+
 VolumeLevel checkedLevel(const VolumeSeries& series, size_t index, const VolumeSceneOptions& options,
                          const Progress& progress) {
   VolumeLevel level = levelFor(series.volumes[index], options.level, progress);
-  const VoxelType type = level.volume->type();
-  if (type == VoxelType::kFloat32 || type == VoxelType::kFloat64) {
-    requireFinite(surveyVoxels(*level.volume), series.source, level.factor);
-  }
+  requireShowable(level, series.source);
   return level;
 }
 
@@ -53,8 +88,15 @@ VolumeAppearance appearanceIn(const VolumeSeries& series, const VolumeLevel& lev
   }
   const double meanSpacing = series.volumes[index]->grid().meanSpacing();
   const auto described = [&](const ScalarVolume& volume) {
-    return appearanceOf(options.transfer.empty() ? presetFor(volume).description : transferByName(options.transfer),
-                        volume, meanSpacing);
+    const TransferDescription description =
+        options.transfer.empty() ? presetFor(volume).description : transferByName(options.transfer);
+    if (options.warn && !hasScaleFor(description, volume)) {
+      options.warn(
+          fmt::format("all voxels have the value {:g}: nothing is shown by a transfer function whose values "
+                      "are relative to those of the volume (one with \"values\": \"absolute\" shows them)",
+                      volume.valueAt({0, 0, 0})));
+    }
+    return appearanceOf(description, volume, meanSpacing);
   };
   return index == 0 ? described(*level.volume) : described(*checkedLevel(series, 0, options, {}).volume);
 }
@@ -65,9 +107,16 @@ glm::dmat4 sceneFromGridWorld(const VolumeGrid& grid, bool fit, const std::strin
   if (!fit) {
     return upright;
   }
-  const Box box = boundsOf(grid, upright * grid.worldFromIndex);
-  const double radius = glm::length(glm::dvec3(box.size())) / 2;
-  return glm::dmat4(unitFromSphere(glm::dvec3(box.center()), radius, source)) * upright;
+  // In double precision, and the centre apart: a small volume may stand far from its world's origin.
+  const glm::dmat4 sceneFromIndex = upright * grid.worldFromIndex;
+  const glm::dvec3 center(sceneFromIndex * glm::dvec4(glm::dvec3(grid.size - 1) * 0.5, 1));
+  glm::dvec3 halfSize(0);
+  for (int axis = 0; axis < 3; ++axis) {
+    halfSize += glm::abs(glm::dvec3(sceneFromIndex[axis])) * (0.5 * grid.size[axis]);
+  }
+  glm::dmat4 toOrigin(1);
+  toOrigin[3] = glm::dvec4(-center, 1);
+  return glm::dmat4(unitFromSphere(glm::dvec3(0), glm::length(halfSize), source)) * toOrigin * upright;
 }
 
 }  // namespace

@@ -1,12 +1,13 @@
 #include "oc_core/volume/volume_summary.h"
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <string_view>
 
 #include "oc_core/base/check.h"
 #include "oc_core/volume/transfer_presets.h"
-#include "oc_core/volume/volume_histogram.h"
+#include "oc_core/volume/volume_percentiles.h"
 
 namespace ocelli {
 namespace {
@@ -46,10 +47,7 @@ VolumeSummary summaryOf(const VolumeSeries& series, size_t index, const LevelOpt
                         .survey = surveyVoxels(*level.volume),
                         .level = describeLevel(level, whole.grid()),
                         .preset = series.appearance ? "" : presetFor(*level.volume).name};
-  const VolumeHistogram histogram = histogramOf(*level.volume);
-  for (size_t i = 0; i < VolumeSummary::kPercents.size(); ++i) {
-    summary.percentiles[i] = histogram.percentile(VolumeSummary::kPercents[i]);
-  }
+  std::ranges::copy(percentilesOf(*level.volume, VolumeSummary::kPercents), summary.percentiles.begin());
   return summary;
 }
 

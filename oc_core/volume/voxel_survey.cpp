@@ -28,6 +28,12 @@ struct VoxelBounds {
     greatest = value > greatest ? value : greatest;
   }
 
+  /// Bounds of nothing, whose least exceeds the greatest, add nothing.
+  void add(const VoxelBounds& other) {
+    least = std::min(least, other.least);
+    greatest = std::max(greatest, other.greatest);
+  }
+
   void addAll(const Voxel* voxels, size_t count) {
     std::array<Voxel, kLanes> lower;
     std::array<Voxel, kLanes> upper;
@@ -86,8 +92,7 @@ class SurveyOfSlices {
   }
 
   void add(const SurveyOfSlices& other) {
-    bounds_.add(other.bounds_.least);
-    bounds_.add(other.bounds_.greatest);
+    bounds_.add(other.bounds_);
     notFinite_ += other.notFinite_;
     firstBad_ = std::min(firstBad_, other.firstBad_);
   }

@@ -128,13 +128,44 @@ TEST(TransferFile, fitsItsVolume) {
   description.scale = "percentiles";
   description.opacityLength = 7;
   const VolumeAppearance byPercentiles = appearanceOf(description, volume, 2);
-  // The bins of floats are 100 / 4096 wide, and each share of 1 % is about 1 here.
-  EXPECT_NEAR(byPercentiles.transfer.points()[0].value, 1 + 0.25 * 98, 0.1);
+  // The second and the 100th of the 101 voxels are the first below which 1 % and 99 % of them are.
+  EXPECT_EQ(byPercentiles.transfer.points()[0].value, 1 + 0.25 * 98);
   EXPECT_EQ(byPercentiles.transfer.opacityLength(), 7);
   const TransferDescription absolute = describe(byRange);
   EXPECT_EQ(absolute.scale, "absolute");
   EXPECT_EQ(absolute.points[1].value, 150);
   EXPECT_EQ(absolute.opacityLength, 2);
+}
+
+TEST(TransferFile, fitsAMaskOfFewVoxelsByItsRange) {
+  VolumeGrid grid;
+  grid.size = {1000, 1, 1};
+  std::vector<float> values(grid.voxelCount(), 0);
+  values[10] = 2;
+  const TransferDescription description{.scale = "percentiles", .points = {{0.25, {}, 0}, {1, {}, 0.5}}};
+  const ScalarVolume mask(grid, values);
+  EXPECT_TRUE(hasScaleFor(description, mask));
+  const VolumeAppearance appearance = appearanceOf(description, mask, 1);
+  EXPECT_EQ(appearance.transfer.points()[0].value, 0.5);
+  EXPECT_EQ(appearance.transfer.points()[1].value, 2);
+  EXPECT_EQ(appearance.transfer.points()[1].opacity, 0.5);
+}
+
+TEST(TransferFile, showsNothingOfOneValueByARelativeScale) {
+  VolumeGrid grid;
+  grid.size = {8, 1, 1};
+  const ScalarVolume flat(grid, std::vector<float>(grid.voxelCount(), 3));
+  TransferDescription description{.points = {{0.25, {}, 0}, {1, {}, 0.5}}};
+  for (const std::string scale : {"range", "percentiles"}) {
+    description.scale = scale;
+    EXPECT_FALSE(hasScaleFor(description, flat));
+    for (const TransferPoint& point : appearanceOf(description, flat, 1).transfer.points()) {
+      EXPECT_EQ(point.opacity, 0) << scale;
+    }
+  }
+  description.scale = "absolute";
+  EXPECT_TRUE(hasScaleFor(description, flat));
+  EXPECT_EQ(appearanceOf(description, flat, 1).transfer.points()[1].opacity, 0.5);
 }
 
 TEST(TransferPresets, areFoundByNameAndFitWhatIsKnownOfAVolume) {

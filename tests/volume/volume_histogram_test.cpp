@@ -106,6 +106,23 @@ TEST(VoxelSurvey, SaysHowManyVoxelsAreNoNumbersAndWhere) {
   requireFinite(surveyVoxels({grid, std::vector<float>(grid.voxelCount())}), "some.nrrd");
 }
 
+TEST(VoxelSurvey, TakesNoBoundsFromVoxelsThatAreNoNumbers) {
+  VolumeGrid grid;
+  grid.size = {3, 1, 2};
+  const VoxelSurvey none = surveyVoxels({grid, std::vector<float>(grid.voxelCount(), kNan)});
+  EXPECT_EQ(none.notFinite, 6U);
+  EXPECT_EQ(none.range.least, 0);
+  EXPECT_EQ(none.range.greatest, 0);
+  // Whole slices without numbers may be surveyed by themselves.
+  grid.size = {1, 1, 64};
+  std::vector<float> values(grid.voxelCount(), kNan);
+  values.front() = 2;
+  values[1] = 5;
+  const VoxelSurvey some = surveyVoxels({grid, values});
+  EXPECT_EQ(some.range.least, 2);
+  EXPECT_EQ(some.range.greatest, 5);
+}
+
 TEST(VolumeGradient, IsThatOfTheWorld) {
   const glm::dvec3 slope(1, -2, 0.5);
   const ScalarVolume volume = linearIn(shearedGrid({5, 4, 3}), slope);

@@ -6,7 +6,11 @@
 #include <algorithm>
 #include <cstring>
 #include <fstream>
+#include <memory>
 #include <numeric>
+#include <span>
+#include <string>
+#include <vector>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
@@ -55,6 +59,44 @@ TEST(VolumeLevels, areMeansOfTheVoxelsThatTheyStandFor) {
       }
     }
   }
+}
+
+/// Zeros that count how many of their bytes are in use.
+class CountedZeros : public VoxelStore {
+ public:
+  explicit CountedZeros(size_t count) : bytes_(count) {}
+
+  std::span<const std::byte> bytes() const override { return bytes_; }
+  bool isKnownZero(size_t /*begin*/, size_t /*end*/) const override { return false; }
+  size_t bytesToRead() const override { return bytes_.size(); }
+  void willRead(size_t begin, size_t end) const override {
+    used_ += end - begin;
+    most_ = std::max(most_, used_);
+    all_ += end - begin;
+  }
+  void release(size_t begin, size_t end) const override { used_ -= end - begin; }
+
+  size_t used() const { return used_; }
+  size_t most() const { return most_; }
+  size_t all() const { return all_; }
+
+ private:
+  std::vector<std::byte> bytes_;
+  // averagedLevel() reads ahead and gives back on one thread.
+  mutable size_t used_ = 0;
+  mutable size_t most_ = 0;
+  mutable size_t all_ = 0;
+};
+
+TEST(VolumeLevels, haveNoMoreThanAPartOfALargeSliceInMemory) {
+  VolumeGrid grid;
+  grid.size = {2048, 8193, 2};
+  const auto zeros = std::make_shared<CountedZeros>(grid.voxelCount() * sizeof(double));
+  const ScalarVolume level = averagedLevel({grid, VoxelType::kFloat64, zeros}, 2);
+  EXPECT_EQ(level.grid().size, glm::ivec3(1024, 4097, 1));
+  EXPECT_EQ(zeros->all(), zeros->bytes().size()) << "each row once";
+  EXPECT_EQ(zeros->used(), 0U);
+  EXPECT_LE(zeros->most(), size_t{128} << 20U);
 }
 
 TEST(VolumeLevels, standWhereTheirVoxelsDo) {
@@ -158,6 +200,25 @@ TEST(MappedVolumes, mayBeginAnywhereAtAMultipleOfAVoxel) {
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("numbers.raw"), testing::HasSubstr("2000")));
   }
+}
+
+TEST(MappedVolumes, shareOneMappingOfTheirFile) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "moments.raw";
+  std::ofstream(path, std::ios::binary) << std::string(300, '\1') << std::string(100, '\2');
+  VolumeGrid grid;
+  grid.size = {10, 10, 1};
+  const std::vector<ScalarVolume> volumes = mapVolumes(grid, VoxelType::kUint8, path, {0, 100, 300}, 2);
+  ASSERT_EQ(volumes.size(), 3U);
+  EXPECT_EQ(volumes[1].valueAt({9, 9, 0}), 2);
+  EXPECT_EQ(volumes[2].valueAt({0, 0, 0}), 4);
+  size_t mappings = 0;
+  std::ifstream maps("/proc/self/maps");
+  for (std::string line; std::getline(maps, line);) {
+    mappings += line.ends_with("/moments.raw") ? 1 : 0;
+  }
+  EXPECT_EQ(mappings, 1U);
+  EXPECT_THROW(mapVolumes(grid, VoxelType::kUint8, path, {0, 301}), InputError);
 }
 
 }  // namespace

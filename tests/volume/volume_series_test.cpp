@@ -3,7 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
 #include <limits>
+#include <span>
 
 #include "oc_core/base/error.h"
 
@@ -68,6 +70,34 @@ TEST(VolumeSeries, hasWarningsOnlyForThoseWhoAsk) {
   volumeSceneAt(series, 0);
 }
 
+TEST(VolumeScene, refusesValuesBeyondWhatCanBeShown) {
+  const auto errorOf = [](VoxelType type, const auto& values, double scale) {
+    VolumeGrid grid;
+    grid.size = {2, 1, 1};
+    VolumeSeries series{.source = "huge.nrrd", .volumes = {}};
+    series.volumes.push_back(
+        std::make_shared<const ScalarVolume>(grid, type, std::as_bytes(std::span(values)), nullptr, scale));
+    return errorOfCall([&] { volumeSceneAt(series, 0); });
+  };
+  using Doubles = std::array<double, 2>;
+  using Shorts = std::array<int16_t, 2>;
+  EXPECT_THAT(errorOf(VoxelType::kFloat64, Doubles{0, 1e300}, 1),
+              testing::AllOf(HasSubstr("1e+300"), HasSubstr("huge")));
+  EXPECT_THAT(errorOf(VoxelType::kInt16, Shorts{0, 30}, 1e308), HasSubstr("from 0 to inf"));
+  EXPECT_THAT(errorOf(VoxelType::kFloat64, Doubles{0, -2e37}, 1), HasSubstr("-2e+37"));
+  EXPECT_EQ(errorOf(VoxelType::kFloat64, Doubles{0, 1e300}, 1e-290), "");
+  // What voxels hold counts, not what they could.
+  EXPECT_EQ(errorOf(VoxelType::kInt16, Shorts{0, 30}, 1e35), "");
+}
+
+TEST(VolumeScene, saysWhyNothingIsShownOfAVolumeOfOneValue) {
+  VolumeSeries series{.source = "flat.nrrd", .volumes = {}};
+  series.volumes.push_back(std::make_shared<const ScalarVolume>(lineOf({0.5f, 0.5f, 0.5f})));
+  std::vector<std::string> told;
+  volumeSceneAt(series, 0, {.warn = [&](const std::string& sentence) { told.push_back(sentence); }});
+  EXPECT_THAT(told, testing::ElementsAre(HasSubstr("all voxels have the value 0.5")));
+}
+
 TEST(VolumeScene, refusesVoxelsThatAreNoNumbers) {
   VolumeSeries series{.source = "odd.nrrd", .volumes = {}};
   series.volumes.push_back(
@@ -77,6 +107,28 @@ TEST(VolumeScene, refusesVoxelsThatAreNoNumbers) {
   // A level of it says no more than where to look.
   EXPECT_THAT(errorOfCall([&] { volumeSceneAt(series, 0, {.level = {.maxWholeBytes = 8, .maxBytes = 8}}); }),
               testing::AllOf(HasSubstr("at least 1"), HasSubstr("from index (2, 0, 0) up to 1 further")));
+}
+
+TEST(VolumeScene, isFittedWhereverItsFileHasIt) {
+  const auto sceneOf = [](const glm::dvec3& origin) {
+    VolumeGrid grid;
+    grid.size = {16, 8, 4};
+    grid.worldFromIndex = {{0, 0.001, 0, 0}, {-0.001, 0, 0, 0}, {0, 0, 0.002, 0}, glm::dvec4(origin, 1)};
+    VolumeSeries series{.source = "far.nrrd", .volumes = {}};
+    series.volumes.push_back(std::make_shared<const ScalarVolume>(grid, std::vector<float>(grid.voxelCount(), 1)));
+    series.appearance = VolumeAppearance{TransferFunction({{0, {}, 0}, {1, {}, 1}}, 1)};
+    return volumeSceneAt(series, 0);
+  };
+  const VolumeScene near = sceneOf(glm::dvec3(0));
+  const VolumeScene far = sceneOf({50000, -70000, 90000});
+  const glm::dvec3 size(far.bounds().size());
+  EXPECT_NEAR(glm::length(size), 2, 1e-6);
+  EXPECT_NEAR(size.y, 2 * size.x, 1e-6);
+  EXPECT_NEAR(glm::length(far.bounds().center()), 0, 1e-6);
+  for (int column = 0; column < 4; ++column) {
+    // A double at 90000 is good to 1.5e-11, a radius of 0.01 makes this 1.5e-9, and some of these come together.
+    EXPECT_NEAR(glm::length(far.worldFromIndex[column] - near.worldFromIndex[column]), 0, 1e-8) << column;
+  }
 }
 
 TEST(VolumeScene, isShownByALevelInTheSamePlaceAndOfTheSameOpacity) {
