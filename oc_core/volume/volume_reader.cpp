@@ -95,10 +95,9 @@ VolumeFile readOne(const fs::path& path, const VolumeFileOptions& options, const
     scratch.check(path);
   }
   const fs::path holder = record.file.empty() ? scratch.link() : fs::path(record.file);
-  for (const uint64_t begin : record.begins) {
-    file.volumes.push_back(
-        mapVolume(record.grid, record.type, {holder, begin, record.volumeBytes()}, record.scale, record.offset));
-    file.volumes.back().setFacts(record.facts);
+  file.volumes = mapVolumes(record.grid, record.type, holder, record.begins, record.scale, record.offset);
+  for (ScalarVolume& volume : file.volumes) {
+    volume.setFacts(record.facts);
   }
   return file;
 }
