@@ -1,6 +1,7 @@
 #include "oc_core/volume_render/ray_pieces.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
@@ -8,11 +9,38 @@
 namespace ocelli {
 namespace {
 
-/// Bits of the half spaces of the box that a point is not in.
-unsigned outsideOf(const glm::dvec3& upper, const glm::dvec3& p) {
-  return unsigned(p.x < -0.5) | unsigned(p.y < -0.5) << 1 | unsigned(p.z < -0.5) << 2 | unsigned(p.x > upper.x) << 3 |
-         unsigned(p.y > upper.y) << 4 | unsigned(p.z > upper.z) << 5;
-}
+/// The points of a ray in index coordinates, and for each the bits of the half spaces of the box that it is not in.
+/// Loops of their own, which compilers turn into vectors.
+struct IndexPoints {
+  // Without initial values: there is room for as many as a ray may have, for every ray.
+  std::array<double, RayPath::kMaxPoints> x;
+  std::array<double, RayPath::kMaxPoints> y;
+  std::array<double, RayPath::kMaxPoints> z;
+  std::array<unsigned, RayPath::kMaxPoints> outside;
+
+  /// The bits that all of them have.
+  unsigned place(const RayPath& ray, const glm::dmat4& indexFromWorld, const glm::dvec3& upper) {
+    const glm::dmat4& m = indexFromWorld;
+    const size_t size = ray.size();
+    const glm::vec3* const p = ray.begin();
+    for (size_t i = 0; i < size; ++i) {
+      const auto px = static_cast<double>(p[i].x);
+      const auto py = static_cast<double>(p[i].y);
+      const auto pz = static_cast<double>(p[i].z);
+      x[i] = m[0][0] * px + m[1][0] * py + m[2][0] * pz + m[3][0];
+      y[i] = m[0][1] * px + m[1][1] * py + m[2][1] * pz + m[3][1];
+      z[i] = m[0][2] * px + m[1][2] * py + m[2][2] * pz + m[3][2];
+    }
+    unsigned all = ~0U;
+    for (size_t i = 0; i < size; ++i) {
+      outside[i] = unsigned(x[i] < -0.5) | unsigned(y[i] < -0.5) << 1 | unsigned(z[i] < -0.5) << 2 |
+                   unsigned(x[i] > upper.x) << 3 | unsigned(y[i] > upper.y) << 4 | unsigned(z[i] > upper.z) << 5;
+      all &= outside[i];
+    }
+    return all;
+  }
+  glm::dvec3 at(size_t i) const { return {x[i], y[i], z[i]}; }
+};
 
 /// A half space cuts a segment: `from` and `to` are how far within it the ends lie. False where nothing is left.
 bool narrow(double from, double to, SegmentPart& part) {
@@ -40,14 +68,18 @@ size_t VolumeExtent::cut(const RayPath& ray, double end, Pieces& pieces) const {
   if (ray.size() < 2) {
     return 0;
   }
-  glm::dvec3 next(indexFromWorld_ * glm::dvec4(ray[0], 1));
-  unsigned nextOutside = outsideOf(upper_, next);
+  IndexPoints points;
+  if (points.place(ray, indexFromWorld_, upper_) != 0) {
+    return 0;  // all of it lies beyond one face, as most rays do where a volume is small
+  }
+  glm::dvec3 next = points.at(0);
+  unsigned nextOutside = points.outside[0];
   double lastEnd = -1;  // where the piece before ends: segments and shares of them
   for (size_t i = 0; i + 1 < ray.size(); ++i) {
     const glm::dvec3 from = next;
     const unsigned outside = nextOutside;
-    next = glm::dvec3(indexFromWorld_ * glm::dvec4(ray[i + 1], 1));
-    nextOutside = outsideOf(upper_, next);
+    next = points.at(i + 1);
+    nextOutside = points.outside[i + 1];
     if ((outside & nextOutside) != 0) {
       continue;  // both ends lie beyond one face
     }
