@@ -58,15 +58,18 @@ void readOption(JsonFields& fields, const CameraOption& option, CameraChoice& ch
   }
 }
 
-ReferenceImages finished(ReferenceImages images, const CameraChoice& choice, const PinholeCamera& reference,
-                         const Mesh& mesh) {
+ReferenceImages finished(ReferenceImages images, const RepresentationInputs& inputs) {
   size_t samples = 0;
   for (ReferenceImage& image : images) {
     samples += image.sampleCount();
-    image.camera = choice.name;
+    image.camera = inputs.choice.name;
+  }
+  if (samples == 0 && dynamic_cast<const TargetRenderer*>(inputs.renderer) != nullptr) {
+    throw InputError("no ray of the view hits the scene", "view",
+                     "turn \"target\" towards it; of a volume, a lower --opacity is reached sooner");
   }
   if (samples == 0) {
-    failSeeingNothing(reference, mesh, "view");
+    failSeeingNothing(inputs.reference, inputs.mesh, "view");
   }
   return images;
 }
@@ -83,7 +86,7 @@ ReferenceImages imagesOf(const RepresentationInputs& inputs,
     throw InputError("camera \"" + choice.name + "\" " + kind.needsCpu, "--camera",
                      "draw it without OpenGL, or choose another camera");
   }
-  return finished(make(inputs), choice, inputs.reference, inputs.mesh);
+  return finished(make(inputs), inputs);
 }
 
 ReferenceImages imagesOf(const RepresentationInputs& inputs) {
@@ -231,7 +234,8 @@ ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choic
   if (!choice.kind->draw) {
     throw InputError("\"" + choice.name + "\" is drawn in one way only", "--method", "use raster");
   }
-  return finished({choice.kind->draw(technique, {choice, reference, mesh, progress})}, choice, reference, mesh).front();
+  const RepresentationInputs inputs{choice, reference, mesh, progress};
+  return finished({choice.kind->draw(technique, inputs)}, inputs).front();
 }
 
 std::vector<CameraMap> cameraMaps(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,

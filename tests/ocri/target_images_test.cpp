@@ -115,7 +115,7 @@ TEST(TargetImagesErrors, SayWhatToDo) {
   EXPECT_THAT(errorOf("geometry", smallCamera()), HasSubstr("is made of triangles"));
   View away;
   away.target = {0, 0, 20};
-  EXPECT_THAT(errorOf("di", PinholeCamera(away, 30, 20)), HasSubstr("the view sees nothing of the scene"));
+  EXPECT_THAT(errorOf("di", PinholeCamera(away, 30, 20)), HasSubstr("no ray of the view hits the scene"));
 }
 
 TEST(TargetImagesMaps, AreThoseOfTheMesh) {
