@@ -159,7 +159,8 @@ TEST(TransferFile, showsNothingOfOneValueByARelativeScale) {
   for (const std::string scale : {"range", "percentiles"}) {
     description.scale = scale;
     EXPECT_FALSE(hasScaleFor(description, flat));
-    for (const TransferPoint& point : appearanceOf(description, flat, 1).transfer.points()) {
+    const VolumeAppearance appearance = appearanceOf(description, flat, 1);
+    for (const TransferPoint& point : appearance.transfer.points()) {
       EXPECT_EQ(point.opacity, 0) << scale;
     }
   }
