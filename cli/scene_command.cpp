@@ -148,12 +148,15 @@ void putMotion(Json& info, const SceneMotion& motion) {
 
 /// Of a scene that moves: its motion is told, too.
 std::unique_ptr<SceneMotion> motionToTell(const SceneChoice& scene, const Progress& progress) {
-  return mayMove(scene.source) ? loadMotion(scene.source, scene.options, progress) : nullptr;
+  return !scene.options.iso && mayMove(scene.source) ? loadMotion(scene.source, scene.options, progress) : nullptr;
 }
 
 /// At the time that is asked for; otherwise at rest, and a folder of meshes at its begin.
 GuidedScene sceneToTell(const SceneChoice& scene, const Progress& progress) {
   SceneOptions options = scene.options;
+  if (options.iso) {
+    return loadGuidedScene(scene.source, options, progress);  // of a volume, which has no meshes in a folder
+  }
   if (std::filesystem::is_directory(scene.source)) {
     options.motion.seconds = options.motion.seconds.value_or(0);
   } else if (!options.motion.seconds) {
