@@ -24,7 +24,7 @@ inline constexpr size_t kSweptCodes = size_t{1} << (kSweptMeanBits + kSweptSprea
 inline constexpr uint16_t kNothingSwept = kSweptCodes - 1;
 
 inline constexpr float kSweptSpreadsAnOctave = 5;
-inline constexpr float kLeastSweptSpread = 0.25f;  ///< in steps of the mean
+inline constexpr float kMinSweptSpread = 0.25f;  ///< in steps of the mean
 
 /// Of the range, from 0 to 1.
 inline constexpr float sweptMeanOf(uint16_t code) {
@@ -36,7 +36,7 @@ inline float sweptHalfSpreadOf(uint16_t code) {
   const int step = code & (kSweptSpreads - 1);
   return step == 0
              ? 0
-             : kLeastSweptSpread * std::exp2(static_cast<float>(step - 1) / kSweptSpreadsAnOctave) / (kSweptMeans - 1);
+             : kMinSweptSpread * std::exp2(static_cast<float>(step - 1) / kSweptSpreadsAnOctave) / (kSweptMeans - 1);
 }
 
 /// The logarithm to base 2 to within 0.01, of a positive, normal number.
@@ -52,7 +52,7 @@ inline uint16_t sweptCode(float mean, float halfSpread) {
   constexpr auto kSteps = static_cast<float>(kSweptMeans - 1);
   const float inRange = std::clamp(mean, 0.0f, 1.0f);
   const auto step = static_cast<uint16_t>(inRange * kSteps + 0.5f);
-  const float spread = halfSpread * kSteps / kLeastSweptSpread;
+  const float spread = halfSpread * kSteps / kMinSweptSpread;
   int spreadStep = 0;
   if (spread > 0.87f) {  // 2^(-1/5): nearer to the first step than to none
     spreadStep =

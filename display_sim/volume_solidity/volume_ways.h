@@ -29,7 +29,7 @@ struct VolumeWay {
 };
 
 const std::vector<VolumeWay>& volumeWays();
-/// Throws InputError, naming `option`, for a name that is none of theirs.
+/// Throws InputError, naming `option`, for an unknown name.
 const VolumeWay& volumeWayByName(const std::string& name, const std::string& option);
 
 struct VolumeWaysToMeasure {

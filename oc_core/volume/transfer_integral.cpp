@@ -9,7 +9,7 @@ namespace ocelli {
 namespace {
 
 /// Less light passes no slab of the opacity length.
-constexpr double kLeastPassed = 1 - TransferFunction::kMaxOpacity;
+constexpr double kMinPassed = 1 - TransferFunction::kMaxOpacity;
 
 /// What is linear in the value: how much light a slab of the opacity length passes, and its colour.
 struct Passing {
@@ -51,13 +51,13 @@ glm::dvec4 meanOfPassing(const Passing& a, const Passing& b) {
 
 /// The same for any two, of which one that passes less than the function's least counts as that.
 glm::dvec4 meanBetween(Passing a, Passing b) {
-  const auto bounded = [](Passing p) { return Passing{std::max(p.passed, kLeastPassed), p.color}; };
-  if ((a.passed < kLeastPassed) == (b.passed < kLeastPassed)) {
+  const auto bounded = [](Passing p) { return Passing{std::max(p.passed, kMinPassed), p.color}; };
+  if ((a.passed < kMinPassed) == (b.passed < kMinPassed)) {
     return meanOfPassing(bounded(a), bounded(b));
   }
-  const double share = (kLeastPassed - a.passed) / (b.passed - a.passed);
+  const double share = (kMinPassed - a.passed) / (b.passed - a.passed);
   Passing middle = mixPassing(a, b, share);
-  middle.passed = kLeastPassed;
+  middle.passed = kMinPassed;
   return share * meanOfPassing(bounded(a), middle) + (1 - share) * meanOfPassing(middle, bounded(b));
 }
 

@@ -123,4 +123,13 @@ glm::ivec3 VolumeBricks::brickAt(const glm::dvec3& index) const {
   return glm::clamp(glm::ivec3(glm::floor(index / double(kEdge))), glm::ivec3(0), size_ - 1);
 }
 
+ValueRange rangeOf(const VolumeBricks& bricks) {
+  ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  for (const BrickRange& brick : bricks.ranges()) {
+    range.least = std::min(range.least, static_cast<double>(brick.least));
+    range.greatest = std::max(range.greatest, static_cast<double>(brick.greatest));
+  }
+  return range;
+}
+
 }  // namespace ocelli

@@ -43,4 +43,7 @@ class VolumeBricks {
   std::vector<BrickRange> ranges_;
 };
 
+/// The least and the greatest value of the field in all bricks.
+ValueRange rangeOf(const VolumeBricks& bricks);
+
 }  // namespace ocelli

@@ -18,7 +18,7 @@ std::span<const VolumeFormat> volumeFormats();
 inline constexpr std::string_view kDicomFormat = "DICOM";
 
 /// The format of a file by the ending of its name, in any case; DICOM also by its first bytes, and for a folder that
-/// has such a file. Null where it is none of these. That of a folder is the first of volumeFormatsIn().
+/// has such a file. Null for any other file. That of a folder is the first of volumeFormatsIn().
 const VolumeFormat* volumeFormatOf(const std::filesystem::path& path);
 /// The same of a file's name alone.
 const VolumeFormat* volumeFormatOfName(const std::filesystem::path& path);

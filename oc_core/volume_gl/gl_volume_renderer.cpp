@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <glm/matrix.hpp>
-#include <limits>
 #include <span>
 #include <utility>
 
@@ -50,15 +49,6 @@ struct ExtentBlock {
   int32_t clipCount = 0;
   std::array<int32_t, 3> unused{};
 };
-
-ValueRange rangeOf(const VolumeBricks& bricks) {
-  ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const BrickRange& brick : bricks.ranges()) {
-    range.least = std::min(range.least, static_cast<double>(brick.least));
-    range.greatest = std::max(range.greatest, static_cast<double>(brick.greatest));
-  }
-  return range;
-}
 
 /// A row for each of the numbers of an entry.
 GlObject uploadTable(GlContext& context, const OpticalTable& table) {

@@ -18,19 +18,6 @@
 #include "oc_core/volume_render/volume_occupancy.h"
 
 namespace ocelli {
-namespace {
-
-ValueRange rangeOf(const VolumeBricks& bricks) {
-  ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
-  for (const BrickRange& brick : bricks.ranges()) {
-    range.least = std::min(range.least, static_cast<double>(brick.least));
-    range.greatest = std::max(range.greatest, static_cast<double>(brick.greatest));
-  }
-  return range;
-}
-
-}  // namespace
-
 struct VolumeRenderer::Impl {
   VolumeScene scene;
   VolumeRenderOptions options;

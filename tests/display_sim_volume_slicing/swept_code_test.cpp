@@ -16,13 +16,13 @@ TEST(SweptCode, KeepsTheMeanToHalfAStep) {
 }
 
 TEST(SweptCode, KeepsTheSpreadToHalfOfAStepOfItsLogarithm) {
-  constexpr float kLeast = kLeastSweptSpread / (kSweptMeans - 1);
-  for (float spread = kLeast; spread < 1; spread *= 1.013f) {
+  constexpr float kMinSpread = kMinSweptSpread / (kSweptMeans - 1);
+  for (float spread = kMinSpread; spread < 1; spread *= 1.013f) {
     // Half a step is a tenth of an octave; the rough logarithm is wrong by 0.01 octaves at the most, and 5 steps an
     // octave make a twentieth of a step of that.
     EXPECT_NEAR(std::log2(sweptHalfSpreadOf(sweptCode(0.5f, spread)) / spread), 0, 0.1 + 0.01);
   }
-  EXPECT_EQ(sweptHalfSpreadOf(sweptCode(0.5f, kLeast / 2)), 0);
+  EXPECT_EQ(sweptHalfSpreadOf(sweptCode(0.5f, kMinSpread / 2)), 0);
   EXPECT_EQ(sweptHalfSpreadOf(sweptCode(0.5f, 0)), 0);
 }
 
