@@ -11,7 +11,7 @@
 #include "bench/timing.h"
 #include "oc_core/camera/view.h"
 #include "oc_core/volume_camera/volume_camera.h"
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 #include "oc_core/volume_render/volume_renderer.h"
 #include "oc_core/volume_render/volume_target.h"
 
@@ -33,7 +33,7 @@ struct MeasuredCamera {
   VolumeCamera camera;
   double bestWall = 1e30;
   double bestProcessor = 1e30;
-  VolumePictureFacts facts{};
+  VolumeImageFacts facts{};
 };
 
 void measureStep(const VolumeCameraBenchChoice& choice, VolumeRenderer& renderer, std::vector<MeasuredCamera>& cameras,

@@ -110,7 +110,7 @@ EvaluateTruth truthOf(const EvaluateChoice& choice, const EvaluationOptions& opt
   if (takesVolume(choice.scene)) {
     truth.volume = std::make_unique<const VolumeFirstHits>(
         loadVolume(choice.scene, choice.volume, context),
-        VolumeRenderOptions{.depthOpacity = choice.opacity.value_or(kFirstHitOpacity)});
+        VolumeRenderOptions{.depthOpacity = choice.opacity.value_or(VolumeRenderOptions{}.depthOpacity)});
     truth.scene = std::make_unique<const TargetScene>(truth.volume->evaluated());
     truth.parts = truth.volume->description();
     truth.key = evaluationKey(truth.volume->identity(), options, more);

@@ -175,7 +175,7 @@ ReferenceImages imagesOfVolume(const BuildChoice& choice, const std::vector<View
     }
   }
   const VolumeFirstHits volume(loadVolume(choice.scene, choice.volume, context),
-                               {.depthOpacity = choice.opacity.value_or(kFirstHitOpacity)});
+                               {.depthOpacity = choice.opacity.value_or(VolumeRenderOptions{}.depthOpacity)});
   std::vector<ReferenceImages> viewers;
   for (const View& view : views) {
     viewers.push_back(buildReferenceImages(camera, PinholeCamera(view, size.width, size.height), volume.renderer(),

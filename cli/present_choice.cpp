@@ -77,6 +77,9 @@ void checkPresentChoice(const PresentChoice& choice) {
            "--viewer X,Y,Z with --seen-opacity 0.5");
     refuse(choice.hasCamera(), "a volume is shown straight from its field", "--camera",
            "leave it out, or show what --viewer sees, with --seen-opacity 0.5");
+    refuse(choice.turn && (choice.volumeSlicing.cutaway || choice.volumeSlicing.seenOpacity),
+           "what is left out for a viewer would turn with the volume", "--turn",
+           "leave it out, or --cutaway and --seen-opacity");
     refuse(choice.scene.options.iso && !choice.transferTo.empty(), "a surface has no transfer function",
            "--transfer-to", "leave it out, or --iso");
   } else {

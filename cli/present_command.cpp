@@ -145,15 +145,11 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
 /// The light of a transfer function that moves: there in the first half of the time, and back in the second.
 using MovingLight = std::function<std::shared_ptr<const SweptLight>(const ShownVolume& volume, double seconds)>;
 
-bool isSameShading(const VolumeShading& a, const VolumeShading& b) {
-  return a.isOn == b.isOn && (!a.isOn || (a.ambient == b.ambient && a.diffuse == b.diffuse));
-}
-
 MovingLight movingLight(const PresentChoice& choice, const ShownVolume& first, const CommandContext& context) {
   const ScalarVolume& scalars = *first.scene().volume;
   const VolumeAppearance& begun = first.scene().appearance;
   const VolumeAppearance later = appearanceOf(transferByName(choice.transferTo), scalars, first.scene().voxelSpacing());
-  if (!isSameShading(begun.shading, later.shading)) {
+  if (!isSameOnDisplay(begun.shading, later.shading)) {
     context.note(
         fmt::format("warning: the shading of \"{}\" does not count: what is shown keeps the shading that it has",
                     choice.transferTo));

@@ -100,9 +100,9 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   if (takesVolume(choice.scene)) {
     refuseForVolumes(choice.antialias != "none", "--antialias", "has no antialiasing", "draw it in a larger --size");
     refuseForVolumes(!choice.identity.empty(), "--identity", "has no objects", "leave it out");
-    return renderVolumePicture({choice.scene, choice.volume, choice.volumeRender, choice.camera, choice.method,
-                                choice.gl, choice.output, reference},
-                               context);
+    return renderVolumeScene({choice.scene, choice.volume, choice.volumeRender, choice.camera, choice.method, choice.gl,
+                              choice.output, reference},
+                             context);
   }
   refuseVolumeOptions(choice.volume);
   refuseVolumeRenderOptions(choice.volumeRender);

@@ -133,6 +133,7 @@ void runVolume(const SolidityChoice& choice, const SolidityOptions& options, con
                              .shown = {.surface = choice.scene.options.iso},
                              .ways = choice.ways.empty() ? allWays() : choice.ways,
                              .settings = {.referenceEye = reference.eye(), .cellEyes = {reference.eye()}}};
+  requireSurface(wanted.scene, choice.scene);
   for (const View& corner : cell.edgeViews(reference.view(), 0)) {
     wanted.settings.cellEyes.push_back(corner.eye);
   }

@@ -15,7 +15,7 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/volume_camera/volume_camera.h"
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 #include "oc_core/volume_camera/volume_surfaces.h"
 #include "oc_core/volume_render/volume_renderer.h"
 #include "oc_core/volume_render/volume_target.h"
@@ -104,7 +104,7 @@ void refuseForVolumes(bool isGiven, const std::string& option, const std::string
   }
 }
 
-void renderVolumePicture(const VolumeRender& render, const CommandContext& context) {
+void renderVolumeScene(const VolumeRender& render, const CommandContext& context) {
   checkChoice(render);
   const std::string& background = render.options.background;
   const glm::vec3 behind = background.empty() ? glm::vec3(0) : colorFromText(background, "--background");
@@ -125,14 +125,14 @@ void renderVolumePicture(const VolumeRender& render, const CommandContext& conte
   const VolumeImage image = gl ? gl->render(camera.size, camera.ray, context.progress())
                                : renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress());
   const double drawSeconds = secondsSince(drawing);
-  const VolumePictureFacts facts = factsOf(image);
+  const VolumeImageFacts facts = factsOf(image);
   if (facts.touched == 0) {
     failShowingNothing(camera, renderer.scene());
   }
   if (render.output.ends_with(".exr")) {
-    writeVolumePicture(render.output, image, camera, options.depthOpacity);
+    writeVolumeImage(render.output, image, camera, options.depthOpacity);
   } else {
-    writePng(render.output, srgbFromLinear(pictureBefore(behind, image)));
+    writePng(render.output, srgbFromLinear(imageBefore(behind, image)));
   }
   if (render.options.json) {
     const glm::ivec3 voxels = renderer.scene().volume->grid().size;

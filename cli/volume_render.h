@@ -39,6 +39,6 @@ struct VolumeRender {
 };
 
 /// Draws the picture and writes it. Throws InputError for what does not go together, and where it shows nothing.
-void renderVolumePicture(const VolumeRender& render, const CommandContext& context);
+void renderVolumeScene(const VolumeRender& render, const CommandContext& context);
 
 }  // namespace ocelli

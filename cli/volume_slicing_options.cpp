@@ -38,20 +38,6 @@ void noteFewSteps(const ShownVolume& shown, const CommandContext& context) {
   }
 }
 
-/// As for the mesh of a surface.
-void requireSurface(const VolumeScene& scene, const SceneChoice& choice) {
-  if (!choice.options.iso) {
-    return;
-  }
-  const ValueRange range = valueRange(*scene.volume);
-  if (!(*choice.options.iso >= range.least && *choice.options.iso <= range.greatest)) {
-    throw InputError(fmt::format("no surface of this volume has the value {:g}: its values run from {:g} to {:g}",
-                                 *choice.options.iso, range.least, range.greatest),
-                     choice.source,
-                     fmt::format("give --iso a value between {:g} and {:g}", range.least, range.greatest));
-  }
-}
-
 }  // namespace
 
 void addVolumeSlicingOptions(CLI::App& command, VolumeSlicingChoice& choice) {
@@ -128,6 +114,19 @@ std::vector<glm::vec3> viewersOf(const VolumeSlicingChoice& choice) {
   return eyes;
 }
 
+void requireSurface(const VolumeScene& scene, const SceneChoice& choice) {
+  if (!choice.options.iso) {
+    return;
+  }
+  const ValueRange range = valueRange(*scene.volume);
+  if (!(*choice.options.iso >= range.least && *choice.options.iso <= range.greatest)) {
+    throw InputError(fmt::format("no surface of this volume has the value {:g}: its values run from {:g} to {:g}",
+                                 *choice.options.iso, range.least, range.greatest),
+                     choice.source,
+                     fmt::format("give --iso a value between {:g} and {:g}", range.least, range.greatest));
+  }
+}
+
 ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const VolumeScene& scene,
                                         const CommandContext& context) {
   const VolumeSlicingChoice& slicing = choice.slicing;
@@ -140,7 +139,7 @@ ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const Volume
   options.surface = choice.scene.options.iso;
   if (!choice.laterTransfer.empty()) {
     options.sampling.toldApart = valuesOfChange(
-        appearanceOf(transferByName(choice.laterTransfer), *scene.volume, scene.volume->grid().meanSpacing()).transfer);
+        appearanceOf(transferByName(choice.laterTransfer), *scene.volume, scene.voxelSpacing()).transfer);
   }
   if (slicing.cutaway || slicing.seenOpacity) {
     options.eyes = viewersOf(slicing);
@@ -185,35 +184,39 @@ ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& pr
 
 ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context) {
   ShownSeries shown;
-  if (!choice.scene.options.motion.seconds) {
-    VolumeSeries series = loadVolumeSeries(choice.scene.source, choice.scene.options.series, context.progress());
-    if (series.volumes.size() > 1) {
-      VolumeSceneOptions options = volumeSceneOptionsOf(choice.scene, choice.volume);
-      size_t bytes = 0;
-      for (size_t i = 0; i < series.volumes.size(); ++i) {
-        VolumeScene scene = volumeSceneAt(series, i, options, context.progress());
-        if (i == 0) {  // all moments look as the first tells, which need not be read again for each
-          series.appearance = scene.appearance;
-          options.transfer.clear();
-          options.warn = {};  // what is said of the first is said of the series
-        }
-        applyShading(choice.scene, scene);
-        const ShownVolumeOptions shownOptions = shownVolumeOptionsOf(choice, scene, context);
-        shown.volumes.push_back(
-            std::make_unique<ShownVolume>(std::move(scene), profile, shownOptions, context.progress()));
-        bytes += shown.volumes.back()->samples().bytes();
-        if (bytes > kMaxSeriesBytes) {
-          throw InputError(fmt::format("{} of {} moments of this series fill {} GiB of memory for the display", i + 1,
-                                       series.volumes.size(), kMaxSeriesBytes >> 30),
-                           choice.scene.source, "--time SECONDS for one moment, or a display with fewer voxels");
-        }
-      }
-      noteFewSteps(*shown.volumes.front(), context);
-      shown.times = series.times;
-      return shown;
+  if (choice.scene.options.motion.seconds) {
+    shown.volumes.push_back(std::make_unique<ShownVolume>(loadShownVolume(choice, profile, context)));
+    return shown;
+  }
+  VolumeSeries series = loadVolumeSeries(choice.scene.source, choice.scene.options.series, context.progress());
+  VolumeSceneOptions options = volumeSceneOptionsOf(choice.scene, choice.volume);
+  ShownVolumeOptions shownOptions;  // of all moments, which have one grid
+  size_t bytes = 0;
+  for (size_t i = 0; i < series.volumes.size(); ++i) {
+    VolumeScene scene = volumeSceneAt(series, i, options, context.progress());
+    applyShading(choice.scene, scene);
+    if (i == 0) {
+      shownOptions = shownVolumeOptionsOf(choice, scene, context);
+      // All moments look as the first tells, and what is said of it is said of the series.
+      series.appearance = scene.appearance;
+      options.transfer.clear();
+      options.warn = {};
+    }
+    if (series.volumes.size() == 1) {
+      requireSurface(scene, choice.scene);
+    }
+    shown.volumes.push_back(std::make_unique<ShownVolume>(std::move(scene), profile, shownOptions, context.progress()));
+    bytes += shown.volumes.back()->samples().bytes();
+    if (bytes > kMaxSeriesBytes && series.volumes.size() > 1) {
+      throw InputError(fmt::format("{} of {} moments of this series fill {} GiB of memory for the display", i + 1,
+                                   series.volumes.size(), kMaxSeriesBytes >> 30),
+                       choice.scene.source, "--time SECONDS for one moment, or a display with fewer voxels");
     }
   }
-  shown.volumes.push_back(std::make_unique<ShownVolume>(loadShownVolume(choice, profile, context)));
+  noteFewSteps(*shown.volumes.front(), context);
+  if (series.volumes.size() > 1) {
+    shown.times = series.times;
+  }
   return shown;
 }
 

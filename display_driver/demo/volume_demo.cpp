@@ -2,7 +2,7 @@
 
 #include "display_driver/demo/demo_folder.h"
 #include "oc_core/camera/curved_ray_camera.h"
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 #include "oc_core/volume_render/volume_renderer.h"
 
 namespace ocelli {
@@ -35,7 +35,7 @@ DemoScene runVolumeDemo(const std::string& title, const std::string& source, con
   const PinholeCamera above(View{.eye = kAbove, .fovVerticalDegrees = kFovDegrees}, options.width, options.height);
   const auto write = [&](const std::string& file, const auto& camera, const std::string& what,
                          const std::string& caption) {
-    return images.write(file, pictureBefore(glm::vec3(0), renderVolume(camera, renderer, progress)), what, caption);
+    return images.write(file, imageBefore(glm::vec3(0), renderVolume(camera, renderer, progress)), what, caption);
   };
   DemoScene scene;
   scene.title = title;

@@ -1,8 +1,10 @@
 #include "display_sim/viewer/background_work.h"
 
+#include <algorithm>
 #include <chrono>
 
 #include "display_sim/slicing/slicer.h"
+#include "display_sim/volume_slicing/swept_range.h"
 #include "display_sim/volume_solidity/shown_volume.h"
 #include "oc_core/isosurface/isosurface.h"
 
@@ -18,11 +20,17 @@ struct VolumeOnDisplay {
   std::string profile;
   std::array<glm::dvec2, 3> kept;
   VolumeShading shading;
+  ValueRange all;  ///< of its voxels
   ShownVolume shown;
 };
 
-bool isSameLight(const VolumeShading& a, const VolumeShading& b) {
-  return a.isOn == b.isOn && a.ambient == b.ambient && a.diffuse == b.diffuse;  // the rest depends on the eye
+/// Whether samples tell all values apart that a transfer function does, of those that the volume has.
+bool tellApart(const VolumeOnDisplay& there, const TransferFunction& transfer) {
+  const ValueRange& told = there.shown.samples().range();
+  return std::ranges::all_of(valuesOfChange(transfer), [&](double value) {
+    const double inside = std::clamp(value, there.all.least, there.all.greatest);
+    return inside >= told.least && inside <= told.greatest;
+  });
 }
 
 std::shared_ptr<const LoadedVolume> loadedVolume(const WorkWanted& wanted, const Progress& progress) {
@@ -172,6 +180,7 @@ LoadedScene BackgroundWork::loaded(const WorkWanted& wanted, const Done& done, c
   scene.volume = stands ? done.scene->volume : loadedVolume(wanted, progress);
   scene.volumeRevision = wanted.volumeRevision;
   scene.volumeOptions = wanted.volumeOptions;
+  scene.volumeIsShaded = wanted.volumeIsShaded;
   scene.iso = wanted.sceneOptions.iso;
   scene.bounds = scene.volume->scene.bounds();
   if (scene.iso) {
@@ -195,12 +204,13 @@ SlicedVolume BackgroundWork::sliced(const WorkWanted& wanted, Done& done, const 
     const VolumeAppearance& appearance = wanted.appearance ? *wanted.appearance : scene.volume->scene.appearance;
     std::optional<VolumeOnDisplay>& there = done.onDisplay;
     if (!there || there->volume != scene.volume || there->profile != wanted.profile || there->kept != wanted.kept ||
-        !isSameLight(there->shading, appearance.shading)) {
+        !isSameOnDisplay(there->shading, appearance.shading) || !tellApart(*there, appearance.transfer)) {
       there.reset();
       VolumeScene shown = scene.volume->scene;
       shown.appearance = appearance;
       shown.clips = clipsOf(scene.volume->scene, wanted.kept);
       there.emplace(VolumeOnDisplay{scene.volume, wanted.profile, wanted.kept, appearance.shading,
+                                    valueRange(*scene.volume->scene.volume),
                                     ShownVolume(std::move(shown), profile, {}, progress)});
     }
     start = Clock::now();

@@ -30,6 +30,7 @@ struct LoadedScene {
   std::shared_ptr<const LoadedVolume> volume = {};  ///< null: the scene is none
   uint64_t volumeRevision = 0;                      ///< of the request of the volume
   VolumeSceneOptions volumeOptions = {};            ///< with which that was loaded
+  std::optional<bool> volumeIsShaded = {};          ///< as the user said then; nothing: as its transfer function says
   std::optional<double> iso = {};                   ///< the value of the surface that the mesh is
 };
 

@@ -203,6 +203,8 @@ void Viewer::take(const WorkResult& result) {
       state_.work.volumeOptions = loadedVolumeOptions_;
       state_.work.sceneOptions.transfer = loadedVolumeOptions_.transfer;
       state_.work.sceneRevision = loadedRevision_;
+      state_.work.volumeRevision = loadedVolumeRevision_;
+      state_.work.volumeIsShaded = loadedVolumeIsShaded_;
       state_.effect = effectBefore_;
       showKindOf(state_, loadedSource_);
     }
@@ -217,6 +219,8 @@ void Viewer::take(const WorkResult& result) {
     loadedPoints_ = result.scene->points;
     loadedRevision_ = result.scene->revision;
     loadedIso_ = result.scene->iso;
+    loadedVolumeRevision_ = result.scene->volumeRevision;
+    loadedVolumeIsShaded_ = result.scene->volumeIsShaded;
     loadedVolumeOptions_ = result.scene->volumeOptions;
     if (result.scene->volume != loadedVolume_) {
       loadedVolume_ = result.scene->volume;

@@ -194,6 +194,8 @@ class Viewer {
   std::shared_ptr<const LoadedVolume> loadedVolume_;  ///< that the transfer function is of; null: none
   VolumeSceneOptions loadedVolumeOptions_;
   std::optional<double> loadedIso_;
+  uint64_t loadedVolumeRevision_ = 0;
+  std::optional<bool> loadedVolumeIsShaded_;
   bool panelHasKeys_ = false;  ///< after F6
   bool leavesPanel_ = false;   ///< in the next frame
   ResizeEvent window_;

@@ -1,7 +1,7 @@
 #include "display_sim/viewer/volume_painter.h"
 
 #include "oc_core/volume_camera/volume_camera.h"
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 #include "oc_core/volume_render/volume_target.h"
 
 namespace ocelli {
@@ -37,7 +37,7 @@ Image<Rgb8> VolumePainter::paint(const VolumeWanted& wanted, const glm::ivec2& s
                                   ? volumeCamera(wanted.camera, reference, firstHits, progress)
                                   : volumeCamera(wanted.rays, reference, renderer_->scene(), firstHits, progress);
   const VolumeImage pixels = renderer_->render(camera.size.x, camera.size.y, camera.ray, progress);
-  return srgbFromLinear(pictureBefore(glm::vec3(0), pixels));
+  return srgbFromLinear(imageBefore(glm::vec3(0), pixels));
 }
 
 }  // namespace ocelli

@@ -1,6 +1,6 @@
 // The pictures of the volume pane, on the CPU: those of `ocelli render` with the same camera, view, size, transfer
 // function and clip planes, to the byte, before black. What a picture has in common with the one before is kept: the
-// volume prepared for rays, and the camera.
+// volume prepared for rays.
 #pragma once
 
 #include <array>

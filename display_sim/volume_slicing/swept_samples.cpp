@@ -20,9 +20,6 @@ namespace {
 
 /// Voxels of the volume a column, beyond which the volume is made coarser first.
 constexpr double kMaxVoxelsAColumn = 2;
-/// Gradients, by the distance of voxels, below this share of the range of values have no direction to be lit from: as
-/// in oc_core/volume_render/volume_lighting.h.
-constexpr double kFlatShareOfRange = 1e-3;
 
 glm::ivec3 coarserFactor(const glm::dmat4& sceneFromIndex, const glm::ivec3& size, double cellSide) {
   glm::ivec3 factor(1);
@@ -281,6 +278,10 @@ class SweptSampler {
 
 }  // namespace
 
+bool isSameOnDisplay(const VolumeShading& a, const VolumeShading& b) {
+  return a.isOn == b.isOn && (!a.isOn || (a.ambient == b.ambient && a.diffuse == b.diffuse));
+}
+
 SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profile, const SweptSampling& sampling,
                            const Progress& progress)
     : profile_(profile), sweep_(profile), sceneLengthOfUnit_(scene.sceneLengthOfUnit()) {
@@ -320,7 +321,7 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   const Weighing weighing{.shaded = sampling.shaded && shading.isOn,
                           .shading = shading,
                           .sceneFromIndexGradient = glm::mat3(glm::transpose(glm::dmat3(indexFromScene)) * spacing),
-                          .flatBelow = static_cast<float>(width * kFlatShareOfRange),
+                          .flatBelow = static_cast<float>(width * kFlatShare),
                           .fullGradient = static_cast<float>(width * sampling.fullLightGradient),
                           .toLight = glm::normalize(directionToLight())};
   if (weighing.isNeeded()) {

@@ -63,6 +63,9 @@ struct SweptSampling {
   std::vector<double> toldApart{};
 };
 
+/// Whether two ways to light a volume give a display the same light: highlights, which depend on the eye, are left out.
+bool isSameOnDisplay(const VolumeShading& a, const VolumeShading& b);
+
 class SweptSamples {
  public:
   /// Of the volume of a scene alone: neither its surfaces nor its clips. `scene` is in display radii. The same with any

@@ -20,8 +20,8 @@ namespace ocelli {
 
 class VolumeSight {
  public:
-  /// The threshold is the renderer's depthOpacity. Eyes lie outside of the unit sphere (throws InputError), and look at
-  /// its centre; `side` is that of the square images, pixels.
+  /// The threshold is the renderer's depthOpacity. The caller must have checked that eyes lie outside of the unit
+  /// sphere, and look at its centre; `side` is that of the square images, pixels.
   VolumeSight(const VolumeRenderer& renderer, const std::vector<glm::vec3>& eyes, int side,
               const Progress& progress = {});
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "oc_core/base/check.h"
+
 namespace ocelli {
 namespace {
 
@@ -184,6 +186,7 @@ double RayTransition::shareAt(const Place& place) const {
 }
 
 void RayTransition::pointsOf(const Arc& arc, size_t count, ArcPoints& points) const {
+  OC_CHECK(count >= 2 && count <= ArcPoints::kMaxCount, "an arc has 2 points or more, as many as a ray may have");
   // Both distances are linear, so a point's are the mean of those of the control points, with the same weights; t lies
   // on t0 and q on t2.
   const double fromS = fromStart(arc, arc.s);
@@ -191,6 +194,7 @@ void RayTransition::pointsOf(const Arc& arc, size_t count, ArcPoints& points) co
   const double toT = toEnd(arc, arc.t);
   const double toS = toEnd(arc, arc.s);
   const auto last = static_cast<double>(count - 1);
+  // Without std::clamp, and with a whole number that converts in vectors: compilers make vectors of this loop.
   for (size_t k = 0; k < count; ++k) {
     const double u = static_cast<double>(static_cast<int>(k)) / last;
     const double v = 1 - u;

@@ -24,6 +24,7 @@
 #include <optional>
 
 #include "oc_core/camera/plane.h"
+#include "oc_core/camera/ray_path.h"
 
 namespace ocelli {
 
@@ -88,7 +89,7 @@ class RayTransition {
   double shareAt(const Place& place) const;
   /// Points of an arc at equal steps of its parameter, its ends among them, and how far along it each is.
   struct ArcPoints {
-    static constexpr size_t kMaxCount = 104;
+    static constexpr size_t kMaxCount = RayPath::kMaxPoints;
     // Without initial values: there is room for as many as a ray may have, for every ray.
     std::array<double, kMaxCount> x;
     std::array<double, kMaxCount> y;

@@ -57,11 +57,11 @@ glm::dvec3 onFaces(const VolumeGrid& grid, glm::dvec3 point) {
 /// has kinks where cells meet, so a step may fail: the nearest of all that were tried counts.
 glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double value) {
   constexpr int kMaxSteps = 8;
-  constexpr double kFarthest = 0.5;  // voxels along an axis
-  constexpr double kLongestStep = 0.25;
+  constexpr double kMaxMove = 0.5;  // voxels along an axis
+  constexpr double kMaxStep = 0.25;
   const glm::dvec3 last(volume.grid().size - 1);
-  const glm::dvec3 lower = glm::min(glm::max(start - kFarthest, glm::dvec3(0)), start);
-  const glm::dvec3 upper = glm::max(glm::min(start + kFarthest, last), start);
+  const glm::dvec3 lower = glm::min(glm::max(start - kMaxMove, glm::dvec3(0)), start);
+  const glm::dvec3 upper = glm::max(glm::min(start + kMaxMove, last), start);
   glm::dvec3 best = start;
   glm::dvec3 at = start;
   double miss = volume.fieldAt(at) - value;
@@ -74,7 +74,7 @@ glm::dvec3 fitted(const glm::dvec3& start, const ScalarVolume& volume, double va
     }
     const glm::dvec3 move = -gradient * (miss / slope2);
     const double length = glm::length(move);
-    at = glm::clamp(at + (length > kLongestStep ? move * (kLongestStep / length) : move), lower, upper);
+    at = glm::clamp(at + (length > kMaxStep ? move * (kMaxStep / length) : move), lower, upper);
     miss = volume.fieldAt(at) - value;
     if (std::abs(miss) < leastMiss) {
       leastMiss = std::abs(miss);

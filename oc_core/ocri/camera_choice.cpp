@@ -64,7 +64,7 @@ ReferenceImages finished(ReferenceImages images, const RepresentationInputs& inp
     samples += image.sampleCount();
     image.camera = inputs.choice.name;
   }
-  if (samples == 0 && dynamic_cast<const TargetRenderer*>(inputs.renderer) != nullptr) {
+  if (samples == 0 && inputs.renderer != nullptr && !inputs.renderer->hasMesh()) {
     throw InputError("no ray of the view hits the scene", "view",
                      "turn \"target\" towards it; of a volume, a lower --opacity is reached sooner");
   }

@@ -54,14 +54,10 @@ GpcCamera gpcCamera(const Inputs& in) {
   return {in.reference, in.choice.gpc};
 }
 
-/// What the scene lies within: its mesh, or the box around what rays are cast at.
-Mesh outerMesh(const Inputs& in) {
-  const RayTarget* target = in.renderer != nullptr ? in.renderer->rays() : nullptr;
-  if (target == nullptr) {
-    return in.mesh;
-  }
+/// The box around what rays are cast at.
+Mesh boxMesh(const RayTarget& target) {
   Mesh mesh;
-  const std::array<glm::vec3, 8> corners = cornersOf(target->bounds());
+  const std::array<glm::vec3, 8> corners = cornersOf(target.bounds());
   mesh.positions.assign(corners.begin(), corners.end());
   // The corners of each side in turn, by the numbers of cornersOf().
   constexpr std::array<std::array<uint32_t, 4>, 6> kSides{
@@ -358,9 +354,10 @@ std::vector<RepresentationKind> builtinRepresentations() {
                   .description = "depth image as wide as what the view cell sees beside the reference frustum",
                   .options = {&kCellSide},
                   .images = [](const Inputs& in) -> ReferenceImages {
-                    return {buildWideDepthImage(in.reference, in.mesh,
-                                                wideFactor(in.reference, outerMesh(in), cubeOf(in.choice)),
-                                                in.renderer)};
+                    const bool hasMesh = in.renderer == nullptr || in.renderer->hasMesh();
+                    const float factor =
+                        wideFactor(in.reference, hasMesh ? in.mesh : boxMesh(*in.renderer->rays()), cubeOf(in.choice));
+                    return {buildWideDepthImage(in.reference, in.mesh, factor, in.renderer)};
                   },
                   .maps = pinholeMaps});
   rows.push_back(cornersRow(

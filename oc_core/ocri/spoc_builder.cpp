@@ -79,13 +79,6 @@ std::vector<glm::vec3> pointsAlongRays(const FragmentImage& seen, const PinholeC
   return points;
 }
 
-/// What the pinhole sees, and what is hidden from it.
-std::vector<glm::vec3> sceneOf(const FragmentImage& seen, const PinholeCamera& reference, const Mesh& mesh,
-                               const SceneRenderer* renderer) {
-  return renderer != nullptr && renderer->rays() != nullptr ? pointsAlongRays(seen, reference, mesh, *renderer->rays())
-                                                            : pointsOf(seen, mesh);
-}
-
 ReferenceImage boundedBy(ReferenceImage image, const PinholeCamera& reference, const Mesh& mesh,
                          const SceneRenderer* renderer = nullptr) {
   image.triangleBound = imageMeshTriangles(buildDepthImage(reference, mesh, renderer));
@@ -112,13 +105,18 @@ SpocCamera buildSpocCamera(const PinholeCamera& reference, const Mesh& mesh, con
       }
     }
   }
-  return SpocCamera::aroundObject(reference, foreground, sceneOf(seen, reference, mesh, renderer), options);
+  const std::vector<glm::vec3> scene = renderer != nullptr && renderer->rays() != nullptr
+                                           ? pointsAlongRays(seen, reference, mesh, *renderer->rays())
+                                           : pointsOf(seen, mesh);
+  return SpocCamera::aroundObject(reference, foreground, scene, options);
 }
 
 ReversePinholeCamera buildReversePinhole(const PinholeCamera& reference, const Mesh& mesh,
                                          const SceneRenderer* renderer) {
   const FragmentImage seen = seenFrom(reference, mesh, renderer);
-  return ReversePinholeCamera::around(reference, sceneOf(seen, reference, mesh, renderer));
+  const bool hasMesh = renderer == nullptr || renderer->hasMesh();
+  return ReversePinholeCamera::around(
+      reference, hasMesh ? pointsOf(seen, mesh) : pointsAlongRays(seen, reference, mesh, *renderer->rays()));
 }
 
 ReferenceImage buildSpocImage(const SpocCamera& camera, const Mesh& mesh, const SceneRenderer* renderer) {

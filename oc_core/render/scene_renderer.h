@@ -56,6 +56,8 @@ class SceneRenderer {
 
   /// What this casts rays at, where it does: with it, a caller need not look at all triangles.
   virtual const RayTarget* rays() const { return nullptr; }
+  /// Whether what this draws is a mesh. Where not, all that is known of it is what rays() meet.
+  virtual bool hasMesh() const { return true; }
 };
 
 /// The rays of `base` along its epipolar lines, a row of pixels a line; both must outlive it.

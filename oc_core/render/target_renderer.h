@@ -35,6 +35,7 @@ class TargetRenderer final : public SceneRenderer {
   std::optional<FragmentImage> drawAlong(const CameraRays& rays) const override;
   std::optional<std::vector<FragmentImage>> drawLayers(const PinholeCamera& camera, int layers) const override;
   const RayTarget* rays() const override { return &target_; }
+  bool hasMesh() const override { return false; }
 
  private:
   /// As castRays(), with fragments of mesh().

@@ -86,9 +86,10 @@ auto visitVoxels(const ScalarVolume& volume, Visitor&& visitor) {
       return std::forward<Visitor>(visitor)(reinterpret_cast<const int32_t*>(first));
     case VoxelType::kFloat32:
       return std::forward<Visitor>(visitor)(reinterpret_cast<const float*>(first));
-    default:
-      return std::forward<Visitor>(visitor)(reinterpret_cast<const double*>(first));
+    case VoxelType::kFloat64:
+      break;
   }
+  return std::forward<Visitor>(visitor)(reinterpret_cast<const double*>(first));
 }
 
 /// The least and the greatest value of all voxels that are finite numbers. On all threads.

@@ -119,10 +119,6 @@ VolumeBricks::VolumeBricks(const ScalarVolume& volume) : size_(glm::max((volume.
   }
 }
 
-glm::ivec3 VolumeBricks::brickAt(const glm::dvec3& index) const {
-  return glm::clamp(glm::ivec3(glm::floor(index / double(kEdge))), glm::ivec3(0), size_ - 1);
-}
-
 ValueRange rangeOf(const VolumeBricks& bricks) {
   ValueRange range{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
   for (const BrickRange& brick : bricks.ranges()) {

@@ -29,8 +29,6 @@ class VolumeBricks {
 
   /// How many there are along i, j and k: at least 1.
   const glm::ivec3& size() const { return size_; }
-  /// The brick of a point in the box of the volume; of one outside, the nearest.
-  glm::ivec3 brickAt(const glm::dvec3& index) const;
   const BrickRange& range(const glm::ivec3& brick) const { return ranges_[indexOf(brick)]; }
   /// Of all bricks, i fastest.
   const std::vector<BrickRange>& ranges() const { return ranges_; }

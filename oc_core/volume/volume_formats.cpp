@@ -15,8 +15,8 @@ constexpr std::array<std::string_view, 2> kMetaImageEndings{".mha", ".mhd"};
 constexpr std::array<std::string_view, 1> kVtiEndings{".vti"};
 constexpr std::array<std::string_view, 2> kNiftiEndings{".nii", ".nii.gz"};
 constexpr std::array<std::string_view, 3> kDicomEndings{".dcm", ".dicom", ".ima"};
-constexpr std::array<VolumeFormat, 5> kVolumeFormats{{{"NRRD", kNrrdEndings},
-                                                      {"MetaImage", kMetaImageEndings},
+constexpr std::array<VolumeFormat, 5> kVolumeFormats{{{"NRRD", kNrrdEndings, ".nhdr"},
+                                                      {"MetaImage", kMetaImageEndings, ".mhd"},
                                                       {"VTI", kVtiEndings},
                                                       {"NIfTI", kNiftiEndings},
                                                       {kDicomFormat, kDicomEndings}}};
@@ -70,6 +70,12 @@ const VolumeFormat* dicomFormat() {
 
 std::span<const VolumeFormat> volumeFormats() {
   return kVolumeFormats;
+}
+
+bool hasDataElsewhere(const fs::path& path) {
+  const VolumeFormat* format = volumeFormatOfName(path);
+  return format != nullptr && !format->headerEnding.empty() &&
+         lowered(path.filename().string()).ends_with(format->headerEnding);
 }
 
 const VolumeFormat* volumeFormatOfName(const fs::path& path) {

@@ -12,6 +12,7 @@ namespace ocelli {
 struct VolumeFormat {
   std::string_view name;                      ///< "NRRD"
   std::span<const std::string_view> endings;  ///< of file names, in lower case, with the point: ".nrrd"
+  std::string_view headerEnding{};  ///< of those files whose voxels stand in others; empty where there are none
 };
 
 std::span<const VolumeFormat> volumeFormats();
@@ -22,6 +23,9 @@ inline constexpr std::string_view kDicomFormat = "DICOM";
 const VolumeFormat* volumeFormatOf(const std::filesystem::path& path);
 /// The same of a file's name alone.
 const VolumeFormat* volumeFormatOfName(const std::filesystem::path& path);
+
+/// Whether a file of this name is a header, whose voxels stand in other files.
+bool hasDataElsewhere(const std::filesystem::path& path);
 
 struct VolumeFormatFound {
   const VolumeFormat* format = nullptr;

@@ -78,38 +78,11 @@ uint64_t VolumeHistogram::total() const {
   return std::accumulate(counts.begin(), counts.end(), uint64_t{0});
 }
 
-double VolumeHistogram::percentile(double percent) const {
-  const double wanted = percent / 100 * static_cast<double>(total());
-  double before = 0;
-  for (size_t bin = 0; bin < counts.size(); ++bin) {
-    const auto count = static_cast<double>(counts[bin]);
-    if (before + count >= wanted && count > 0) {
-      const double share = countsEach ? 0.5 : (wanted - before) / count;
-      const double value = bounds.least + (static_cast<double>(bin) + share) * binWidth();
-      return std::clamp(value, values.least, values.greatest);
-    }
-    before += count;
-  }
-  return values.greatest;
-}
-
-VolumeHistogram VolumeHistogram::withBins(size_t bins) const {
-  OC_CHECK(bins > 0, "a histogram has bins");
-  VolumeHistogram fewer{values, bounds, std::vector<uint64_t>(bins)};
-  for (size_t bin = 0; bin < counts.size(); ++bin) {
-    // By the bin's centre.
-    const double at = (static_cast<double>(bin) + 0.5) / static_cast<double>(counts.size()) * static_cast<double>(bins);
-    fewer.counts[std::min(static_cast<size_t>(at), bins - 1)] += counts[bin];
-  }
-  return fewer;
-}
-
 VolumeHistogram histogramOf(const ScalarVolume& volume) {
   const VoxelSurvey survey = surveyVoxels(volume);
   VolumeHistogram histogram{.values = survey.range};
   const VoxelBins bins(volume.type(), survey.stored);
   histogram.counts.resize(bins.bins);
-  histogram.countsEach = bins.countsEach;
   std::mutex mutex;
   visitVoxels(volume, [&](const auto* first) {
     scanSlices(volume, 0, static_cast<size_t>(volume.grid().size.z), [&](size_t begin, size_t end) {

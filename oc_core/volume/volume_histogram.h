@@ -1,4 +1,4 @@
-// How often values stand in a volume: for percentiles, and for those who edit transfer functions.
+// How often values stand in a volume: for those who edit transfer functions.
 #pragma once
 
 #include <cstddef>
@@ -15,15 +15,9 @@ struct VolumeHistogram {
   ValueRange values{};             ///< the least and the greatest
   ValueRange bounds{};             ///< the lower bound of the first bin, and the upper one of the last
   std::vector<uint64_t> counts{};  ///< at least 1 bin
-  bool countsEach = false;         ///< whether each bin counts one whole number, which its centre stands for
 
   uint64_t total() const;
   double binWidth() const { return (bounds.greatest - bounds.least) / double(counts.size()); }
-  /// The value that this share of the voxels lies below, 0 to 100: the number where each is counted, else linear within
-  /// a bin, and never beyond `values`. Outliers make bins wide: percentilesOf() (volume_percentiles.h) is exact.
-  double percentile(double percent) const;
-  /// The same counts in fewer bins of equal width: for drawing. `bins` is at least 1.
-  VolumeHistogram withBins(size_t bins) const;
 };
 
 /// Of all voxels that are finite numbers, on all threads. Volumes of whole numbers whose range is below 65536 have a

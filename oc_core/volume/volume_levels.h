@@ -38,7 +38,7 @@ ScalarVolume sampledLevel(const ScalarVolume& whole, int factor, const Progress&
 
 /// What a volume may take of memory, and of time until it is shown.
 struct LevelOptions {
-  size_t maxWholeBytes = size_t{2} << 30U;   ///< a volume of no more voxels stands for itself
+  size_t maxWholeBytes = size_t{2} << 30U;   ///< a volume of no more bytes stands for itself
   size_t maxBytes = size_t{512} << 20U;      ///< of a level of means
   size_t maxBytesToRead = size_t{4} << 30U;  ///< for means; where it would be more, voxels are sampled instead
   size_t maxSampledBytes = size_t{128} << 20U;

@@ -33,8 +33,7 @@ void checkVolumePath(const fs::path& path) {
 /// Of all that may be read: a file, or the files of a folder. Headers may name files beside them.
 uint64_t bytesToRead(const fs::path& path) {
   std::error_code error;
-  const fs::path extension = path.extension();
-  const bool isHeader = extension == ".mhd" || extension == ".nhdr";
+  const bool isHeader = hasDataElsewhere(path);
   if (!fs::is_directory(path, error) && !isHeader) {
     const uintmax_t bytes = fs::file_size(path, error);
     return error ? 0 : bytes;

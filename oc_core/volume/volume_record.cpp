@@ -109,6 +109,9 @@ class VolumeRecordReader : public RecordParser {
     record.type = static_cast<VoxelType>(type);
     record.scale = finite();
     record.offset = finite();
+    if (record.scale == 0) {
+      fail("a scale of 0");
+    }
     record.file = text();
     const uint32_t count = this->count(sizeof(uint64_t));
     if (count == 0 || count > VolumeRecord::kMaxVolumes) {

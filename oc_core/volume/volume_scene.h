@@ -27,6 +27,10 @@ struct VolumeShading {
   double shininess = 20;
 };
 
+/// Where the gradient, by the mean distance of voxels, is below this share of the volume's range of values, a place is
+/// flat: it has no direction, and is not lit.
+inline constexpr double kFlatShare = 1e-3;
+
 /// What a volume looks like.
 struct VolumeAppearance {
   TransferFunction transfer;

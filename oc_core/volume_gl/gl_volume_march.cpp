@@ -15,9 +15,9 @@ namespace {
 
 /// Turns of the loops of a pixel in a pass. Software renderers end a shader after 65535 turns, which it does for up to
 /// 16 pixels together; where these take different turns, the turns of all of them count.
-constexpr uint32_t kTurnsOfSoftware = 3500;
+constexpr uint32_t kMaxSoftwareIterations = 3500;
 /// So that no pass takes a GPU long enough to be reset.
-constexpr uint32_t kTurnsOfGpu = 16384;
+constexpr uint32_t kMaxGpuIterations = 16384;
 
 /// In the layout std430, as the shader has it.
 constexpr size_t kBytesOfStop = 4 * sizeof(uint32_t);
@@ -54,7 +54,7 @@ void GlVolumeMarch::run(const VolumeMarchKind& kind, const VolumeMarchNumbers& n
                         int endRow, double longest) {
   const GladGLContext& gl = context_->gl();
   const int rows = endRow - firstRow;
-  const uint32_t maxTurns = context_->info().isSoftware ? kTurnsOfSoftware : kTurnsOfGpu;
+  const uint32_t maxIterations = context_->info().isSoftware ? kMaxSoftwareIterations : kMaxGpuIterations;
   const GlObject stops = makeBuffer(*context_, kBytesOfStop * static_cast<size_t>(width) * static_cast<size_t>(rows));
   const GlObject unfinished = makeBuffer(*context_, sizeof(uint32_t));
   gl.UseProgram(programOf(kind).id());
@@ -66,7 +66,7 @@ void GlVolumeMarch::run(const VolumeMarchKind& kind, const VolumeMarchNumbers& n
   gl.Uniform1f(3, numbers.endTransmittance);
   gl.Uniform1f(4, numbers.depthTransmittance);
   gl.Uniform2f(5, numbers.entriesByTexel, numbers.firstEntry);
-  gl.Uniform1ui(6, maxTurns);
+  gl.Uniform1ui(6, maxIterations);
   // A slab takes one turn of each loop.
   const double turns = 2 * (longest / static_cast<double>(numbers.step) + 2);
   uint32_t left = 1;
@@ -78,7 +78,7 @@ void GlVolumeMarch::run(const VolumeMarchKind& kind, const VolumeMarchNumbers& n
     gl.MemoryBarrier(GL_ALL_BARRIER_BITS);
     context_->check("marching through a volume");
     left = 0;
-    if (turns > static_cast<double>(maxTurns)) {
+    if (turns > static_cast<double>(maxIterations)) {
       readBuffer(*context_, unfinished, sizeof(left), &left);
     }
   }

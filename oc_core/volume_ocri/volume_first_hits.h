@@ -23,9 +23,6 @@
 
 namespace ocelli {
 
-/// The threshold, unless the user says another: half of the light behind is hidden.
-inline constexpr double kFirstHitOpacity = 0.5;
-
 class VolumeFirstHits {
  public:
   /// Reads all voxels once. `options.depthOpacity` is the threshold.

@@ -29,7 +29,7 @@ VolumeMatter::VolumeMatter(const VolumeScene& scene, double opacity)
     : scene_(scene),
       indexFromWorld_(glm::inverse(scene.worldFromIndex)),
       step_(scene.volume->grid().meanSpacing() * scene.sceneLengthOfUnit() / 2),
-      leastExtinction_(-std::log1p(-opacity) / (diagonalOf(scene) / scene.sceneLengthOfUnit())) {
+      minExtinction_(-std::log1p(-opacity) / (diagonalOf(scene) / scene.sceneLengthOfUnit())) {
   OC_CHECK(opacity > 0 && opacity < 1, "an opacity is above 0 and below 1");
   if (!scene.surfaces.empty()) {
     surfaces_ = std::make_unique<const RayScene>(scene.surfaces);
@@ -42,7 +42,7 @@ bool VolumeMatter::isShown(const glm::dvec3& point) const {
 }
 
 bool VolumeMatter::isClearValue(double value) const {
-  return scene_.appearance.transfer.at(value).extinction < leastExtinction_;
+  return scene_.appearance.transfer.at(value).extinction < minExtinction_;
 }
 
 bool VolumeMatter::isClearAt(const glm::dvec3& point) const {

@@ -36,8 +36,8 @@ class VolumeMatter {
 
   const VolumeScene& scene_;
   glm::dmat4 indexFromWorld_;
-  double step_;             ///< of behind(), world
-  double leastExtinction_;  ///< by the unit of the grid, of what is not clear
+  double step_;           ///< of behind(), world
+  double minExtinction_;  ///< by the unit of the grid, of what is not clear
   std::unique_ptr<const RayScene> surfaces_;
 };
 

@@ -54,7 +54,7 @@ class March {
   const MarchResult& result() const { return result_; }
 
  private:
-  static constexpr float kUnseen = 1e-5f;  ///< of a step: less light than this needs no shade
+  static constexpr float kUnlit = 2e-4f;  ///< of all light: as much of a part may go without shade
 
   HWY_ATTR bool nextPart();
   float lengthAt(int sample) const { return std::min(float(sample) * setup_->step, part_.length); }
@@ -447,7 +447,7 @@ HWY_ATTR void March<Field>::add() {
   if (setup_->isShaded) {
     // In the middle of each step.
     const FloatVec place = hn::NegMulAdd(step_, hn::Set(d, 0.5f), length_);
-    const Light light = lightOfSteps(place, hn::Gt(kept, hn::Set(d, kUnseen)));
+    const Light light = lightOfSteps(place, hn::Gt(kept, hn::Set(d, kUnlit / float(last_ + 1))));
     const FloatVec white = hn::Mul(kept, light.added);
     red_ = hn::MulAdd(red_, light.factor, white);
     green_ = hn::MulAdd(green_, light.factor, white);

@@ -1,6 +1,7 @@
 // What volumes look like along the rays of an image.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <glm/vec3.hpp>
 #include <glm/vec4.hpp>
@@ -17,6 +18,9 @@ struct VolumePixel {
   float t = kNowhere;         ///< the ray's parameter where its opacity first reaches VolumeRenderOptions::depthOpacity
   float surfaceT = kNowhere;  ///< the ray's parameter where it ends at an opaque surface
   uint32_t samples = 0;       ///< places where the field was looked at, for this pixel: what it cost
+
+  /// The ray's parameter where it is opaque: in the volume, or at the surface that ends it.
+  float opaqueT() const { return std::min(t, surfaceT); }
 
   bool operator==(const VolumePixel&) const = default;
 };

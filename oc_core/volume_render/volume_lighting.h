@@ -23,9 +23,6 @@
 
 namespace ocelli {
 
-/// Of the range of values, by the mean distance of voxels.
-inline constexpr double kFlatShare = 1e-3;
-
 /// What is done to the colour of a place: it is multiplied by `factor`, and `added` is added to each of its channels.
 struct PlaceLight {
   double factor = 1;

@@ -1,6 +1,5 @@
 #include "oc_core/volume_render/volume_target.h"
 
-#include <cmath>
 #include <vector>
 
 namespace ocelli {
@@ -17,14 +16,13 @@ void VolumeTarget::hits(std::span<const RayPath> rays, std::span<std::optional<H
   renderer_.firstHits(rays, pixels);
   for (size_t i = 0; i < rays.size(); ++i) {
     const VolumePixel& pixel = pixels[i];
-    const bool isVolume = std::isfinite(pixel.t);
-    if (!isVolume && !std::isfinite(pixel.surfaceT)) {
+    const float t = pixel.opaqueT();
+    if (t == VolumePixel::kNowhere) {
       found[i] = std::nullopt;
       continue;
     }
-    const float t = isVolume ? pixel.t : pixel.surfaceT;
     found[i] = Hit{t, rays[i].pointAt(rays[i].positionAt(t)), glm::vec3(pixel.color) / pixel.color.w,
-                   isVolume ? kVolume : kSurface};
+                   pixel.t <= pixel.surfaceT ? kVolume : kSurface};
   }
 }
 

@@ -194,7 +194,7 @@ TEST_F(RenderVolume, KeepsItsOpacityInAnExr) {
   const std::string exr = (folder_ / "image.exr").string();
   ASSERT_EQ(runProgram("render " + std::string(kVolume) + " --size 30x20 -o " + exr).exitCode, 0);
   const std::string bytes = fileBytes(exr);
-  // Its header names the channels (tests/volume_camera/volume_picture_test.cpp reads them).
+  // Its header names the channels (tests/volume_camera/volume_image_file_test.cpp reads them).
   EXPECT_THAT(bytes, AllOf(HasSubstr(std::string("A\0", 2)), HasSubstr("P.X"), HasSubstr("depth_opacity")));
   const ProgramResult result = runProgram("render " + std::string(kVolume) + " --background '#ffffff' -o " + exr);
   EXPECT_EQ(result.exitCode, 2);

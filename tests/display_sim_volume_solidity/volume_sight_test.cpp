@@ -2,7 +2,6 @@
 
 #include <gtest/gtest.h>
 
-#include "oc_core/base/error.h"
 #include "tests/display_sim_volume_slicing/swept_scenes.h"
 
 namespace ocelli {

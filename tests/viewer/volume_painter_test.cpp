@@ -7,7 +7,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/camera/gpc_camera.h"
 #include "oc_core/volume_camera/volume_camera.h"
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 #include "oc_core/volume_render/volume_target.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/viewer/lens_state.h"
@@ -124,7 +124,7 @@ TEST(VolumePainter, followsTheRaysOfOcclusionCamerasAndOfConstructors) {
   const auto expected = [&](const std::string& name) {
     const VolumeCamera camera =
         volumeCamera(name, pinholeOf(wanted), renderer.scene(), [&]() -> const RayTarget& { return target; });
-    return srgbFromLinear(pictureBefore(glm::vec3(0), renderer.render(camera.size.x, camera.size.y, camera.ray)));
+    return srgbFromLinear(imageBefore(glm::vec3(0), renderer.render(camera.size.x, camera.size.y, camera.ray)));
   };
   wanted.camera = cameraChoice("ddoc");
   EXPECT_EQ(painter.paint(wanted, wanted.size), expected("ddoc"));

@@ -6,7 +6,6 @@
 #include <limits>
 
 #include "oc_core/base/error.h"
-#include "oc_core/volume/gradient_histogram.h"
 #include "oc_core/volume/volume_gradient.h"
 #include "oc_core/volume/voxel_survey.h"
 
@@ -56,12 +55,6 @@ TEST(VolumeHistogram, CountsWholeNumbersOneByOne) {
   EXPECT_EQ(histogram.bounds.least, -6);
   EXPECT_EQ(histogram.bounds.greatest, 16);
   EXPECT_EQ(histogram.binWidth(), 2);
-  EXPECT_EQ(histogram.percentile(0), -5);
-  EXPECT_EQ(histogram.percentile(100), 15);
-  // 2 of 10 are -3, which means -5; the next 5 are 0, which means 1.
-  EXPECT_EQ(histogram.percentile(19), -5);
-  EXPECT_EQ(histogram.percentile(45), 1);
-  EXPECT_EQ(histogram.withBins(2).counts, (std::vector<uint64_t>{7, 3}));
 }
 
 TEST(VolumeHistogram, IsThatOfWhatVoxelsMeanWhereTheScaleIsNegative) {
@@ -80,7 +73,6 @@ TEST(VolumeHistogram, LeavesOutWhatIsNoNumberAndTakesAFlatVolume) {
   EXPECT_EQ(histogram.counts.back(), 2U);
   const VolumeHistogram flat = histogramOf({grid, {5, 5, 5, 5}});
   EXPECT_EQ(flat.counts, (std::vector<uint64_t>{4}));
-  EXPECT_EQ(flat.percentile(50), 5);
 }
 
 TEST(VoxelSurvey, SaysHowManyVoxelsAreNoNumbersAndWhere) {
@@ -134,22 +126,6 @@ TEST(VolumeGradient, IsThatOfTheWorld) {
   }
   EXPECT_EQ(gradientAt(linearIn(shearedGrid({5, 1, 1}), {1, 0, 0}), {2, 0, 0}).z,
             worldGradientFromIndex(shearedGrid({5, 1, 1}).worldFromIndex)[0].z * -2);
-}
-
-TEST(GradientHistogram, CountsValuesAndGradientsTogether) {
-  const ScalarVolume volume = linearIn(shearedGrid({6, 5, 4}), {1, -2, 0.5});
-  const GradientHistogram histogram = gradientHistogramOf(volume, 8, 4);
-  uint64_t last = 0;
-  uint64_t all = 0;
-  for (size_t column = 0; column < 8; ++column) {
-    last += histogram.counts[3 * 8 + column];
-  }
-  for (const uint64_t count : histogram.counts) {
-    all += count;
-  }
-  EXPECT_EQ(all, 120U);
-  EXPECT_EQ(last, 120U) << "a linear field has one gradient";
-  EXPECT_NEAR(histogram.maxGradient, glm::length(glm::dvec3(1, -2, 0.5)), 1e-4);
 }
 
 }  // namespace

@@ -82,6 +82,7 @@ TEST(VolumeRecord, RefusesWhatIsNone) {
     EXPECT_THROW(volumeFromRecord(bytesOfRecord(record), "reader"), WorkError);
   };
   refuses([](VolumeRecord& record) { record.grid.size.y = 0; });
+  refuses([](VolumeRecord& record) { record.scale = 0; });
   refuses([](VolumeRecord& record) { record.grid.size.y = VolumeRecord::kMaxEdge + 1; });
   refuses([](VolumeRecord& record) { record.grid.worldFromIndex[0] = record.grid.worldFromIndex[1]; });
   refuses([](VolumeRecord& record) { record.grid.worldFromIndex[0].w = 1; });

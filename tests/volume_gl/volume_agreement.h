@@ -14,8 +14,8 @@ namespace ocelli::test {
 /// What cameras have with OpenGL is 1/255. Here it is less than a third of that: the CPU ends rays behind the group of
 /// samples in which 1/1024 of the light is left, and OpenGL behind the sample.
 inline constexpr double kColorTolerance = 1.0 / 1024 + 2e-4;
-/// Where rays do not end early: what single precision loses is below 5e-5; the CPU does not light steps that add less
-/// than 1e-5 of their colour.
+/// Where rays do not end early: what single precision loses is below 5e-5; the CPU leaves
+/// 2e-4 of the light without shade at most.
 inline constexpr double kRoundingTolerance = 3e-4;
 
 struct VolumeAgreement {

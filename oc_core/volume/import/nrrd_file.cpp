@@ -292,12 +292,14 @@ class NrrdHeader {
     }
     const bool isSeconds = text(axis.units).empty() || text(axis.units) == "s";
     const double unit = isSeconds ? 1 : text(axis.units) == "ms" ? 1e-3 : 0;
-    if (!std::isfinite(step) || !(step > 0) || unit == 0) {
+    step *= unit;
+    first *= unit;
+    if (!std::isfinite(step) || !(step > 0)) {
       record.warnings.emplace_back("the file does not say how many seconds its volumes are apart: 1 is taken");
       step = 1;
     }
     for (uint64_t at = 0; at < volumes; ++at) {
-      record.times.push_back((unit == 0 ? 1 : unit) * (first + static_cast<double>(at) * step));
+      record.times.push_back(first + static_cast<double>(at) * step);
     }
   }
 

@@ -4,7 +4,7 @@
 // slab. Two loops stand in each other, so that neighbours which look for something to see do not wait for those that
 // light it: software renderers light a slab for all neighbours together, whether they need it or not.
 //
-// A pixel that is not done after `maxTurns` turns of the loops keeps where it is, and goes on in the next pass: software
+// A pixel that is not done after `maxIterations` turns of the loops keeps where it is, and goes on in the next pass: software
 // renderers end a shader after 65535 turns, and GPUs are reset where one takes seconds.
 struct Stop {
   uint piece;
@@ -21,7 +21,7 @@ layout(location = 2) uniform float stepLength;
 layout(location = 3) uniform float endTransmittance;
 layout(location = 4) uniform float depthTransmittance;
 layout(location = 5) uniform vec2 entryFromTexel;  // an entry is x times a texel plus y
-layout(location = 6) uniform uint maxTurns;
+layout(location = 6) uniform uint maxIterations;
 layout(location = 7) uniform bool isFirstPass;
 
 const uint kDone = 0xffffffffu;
@@ -75,7 +75,7 @@ void main() {
   int empty = emptyBricksAround(piece.from + piece.way * (float(place.step) * stepLength - place.chainBegin));
 
   uint turns = 0u;
-  while (!isDone && turns < maxTurns) {
+  while (!isDone && turns < maxIterations) {
     ++turns;
     // The next slab in which something is seen, and the pieces in which it begins and ends.
     Slab slab = Slab(kNoOpticalPlace, kNoOpticalPlace, vec4(0), 0.0, 0.0, 0.0);
@@ -85,7 +85,7 @@ void main() {
     float slabChainBegin = 0.0;
     float slabEndChainBegin = 0.0;
     bool isFound = false;
-    while (!isFound && !isDone && turns < maxTurns) {
+    while (!isFound && !isDone && turns < maxIterations) {
       ++turns;
       float begin = float(place.step) * stepLength;  // length from where the chain begins
       float along = begin - place.chainBegin;

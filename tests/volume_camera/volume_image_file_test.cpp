@@ -1,4 +1,4 @@
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 
 #include <ImfFrameBuffer.h>
 #include <ImfHeader.h>
@@ -37,22 +37,22 @@ VolumeImage threePixels() {
   return image;
 }
 
-TEST(VolumePicture, ShowsTheBackgroundThroughWhatIsTransparent) {
-  const Image<glm::vec3> picture = pictureBefore({1, 0.5f, 0}, threePixels());
+TEST(VolumeImageFile, ShowsTheBackgroundThroughWhatIsTransparent) {
+  const Image<glm::vec3> picture = imageBefore({1, 0.5f, 0}, threePixels());
   EXPECT_EQ(picture[0], glm::vec3(0.75f, 0.25f, 0));
   EXPECT_EQ(picture[1], glm::vec3(0.75f, 0.5f, 0));
   EXPECT_EQ(picture[2], glm::vec3(1, 0.5f, 0));
 }
 
-TEST(VolumePicture, CountsWhatItTook) {
-  const VolumePictureFacts facts = factsOf(threePixels());
+TEST(VolumeImageFile, CountsWhatItTook) {
+  const VolumeImageFacts facts = factsOf(threePixels());
   EXPECT_EQ(facts.samples, 10u);
   EXPECT_EQ(facts.touched, 2u);
   EXPECT_EQ(facts.opaque, 1u);
   EXPECT_DOUBLE_EQ(facts.meanOpacity, 0.25);
 }
 
-TEST(VolumePicture, SurfacesEndRaysAsOpaqueMatterDoes) {
+TEST(VolumeImageFile, SurfacesEndRaysAsOpaqueMatterDoes) {
   VolumeImage image = threePixels();
   image[1].surfaceT = 12;
   EXPECT_EQ(factsOf(image).opaque, 2u);
@@ -75,7 +75,7 @@ std::map<std::string, std::vector<float>> channelsOf(Imf::InputFile& file) {
   return channels;
 }
 
-TEST(VolumePicture, DepthsAreThoseOfSurfacesWhereTheyComeFirst) {
+TEST(VolumeImageFile, DepthsAreThoseOfSurfacesWhereTheyComeFirst) {
   const TemporaryFolder folder;
   const PinholeCamera pinhole(View{}, 9, 7);
   VolumeScene scene = ballVolume();
@@ -90,7 +90,7 @@ TEST(VolumePicture, DepthsAreThoseOfSurfacesWhereTheyComeFirst) {
     const VolumeImage image = renderer.render(9, 7, camera.ray);
     EXPECT_EQ(factsOf(image).opaque, 63u);
     const std::filesystem::path path = folder / "ball.exr";
-    writeVolumePicture(path, image, camera, 0.5);
+    writeVolumeImage(path, image, camera, 0.5);
     Imf::InputFile file(path.c_str());
     const auto channels = channelsOf(file);
     const size_t middle = 3 * 9 + 4;
@@ -101,7 +101,7 @@ TEST(VolumePicture, DepthsAreThoseOfSurfacesWhereTheyComeFirst) {
   }
 }
 
-TEST(VolumePicture, KeepsOpacityDepthAndPlacesInAFile) {
+TEST(VolumeImageFile, KeepsOpacityDepthAndPlacesInAFile) {
   const TemporaryFolder folder;
   const VolumeRenderer renderer(ballVolume());
   const VolumeTarget target(renderer);
@@ -110,7 +110,7 @@ TEST(VolumePicture, KeepsOpacityDepthAndPlacesInAFile) {
       volumeCamera("di", pinhole, renderer.scene(), [&]() -> const RayTarget& { return target; });
   const VolumeImage image = renderer.render(9, 7, camera.ray);
   const std::filesystem::path path = folder / "ball.exr";
-  writeVolumePicture(path, image, camera, 0.5);
+  writeVolumeImage(path, image, camera, 0.5);
 
   Imf::InputFile file(path.c_str());
   const Imath::Box2i window = file.header().dataWindow();
@@ -134,7 +134,7 @@ TEST(VolumePicture, KeepsOpacityDepthAndPlacesInAFile) {
   EXPECT_EQ(json["view"]["eye"][2], 10);
 }
 
-TEST(VolumePicture, SaysWhyItShowsNothing) {
+TEST(VolumeImageFile, SaysWhyItShowsNothing) {
   const VolumeScene scene = ballVolume();
   const auto errorFor = [&](const View& view) -> std::string {
     const PinholeCamera pinhole(view, 30, 20);

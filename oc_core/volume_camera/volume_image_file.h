@@ -13,23 +13,23 @@
 namespace ocelli {
 
 /// Before a background, linear RGB.
-Image<glm::vec3> pictureBefore(const glm::vec3& background, const VolumeImage& image);
+Image<glm::vec3> imageBefore(const glm::vec3& background, const VolumeImage& image);
 
 /// What a picture took and shows.
-struct VolumePictureFacts {
+struct VolumeImageFacts {
   uint64_t samples = 0;    ///< places where the field was looked at
   uint64_t touched = 0;    ///< pixels whose ray passes places that are not transparent, or meets a surface
   uint64_t opaque = 0;     ///< pixels whose opacity reaches the threshold of depth
   double meanOpacity = 0;  ///< of all pixels
 };
-VolumePictureFacts factsOf(const VolumeImage& image);
+VolumeImageFacts factsOf(const VolumeImage& image);
 
 /// Throws InputError for an image that shows nothing: where no ray passes the volume, and where all places that rays
 /// pass are transparent.
 [[noreturn]] void failShowingNothing(const VolumeCamera& camera, const VolumeScene& scene);
 
 /// `image` is that of the camera. Throws WorkError where the file cannot be written.
-void writeVolumePicture(const std::filesystem::path& path, const VolumeImage& image, const VolumeCamera& camera,
-                        double depthOpacity);
+void writeVolumeImage(const std::filesystem::path& path, const VolumeImage& image, const VolumeCamera& camera,
+                      double depthOpacity);
 
 }  // namespace ocelli

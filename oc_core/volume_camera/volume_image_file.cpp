@@ -1,4 +1,4 @@
-#include "oc_core/volume_camera/volume_picture.h"
+#include "oc_core/volume_camera/volume_image_file.h"
 
 #include <algorithm>
 #include <cmath>
@@ -21,15 +21,9 @@ bool passesThrough(const RayPath& ray, const Box& box) {
   return false;
 }
 
-/// The ray's parameter where its opacity first reaches the threshold: in the volume, or where an opaque surface ends
-/// it.
-float opaqueFrom(const VolumePixel& pixel) {
-  return std::min(pixel.t, pixel.surfaceT);
-}
-
 }  // namespace
 
-Image<glm::vec3> pictureBefore(const glm::vec3& background, const VolumeImage& image) {
+Image<glm::vec3> imageBefore(const glm::vec3& background, const VolumeImage& image) {
   Image<glm::vec3> picture(image.width(), image.height());
   for (size_t i = 0; i < image.size(); ++i) {
     picture[i] = colorBefore(background, image[i]);
@@ -37,12 +31,12 @@ Image<glm::vec3> pictureBefore(const glm::vec3& background, const VolumeImage& i
   return picture;
 }
 
-VolumePictureFacts factsOf(const VolumeImage& image) {
-  VolumePictureFacts facts;
+VolumeImageFacts factsOf(const VolumeImage& image) {
+  VolumeImageFacts facts;
   for (const VolumePixel& pixel : image) {
     facts.samples += pixel.samples;
     facts.touched += pixel.color.w > 0 ? 1 : 0;
-    facts.opaque += opaqueFrom(pixel) != VolumePixel::kNowhere ? 1 : 0;
+    facts.opaque += pixel.opaqueT() != VolumePixel::kNowhere ? 1 : 0;
     facts.meanOpacity += static_cast<double>(pixel.color.w) / static_cast<double>(image.size());
   }
   return facts;
@@ -62,14 +56,14 @@ void failShowingNothing(const VolumeCamera& camera, const VolumeScene& scene) {
   throw InputError("the volume lies outside of the view", "--view", "turn the view to it, or leave --no-fit out");
 }
 
-void writeVolumePicture(const std::filesystem::path& path, const VolumeImage& image, const VolumeCamera& camera,
-                        double depthOpacity) {
+void writeVolumeImage(const std::filesystem::path& path, const VolumeImage& image, const VolumeCamera& camera,
+                      double depthOpacity) {
   Image<float> depths(image.width(), image.height());
   Image<glm::vec3> points(image.width(), image.height());
   parallelFor(static_cast<size_t>(image.height()), 8, [&](size_t begin, size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
       for (int x = 0; x < image.width(); ++x) {
-        const float t = opaqueFrom(image(x, y));
+        const float t = image(x, y).opaqueT();
         if (t != VolumePixel::kNowhere) {
           const RayPath ray = camera.ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
           depths(x, y) = t;
