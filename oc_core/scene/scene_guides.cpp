@@ -17,6 +17,9 @@ SceneGuides moved(const SceneGuides& guides, const glm::mat4& newFromOld) {
   if (guides.maze) {
     result.maze = moved(*guides.maze, newFromOld);
   }
+  if (guides.walk) {
+    result.walk = moved(*guides.walk, newFromOld);
+  }
   return result;
 }
 

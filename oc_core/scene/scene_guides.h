@@ -9,6 +9,7 @@
 #include "oc_core/scene/maze.h"
 #include "oc_core/scene/mesh.h"
 #include "oc_core/scene/portal.h"
+#include "oc_core/scene/walk_map.h"
 
 namespace ocelli {
 
@@ -23,6 +24,7 @@ struct SceneGuides {
   std::vector<glm::vec3> path;
   std::optional<SceneTarget> target;
   std::optional<Maze> maze;
+  std::optional<WalkMap> walk;  ///< where one can walk: of scenes that know it, or once it was found
 };
 
 /// The same guides where the transform of their scene puts them: a uniform scale and a translation.
