@@ -5,8 +5,10 @@
 #include <utility>
 
 #include "oc_core/worlds/builtin_list.h"
+#include "oc_core/worlds/builtin_object.h"
 #include "oc_core/worlds/city_house.h"
 #include "oc_core/worlds/city_plan.h"
+#include "oc_core/worlds/dense_scene.h"
 #include "oc_core/worlds/facade.h"
 #include "oc_core/worlds/palette.h"
 #include "oc_core/worlds/panels.h"
@@ -17,7 +19,7 @@
 namespace ocelli {
 namespace {
 
-constexpr float kHouseCell = 0.8f;   // metres at detail 1: of walls and roofs
+constexpr float kHouseCell = 0.8f;   // metres: of walls and roofs
 constexpr float kGroundCell = 1.5f;  // of roads, pavements and the wall
 constexpr float kUnderHouses = 2;    // a pavement ends as far within a block: behind every facade
 
@@ -164,14 +166,13 @@ Mesh makeCityThing(const CityThing& thing) {
 
 Scene buildCity(const BuiltinValues& values) {
   const CityPlan plan = planCity({values.count("seed"), static_cast<float>(values.number("size"))});
-  const auto detail = static_cast<float>(values.count("detail"));
   Scene scene;
-  addCityRoads(scene, plan, kGroundCell / detail);
-  addCityPavements(scene, plan, kGroundCell / detail);
-  addCityWalls(scene, plan, kGroundCell / detail);
+  addCityRoads(scene, plan, kGroundCell);
+  addCityPavements(scene, plan, kGroundCell);
+  addCityWalls(scene, plan, kGroundCell);
   uint32_t object = 0;
   for (const CityHouse& house : plan.houses) {
-    scene.add(makeCityHouse(house, kHouseCell / detail));
+    scene.add(makeCityHouse(house, kHouseCell));
     scene.instances.back().object = ++object;
   }
   for (size_t i = 0; i < plan.things.size(); ++i) {
@@ -186,6 +187,7 @@ Scene buildCity(const BuiltinValues& values) {
       scene.guides.target = {object, box};
     }
   }
+  densifyScene(scene, values.count("triangles"));
   scene.guides.portals = cityPortals(plan);
   scene.guides.path = cityPath(plan);
   return scene;
@@ -199,8 +201,7 @@ BuiltinScene cityScene() {
           {{"seed", "of the random numbers", BuiltinParameter::Kind::kInteger, "1", 0, 4294967295.0},
            {"size", "of the city along each side, metres", BuiltinParameter::Kind::kNumber, "168", kMinCitySize,
             kMaxCitySize},
-           {"detail", "cells of walls and roads along what is one of them at 1", BuiltinParameter::Kind::kInteger, "1",
-            1, 4}},
+           trianglesParameter()},
           buildCity};
 }
 

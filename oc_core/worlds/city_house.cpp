@@ -1,11 +1,8 @@
 #include "oc_core/worlds/city_house.h"
 
-#include <algorithm>
-#include <cmath>
 #include <glm/ext/matrix_transform.hpp>
 #include <utility>
 
-#include "oc_core/base/conventions.h"
 #include "oc_core/worlds/facade.h"
 #include "oc_core/worlds/palette.h"
 #include "oc_core/worlds/panels.h"
@@ -16,11 +13,9 @@
 namespace ocelli {
 namespace {
 
-constexpr float kWall = 0.25f;        // thickness of the outer shell of a house
+constexpr float kCityShell = 0.25f;   // thickness of the outer shell of a house
 constexpr float kCityParapet = 0.8f;  // of a flat roof
-constexpr float kCityPitch = 0.85f;   // height of a gable, of half its width
-constexpr float kTiles = 0.16f;       // thickness
-constexpr float kEaves = 0.35f;       // of a roof over a facade; over a bare wall it ends with the wall
+constexpr float kEaves = 0.35f;       // of a roof over a facade
 constexpr float kBay = 2.3f;          // width of a bay of windows, about
 constexpr float kHalfWindow = 0.55f;
 constexpr float kSill = 0.95f;  // over the floor of a storey
@@ -55,7 +50,7 @@ class CityHouseBuilder {
       addCityWall(side);
     }
     // What is behind the openings of the shell: panes that nobody looks through.
-    const float inner = kWall - 0.03f;
+    const float inner = kCityShell - 0.03f;
     const float top = house_.wallTop();
     addPaintedBox(mesh_, {size_.x - 2 * inner, top, size_.y - 2 * inner}, placedAt({0, top / 2, 0}),
                   palette::fromSrgbBytes(92, 142, 178));
@@ -64,10 +59,10 @@ class CityHouseBuilder {
         addFlatRoof();
         break;
       case CityRoof::kAlongX:
-        addPitchedRoof(size_.y, size_.x, 90, CitySide::kSouth, CitySide::kNorth);
+        addRoof(size_.y, size_.x, 90, CitySide::kNorth, CitySide::kSouth);
         break;
       case CityRoof::kAlongZ:
-        addPitchedRoof(size_.x, size_.y, 0, CitySide::kEast, CitySide::kWest);
+        addRoof(size_.x, size_.y, 0, CitySide::kEast, CitySide::kWest);
         break;
     }
     Mesh placed;
@@ -82,7 +77,7 @@ class CityHouseBuilder {
   void addCityWall(CitySide side) {
     const bool isAlongX = side == CitySide::kSouth || side == CitySide::kNorth;
     // Those along x have the corners.
-    const float width = isAlongX ? size_.x : size_.y - 2 * kWall;
+    const float width = isAlongX ? size_.x : size_.y - 2 * kCityShell;
     const glm::mat4 houseFromWall =
         placedAt({0, 0, 0}, turnOf(side)) * placedAt({0, 0, (isAlongX ? size_.y : size_.x) / 2});
     const int bays = hasFacade(side) ? static_cast<int>(width / kBay) : 0;
@@ -108,7 +103,7 @@ class CityHouseBuilder {
     wall.ys = closerLines(ys, maxCell_);
     const std::vector<size_t> columns = cellsOfLines(xs, wall.xs);
     const std::vector<size_t> rows = cellsOfLines(ys, wall.ys);
-    wall.thickness = kWall;
+    wall.thickness = kCityShell;
     wall.back = house_.wallColor;
     wall.color = [&](size_t i, size_t j) {
       if (rows[j] == 0 || rows[j] + 2 == ys.size()) {
@@ -138,9 +133,9 @@ class CityHouseBuilder {
 
   /// A closed door in the doorway whose foot is the origin, and an awning over it.
   void addCityDoor(const glm::mat4& houseFromFoot) {
-    constexpr float kHeight = kLintel - kCityKerb;
-    addPaintedBox(mesh_, {2 * kHalfWindow, kHeight, 0.08f},
-                  houseFromFoot * placedAt({0, kCityKerb + kHeight / 2, -0.16f}), house_.doorColor);
+    const float height = kLintel - kCityKerb;
+    addPaintedBox(mesh_, {2 * kHalfWindow, height, 0.08f},
+                  houseFromFoot * placedAt({0, kCityKerb + height / 2, -0.16f}), house_.doorColor);
     addPaintedBox(mesh_, {0.06f, 0.12f, 0.06f}, houseFromFoot * placedAt({0.4f, 1.1f, -0.1f}), palette::ivory());
     addDoorFrame(mesh_, {-kHalfWindow, kHalfWindow, kCityKerb, kLintel}, 0.05f, houseFromFoot, palette::ivory());
     addPaintedBox(mesh_, {2 * kHalfDoor + 0.6f, 0.08f, 0.8f},
@@ -149,8 +144,8 @@ class CityHouseBuilder {
 
   void addFlatRoof() {
     WallSlab roof;
-    roof.xs = closerLines({-size_.x / 2 + kWall, size_.x / 2 - kWall}, 2 * maxCell_);
-    roof.ys = closerLines({-size_.y / 2 + kWall, size_.y / 2 - kWall}, 2 * maxCell_);
+    roof.xs = closerLines({-size_.x / 2 + kCityShell, size_.x / 2 - kCityShell}, 2 * maxCell_);
+    roof.ys = closerLines({-size_.y / 2 + kCityShell, size_.y / 2 - kCityShell}, 2 * maxCell_);
     roof.thickness = 0.2f;
     roof.back = house_.roofColor;
     roof.color = [&](size_t i, size_t j) { return house_.roofColor * ((i + j) % 2 == 0 ? 0.9f : 0.8f); };
@@ -159,31 +154,21 @@ class CityHouseBuilder {
                   palette::mortar());
   }
 
-  /// The ridge runs along z of a frame that is turned about the vertical; `span` across it, `length` along it; `right`
-  /// is the side of the house at +x of that frame, `left` the other.
-  void addPitchedRoof(float span, float length, double turnDegrees, CitySide right, CitySide left) {
+  /// The ridge runs along z of a frame that is turned about the vertical; `upper` is the side of the house at +x of
+  /// that frame, `lower` the other.
+  void addRoof(float span, float length, double turnDegrees, CitySide upper, CitySide lower) {
+    PitchedRoof roof;
+    roof.span = span;
+    roof.length = length;
+    // Over a bare wall, which a neighbour stands against, the roof ends with the wall.
+    roof.eavesAtUpperX = hasFacade(upper) ? kEaves : 0;
+    roof.eavesAtLowerX = hasFacade(lower) ? kEaves : 0;
+    roof.maxCell = maxCell_;
+    roof.wallColor = house_.wallColor;
+    roof.roofColor = house_.roofColor;
     const glm::mat4 houseFromRoof = placedAt({0, wallEnd_, 0}, turnDegrees);
-    const float rise = kCityPitch * span / 2;
-    Mesh gable = makePrism({{-span / 2, 0}, {span / 2, 0}, {0, rise}}, length / 2);
-    paint(gable, house_.wallColor);
-    append(mesh_, gable, houseFromRoof);
-    const float slope = std::hypot(span / 2, rise);
-    const double angle = degreesFromRadians(std::atan2(rise, span / 2));
-    for (const CitySide side : {right, left}) {
-      const float below = hasFacade(side) ? kEaves * slope / (span / 2) : 0;
-      WallSlab tiles;
-      tiles.xs = closerLines({-length / 2, length / 2}, maxCell_);
-      tiles.ys = closerLines({-below, slope}, maxCell_);
-      tiles.thickness = kTiles;
-      tiles.back = palette::ivory() * 0.7f;
-      tiles.color = [&](size_t i, size_t j) {
-        return house_.roofColor * ((i + j % 2 * 2) % 4 < 2 ? 1.0f : 0.82f) * (j == 0 ? 0.75f : 1.0f);
-      };
-      // From the eaves at +x up to the ridge: slab x runs along -z, slab y up the slope, its front looks out.
-      const glm::mat4 roofFromSide = placedAt({0, 0, 0}, side == right ? 0 : 180) * placedAt({span / 2, 0.01f, 0}, 90) *
-                                     placedAt({0, 0, 0}, angle - 90, {1, 0, 0}) * placedAt({0, 0, kTiles});
-      addSlab(mesh_, tiles, houseFromRoof * roofFromSide);
-    }
+    addPitchedRoof(mesh_, roof, houseFromRoof);
+    const float rise = roof.pitch * span / 2;
     addPaintedBox(mesh_, {0.7f, rise * 0.6f + 0.9f, 0.7f},
                   houseFromRoof * placedAt({span * 0.2f, rise * 0.45f + 0.4f, length * 0.2f}), palette::brick());
   }
@@ -195,7 +180,7 @@ class CityHouseBuilder {
   Mesh mesh_;
 };
 
-void addPart(Mesh& mesh, Mesh part, const glm::mat4& worldFromPart, const glm::vec3& color) {
+void addCityPiece(Mesh& mesh, Mesh part, const glm::mat4& worldFromPart, const glm::vec3& color) {
   paint(part, color);
   append(mesh, part, worldFromPart);
 }
@@ -208,18 +193,18 @@ Mesh makeCityHouse(const CityHouse& house, float maxCell) {
 
 Mesh makeFountain() {
   Mesh fountain;
-  addPart(fountain, makeTurned({{0, 0}, {2.2f, 0}, {2.2f, 0.5f}, {1.9f, 0.5f}, {1.9f, 0.3f}, {0, 0.3f}}, 48),
-          glm::mat4(1), palette::mortar());
-  addPart(fountain, makeTurned({{0, 0.28f}, {1.89f, 0.28f}, {1.89f, 0.38f}, {0, 0.38f}}, 48), glm::mat4(1),
-          palette::skyBlue());
-  addPart(
+  addCityPiece(fountain, makeTurned({{0, 0}, {2.2f, 0}, {2.2f, 0.5f}, {1.9f, 0.5f}, {1.9f, 0.3f}, {0, 0.3f}}, 48),
+               glm::mat4(1), palette::mortar());
+  addCityPiece(fountain, makeTurned({{0, 0.28f}, {1.89f, 0.28f}, {1.89f, 0.38f}, {0, 0.38f}}, 48), glm::mat4(1),
+               palette::skyBlue());
+  addCityPiece(
       fountain,
       makeTurned(
           {{0, 0.3f}, {0.4f, 0.3f}, {0.25f, 1.2f}, {0.3f, 1.5f}, {1, 1.7f}, {1, 1.8f}, {0.3f, 1.65f}, {0, 1.65f}}, 32),
       glm::mat4(1), palette::ivory());
-  addPart(fountain, makeTurned({{0, 1.6f}, {0.15f, 1.6f}, {0.1f, 2.2f}, {0, 2.2f}}, 24), glm::mat4(1),
-          palette::ivory() * 0.9f);
-  addPart(fountain, makeSphere(24), glm::scale(placedAt({0, 2.4f, 0}), glm::vec3(0.28f)), palette::vermilion());
+  addCityPiece(fountain, makeTurned({{0, 1.6f}, {0.15f, 1.6f}, {0.1f, 2.2f}, {0, 2.2f}}, 24), glm::mat4(1),
+               palette::ivory() * 0.9f);
+  addCityPiece(fountain, makeSphere(24), glm::scale(placedAt({0, 2.4f, 0}), glm::vec3(0.28f)), palette::vermilion());
   return fountain;
 }
 
@@ -240,10 +225,10 @@ Mesh makeBench() {
 
 Mesh makeBin(const glm::vec3& color) {
   Mesh bin;
-  addPart(bin, makeTurned({{0, 0}, {0.2f, 0}, {0.26f, 0.8f}, {0.22f, 0.8f}, {0.17f, 0.2f}, {0, 0.2f}}, 20),
-          glm::mat4(1), color);
-  addPart(bin, makeTurned({{0, 0.78f}, {0.28f, 0.78f}, {0.28f, 0.86f}, {0.1f, 0.95f}, {0, 0.95f}}, 20), glm::mat4(1),
-          palette::slate());
+  addCityPiece(bin, makeTurned({{0, 0}, {0.2f, 0}, {0.26f, 0.8f}, {0.22f, 0.8f}, {0.17f, 0.2f}, {0, 0.2f}}, 20),
+               glm::mat4(1), color);
+  addCityPiece(bin, makeTurned({{0, 0.78f}, {0.28f, 0.78f}, {0.28f, 0.86f}, {0.1f, 0.95f}, {0, 0.95f}}, 20),
+               glm::mat4(1), palette::slate());
   return bin;
 }
 

@@ -1,6 +1,7 @@
 // The houses of `builtin:city` and what stands in its streets: closed solids.
 #pragma once
 
+#include "oc_core/scene/mesh.h"
 #include "oc_core/worlds/city_plan.h"
 
 namespace ocelli {

@@ -1,6 +1,7 @@
 // What houses of several made scenes are built of: painted boxes, lines that are close enough, windows.
 #pragma once
 
+#include <glm/mat4x4.hpp>
 #include <vector>
 
 #include "oc_core/scene/mesh.h"
@@ -25,5 +26,19 @@ void addWindow(Mesh& mesh, const WindowOpening& opening, const glm::mat4& worldF
 /// A frame left, right and on top of a doorway through a wall that is `thickness` thick.
 void addDoorFrame(Mesh& mesh, const WindowOpening& opening, float thickness, const glm::mat4& worldFromWall,
                   const glm::vec3& color);
+
+/// Tiles on both slopes over a gable whose ridge runs along z; its foot is the plane y = 0.
+struct PitchedRoof {
+  float span = 8;              ///< across the ridge
+  float length = 8;            ///< along it
+  float pitch = 0.85f;         ///< height, of half the span
+  float eavesAtLowerX = 0.3f;  ///< how far, level, the tiles go beyond the foot
+  float eavesAtUpperX = 0.3f;
+  float overGables = 0;  ///< how far they go beyond both ends
+  float maxCell = 1;
+  glm::vec3 wallColor{1};
+  glm::vec3 roofColor{1};
+};
+void addPitchedRoof(Mesh& mesh, const PitchedRoof& roof, const glm::mat4& worldFromRoof);
 
 }  // namespace ocelli

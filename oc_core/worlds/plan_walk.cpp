@@ -162,7 +162,7 @@ std::vector<glm::vec3> lineOfWay(const WalkMap& map, const CellWay& way, float e
   const glm::vec3 up(0, eyeHeight, 0);
   for (size_t i = 0; i < way.cells.size(); ++i) {
     const WalkCell& cell = map.cells[way.cells[i]];
-    line.push_back(cell.center + glm::vec3(0, cell.floorRise / 2, 0) + up);
+    line.push_back(cell.center + up);
     if (i < way.portals.size()) {
       const Portal& opening = map.portals[way.portals[i]].opening;
       line.push_back(opening.center - opening.halfUp + up);
