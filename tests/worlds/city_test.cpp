@@ -132,7 +132,7 @@ TEST(CityWalkMap, ConnectsAllStreetsWithTheGate) {
       }
       EXPECT_NEAR(area, expected, 1e-5 * expected) << "cells are all streets, squares and the road before the gate";
       const std::vector<glm::vec3> path = cityPath(plan);
-      EXPECT_GE(path.size(), 5u);
+      EXPECT_GE(path.size(), 3u) << "from before the gate through it";
       EXPECT_GT(path.front().z, plan.gate.z) << "it begins outside";
     }
   }
