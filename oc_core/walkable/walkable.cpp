@@ -7,12 +7,12 @@
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "oc_core/base/conventions.h"
-#include "oc_core/base/disjoint_sets.h"
 #include "oc_core/base/error.h"
 #include "oc_core/walkable/walk_cells.h"
 #include "oc_core/walkable/walk_columns.h"
 #include "oc_core/walkable/walk_direction.h"
 #include "oc_core/walkable/walk_obstacles.h"
+#include "oc_core/walkable/walk_parts.h"
 #include "oc_core/walkable/walk_portals.h"
 #include "oc_core/walkable/walk_reach.h"
 #include "oc_core/walkable/walk_width.h"
@@ -71,24 +71,6 @@ void turn(WalkMap& map, double angle) {
   }
 }
 
-std::vector<uint32_t> partsOf(const WalkMap& map) {
-  DisjointSets sets(map.cells.size());
-  for (const WalkPortal& portal : map.portals) {
-    sets.join(portal.from, portal.to);
-  }
-  std::vector<uint32_t> numbers(map.cells.size(), kNoSquare);
-  std::vector<uint32_t> parts;
-  uint32_t count = 0;
-  for (uint32_t cell = 0; cell < map.cells.size(); ++cell) {
-    uint32_t& number = numbers[sets.least(cell)];
-    if (number == kNoSquare) {
-      number = count++;
-    }
-    parts.push_back(number);
-  }
-  return parts;
-}
-
 WalkField standingField(const Mesh& mesh, WalkRaster raster, WalkSurvey& survey, const Progress& progress) {
   WalkField field;
   for (const bool bothSides : {false, true}) {
@@ -135,7 +117,7 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   if (reach.field.squares.empty()) {
     throw InputError(fmt::format("no floor of the scene is wide enough for the agent: {:.4g} of floor are narrower "
                                  "than {:.4g}",
-                                 reach.tooNarrowArea, (2 * radius + 1) * raster.cellSize),
+                                 reach.tooNarrowArea, static_cast<float>(2 * radius + 1) * raster.cellSize),
                      kWalkable, "give a smaller agent or smaller squares, or look at the units of the scene");
   }
   survey.floorArea = reach.field.area();
@@ -152,7 +134,7 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   report(progress, "find ways", 0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
   survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
-  survey.map.partOfCell = partsOf(survey.map);
+  survey.map.partOfCell = connectedParts(survey.map);
   turn(survey.map, angle);
   report(progress, "find ways", 1);
   return survey;
