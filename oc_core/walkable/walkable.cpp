@@ -125,12 +125,12 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   survey.smallPartsArea = reach.smallPartsArea;
   survey.smallParts = reach.smallParts;
   report(progress, "find ways", 0.3);
-  const WalkField field = overlookObstacles(
-      reach.field, halfWidths(reach.field, stepsToBorder(reach.field), kWidestPlace), raster.agentHeight);
+  const WalkField field = overlookObstacles(reach.field, raster.agentHeight, kWidestPlace);
   reach.field = {};
   report(progress, "find ways", 0.6);
   const std::vector<uint16_t> half = halfWidths(field, stepsToBorder(field), kWidestPlace);
-  const WalkLayout layout = layoutOf(field, areasOf(field, half, radius), radius);
+  const auto smallest = static_cast<size_t>(std::pow(options.agentHeight / raster.cellSize / 2, 2));
+  const WalkLayout layout = layoutOf(field, areasOf(field, half, radius, smallest), radius);
   report(progress, "find ways", 0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
   survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
