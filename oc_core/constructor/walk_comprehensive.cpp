@@ -25,7 +25,7 @@ constexpr double kGrowth = 2;
 constexpr double kAllowedOverlap = 0.25;
 
 /// The floor of the middle as a frustum sees it.
-GraphCamera::Part imageOf(const std::vector<glm::dvec3>& corners, const GraphCamera::Frustum& frustum) {
+GraphCamera::Part floorImage(const std::vector<glm::dvec3>& corners, const GraphCamera::Frustum& frustum) {
   GraphCamera::Part part;
   const double beyond = 1e-6 * glm::distance(corners[0], corners[2]);
   for (size_t i = 0; i < corners.size(); ++i) {
@@ -47,7 +47,7 @@ GraphCamera::Part imageOf(const std::vector<glm::dvec3>& corners, const GraphCam
   return part;
 }
 
-double areaOf(const GraphCamera::Part& part) {
+double pixelsOf(const GraphCamera::Part& part) {
   double twice = 0;
   for (size_t i = 0; i < part.size(); ++i) {
     const glm::dvec2& a = part[i];
@@ -211,7 +211,7 @@ class WalkBuilder {
     const glm::dvec3 center(map_.cells[cell].center);
     for (const int i : fans.frusta) {
       const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
-      view.pixels += std::max(areaOf(common(imageOf(middle, frustum), frustum.part)), 0.0);
+      view.pixels += std::max(pixelsOf(common(floorImage(middle, frustum), frustum.part)), 0.0);
       if (!view.center && walk.camera.frustumOf(center) == i) {
         const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
         view.center = glm::dvec2(h) / h.w;
@@ -238,7 +238,7 @@ class WalkBuilder {
   double reachOf_ = 0;
 };
 
-void check(const WalkMap& map, const WalkComprehensiveOptions& options) {
+void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& options) {
   if (map.cells.empty()) {
     throw InputError("the scene has no floor to walk on", kWalkComprehensive, "use another scene, or another camera");
   }
@@ -286,7 +286,7 @@ std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
 
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
                                         int height) {
-  check(map, options);
+  checkWalkOptions(map, options);
   return WalkBuilder(map, options, width, height).best();
 }
 

@@ -81,7 +81,10 @@ std::vector<FanAim> aimsOf(const EntryFrame& frame, double width, const std::vec
   std::vector<FanAim> aims;
   glm::dvec2 last(0);
   const auto addWall = [&](const glm::dvec2& until) {
-    if (glm::distance(last, until) > kMinWall * width) {
+    // It lies on the line of the entry, to its left or to its right.
+    const bool beside =
+        std::max(last.y, until.y) < 1.5 * kMinAhead * width && (until.x < 0.5 * width || last.x > 0.5 * width);
+    if (glm::distance(last, until) > kMinWall * width && !beside) {
       aims.push_back({-1, last, until});
       last = until;
     }

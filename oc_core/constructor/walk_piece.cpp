@@ -29,9 +29,9 @@ size_t turnsOf(const GraphCamera& camera, int i) {
 }
 
 /// A region, or a part of it, with the entry that its rays come in by.
-class Piece {
+class RegionParts {
  public:
-  Piece(GraphCamera& camera, const WalkRegion& region, const PieceSharing& sharing, PieceFans& fans)
+  RegionParts(GraphCamera& camera, const WalkRegion& region, const PieceSharing& sharing, PieceFans& fans)
       : camera_(camera), region_(region), sharing_(sharing), fans_(fans) {}
 
   /// `numbers` are those of the exits in the list of all.
@@ -46,7 +46,7 @@ class Piece {
       std::vector<int> numbers;
     };
     std::vector<Beside> beside;
-    std::vector<int> besideOf(exits.size(), -1);
+    std::vector<WalkMouth> cuts;
     for (const bool left : {true, false}) {
       const std::optional<double> line = parts < kMaxParts ? lineBeside(frame, width, exits, left) : std::nullopt;
       if (!line) {
@@ -78,6 +78,7 @@ class Piece {
         (aside ? part.numbers : keptNumbers).push_back(numbers[i]);
         through.weight += aside ? exits[i].weight : 0;
       }
+      cuts.push_back(through.mouth);
       keptExits.push_back(through);
       keptNumbers.push_back(-1 - static_cast<int>(beside.size()));
       exits = keptExits;
@@ -85,7 +86,7 @@ class Piece {
       rest = kept;
       beside.push_back(part);
     }
-    for (const auto& [number, rays] : addFans(rest, frustum, entry, exits, numbers)) {
+    for (const auto& [number, rays] : addFans(rest, frustum, entry, exits, numbers, cuts)) {
       if (number >= 0) {
         fans_.exits[static_cast<size_t>(number)] = rays;
       } else if (rays.frustum >= 0) {
@@ -140,7 +141,8 @@ class Piece {
   }
 
   std::vector<std::pair<int, PieceRays>> addFans(const PlanPolygon& border, int frustum, const WalkMouth& entry,
-                                                 const std::vector<PieceExit>& exits, const std::vector<int>& numbers) {
+                                                 const std::vector<PieceExit>& exits, const std::vector<int>& numbers,
+                                                 const std::vector<WalkMouth>& cuts) {
     const EntryFrame frame(entry);
     const double width = entry.width();
     std::vector<WalkMouth> mouths;
@@ -155,6 +157,9 @@ class Piece {
       const PieceRays added = addFan(frame, frustum, entry, aims[k], rays[k], rays[k + 1], exits);
       if (added.frustum >= 0) {
         fans_.frusta.push_back(added.frustum);
+        for (const WalkMouth& cut : cuts) {
+          limitTo(added.frustum, cut);
+        }
       }
       if (aims[k].exit >= 0) {
         reached.emplace_back(numbers[static_cast<size_t>(aims[k].exit)], added);
@@ -251,9 +256,7 @@ class Piece {
         limitFrustum(added, limit);
       }
       if (aim.exit >= 0) {
-        const glm::dvec2 out = rays.mouth.ahead();
-        limitFrustum(added, Plane::through(spaceOf(rays.mouth.left + out * (kWalkIntoWalls * region_.size), 0),
-                                           spaceOf(out, 0)));
+        limitTo(added, rays.mouth);
       }
       rays.frustum = added;
       rays.turns = turnsOf(camera_, added);
@@ -263,6 +266,10 @@ class Piece {
     return rays;
   }
 
+  void limitTo(int i, const WalkMouth& mouth) {
+    const glm::dvec2 out = mouth.ahead();
+    limitFrustum(i, Plane::through(spaceOf(mouth.left + out * (kWalkIntoWalls * region_.size), 0), spaceOf(out, 0)));
+  }
   /// Where the middle of its rays begins within the limit.
   void limitFrustum(int i, const Plane& limit) {
     try {
@@ -286,7 +293,7 @@ PieceFans addPiece(GraphCamera& camera, const WalkRegion& region, const PlanPoly
   fans.exits.resize(exits.size());
   std::vector<int> numbers(exits.size());
   std::iota(numbers.begin(), numbers.end(), 0);
-  Piece(camera, region, sharing, fans).add(border, frustum, entry, exits, numbers, 0);
+  RegionParts(camera, region, sharing, fans).add(border, frustum, entry, exits, numbers, 0);
   return fans;
 }
 

@@ -17,7 +17,7 @@ constexpr double kMaxCutOff = 0.25;
 /// How far outside of a box an opening may lie, in shorter sides of the box: walls are not thicker.
 constexpr double kMaxOutside = 0.5;
 
-PlanPolygon boxOf(const WalkCell& cell) {
+PlanPolygon planBox(const WalkCell& cell) {
   const glm::dvec2 center = planOf(glm::dvec3(cell.center));
   const glm::dvec2 along = planOf(glm::dvec3(cell.axis)) * static_cast<double>(cell.halfLength);
   const glm::dvec2 across = planOf(glm::dvec3(cell.right())) * static_cast<double>(cell.halfWidth);
@@ -50,7 +50,7 @@ void turnOutwards(WalkMouth& mouth, const glm::dvec2& center) {
 
 /// The border of a box that reaches to the openings on its sides.
 PlanPolygon borderAround(const WalkCell& cell, std::vector<WalkExit>& exits) {
-  const PlanPolygon box = boxOf(cell);
+  const PlanPolygon box = planBox(cell);
   PlanPolygon cut = box;
   std::vector<glm::dvec2> points;
   std::vector<WalkExit> kept;
@@ -102,7 +102,7 @@ void keepExitsOnBorder(WalkRegion& region) {
 }
 
 /// Sides, floor and ceiling.
-void limit(WalkRegion& region) {
+void limitRegion(WalkRegion& region) {
   region.limits.clear();
   const double into = kWalkIntoWalls * region.size;
   for (size_t i = 0; i < region.border.size(); ++i) {
@@ -143,7 +143,7 @@ WalkRegion regionOf(const WalkMap& map, uint32_t index, std::vector<WalkExit> ex
   region.border = borderAround(cell, exits);
   region.exits = exits;
   keepExitsOnBorder(region);
-  limit(region);
+  limitRegion(region);
   return region;
 }
 
@@ -210,7 +210,7 @@ void cutToFit(WalkRegion& region, const WalkMap& map, const std::vector<const Wa
     region.exits.clear();
   } else if (changed) {
     keepExitsOnBorder(region);
-    limit(region);
+    limitRegion(region);
   }
 }
 
