@@ -31,7 +31,7 @@ double percentOf(double part, double whole) {
 struct WalkTotals {
   size_t known = 0, found = 0, matched = 0;
   size_t knownPortals = 0, foundPortals = 0, matchedPortals = 0;
-  double knownArea = 0, foundArea = 0, commonArea = 0;
+  double knownArea = 0, foundArea = 0, coveredArea = 0, plannedArea = 0;
   size_t cells = 0, seen = 0;
 
   void add(const WalkScene& scene, const WalkAcceptance& result) {
@@ -43,7 +43,8 @@ struct WalkTotals {
     matchedPortals += result.agreement.matchedPortals();
     knownArea += result.agreement.knownArea;
     foundArea += result.agreement.reachedArea;
-    commonArea += result.agreement.commonArea;
+    coveredArea += result.agreement.coveredShare * result.agreement.knownArea;
+    plannedArea += result.agreement.knownShare * result.agreement.reachedArea;
     cells += result.cells.size();
     seen += result.seenCells();
   }
@@ -52,7 +53,7 @@ struct WalkTotals {
     const auto count = [](size_t n) { return static_cast<double>(n); };
     return fmt::format(
         "{:5.1f} % {:5.1f} % | {:3} {:3} {:3} {:4.0f} % {:4.0f} % | {:3} {:3} {:3} {:4.0f} % {:4.0f} % | {:3} of {:3}",
-        percentOf(commonArea, knownArea), percentOf(commonArea, foundArea), known, found, matched,
+        percentOf(coveredArea, knownArea), percentOf(plannedArea, foundArea), known, found, matched,
         percentOf(count(matched), count(known)), percentOf(count(matched), count(found)), knownPortals, foundPortals,
         matchedPortals, percentOf(count(matchedPortals), count(knownPortals)),
         percentOf(count(matchedPortals), count(foundPortals)), seen, cells);

@@ -6,6 +6,8 @@
 #include <glm/geometric.hpp>
 #include <glm/vec2.hpp>
 #include <map>
+#include <numeric>
+#include <utility>
 
 namespace ocelli {
 namespace {
@@ -63,6 +65,16 @@ glm::dvec3 footOf(const WalkPortal& portal) {
   return glm::dvec3(portal.opening.center) - glm::dvec3(portal.opening.halfUp);
 }
 
+bool holdsPlace(const Outline& outline, const glm::dvec2& place) {
+  for (size_t i = 0; i < outline.size(); ++i) {
+    const glm::dvec2& from = outline[i];
+    if (crossOf(outline[(i + 1) % outline.size()] - from, place - from) < 0) {
+      return false;
+    }
+  }
+  return true;
+}
+
 struct CandidatePair {
   double rank;  ///< better ones first: smaller
   uint32_t known;
@@ -115,7 +127,7 @@ class MapComparison {
       foundOutlines.push_back(outlineOf(cell));
     }
     std::vector<CandidatePair> pairs;
-    std::map<uint32_t, double> commonOfPart;
+    std::map<uint32_t, double> sharedOfPart;
     for (uint32_t k = 0; k < known_.cells.size(); ++k) {
       for (uint32_t f = 0; f < found_.cells.size(); ++f) {
         if (!isOneLevel(known_.cells[k].center.y, found_.cells[f].center.y)) {
@@ -125,18 +137,17 @@ class MapComparison {
         if (shared <= 0) {
           continue;
         }
-        commonOfPart[found_.partOfCell[f]] += shared;
+        sharedOfPart[found_.partOfCell[f]] += shared;
         const double either = areaOfOutline(knownOutlines[k]) + areaOfOutline(foundOutlines[f]) - shared;
         if (shared >= rules_.cellOverlap * either) {
           pairs.push_back({-shared / either, k, f});
         }
       }
     }
-    const auto most = std::max_element(commonOfPart.begin(), commonOfPart.end(),
+    const auto most = std::max_element(sharedOfPart.begin(), sharedOfPart.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     isReached_.assign(found_.cells.size(), false);
-    if (most != commonOfPart.end()) {
-      agreement_.commonArea = most->second;
+    if (most != sharedOfPart.end()) {
       for (uint32_t f = 0; f < found_.cells.size(); ++f) {
         isReached_[f] = found_.partOfCell[f] == most->first;
         if (isReached_[f]) {
@@ -145,9 +156,48 @@ class MapComparison {
         }
       }
     }
+    compareFloors(knownOutlines, foundOutlines);
     agreement_.otherCells = found_.cells.size() - agreement_.reached.size();
     std::erase_if(pairs, [&](const CandidatePair& pair) { return !isReached_[pair.found]; });
     agreement_.foundOfCell = matchPairs(std::move(pairs), known_.cells.size(), found_.cells.size());
+  }
+
+  /// By places a quarter of a unit apart: boxes of one map may reach into each other.
+  void compareFloors(const std::vector<Outline>& knownOutlines, const std::vector<Outline>& foundOutlines) {
+    std::vector<uint32_t> all(known_.cells.size());
+    std::iota(all.begin(), all.end(), 0u);
+    agreement_.coveredShare = shareCovered({known_, knownOutlines, all}, {found_, foundOutlines, agreement_.reached});
+    agreement_.knownShare = shareCovered({found_, foundOutlines, agreement_.reached}, {known_, knownOutlines, all});
+  }
+
+  struct Floors {
+    const WalkMap& map;
+    const std::vector<Outline>& outlines;
+    const std::vector<uint32_t>& cells;
+  };
+
+  double shareCovered(const Floors& floors, const Floors& cover) const {
+    constexpr double kStep = 0.25;
+    size_t places = 0;
+    size_t covered = 0;
+    for (const uint32_t cell : floors.cells) {
+      const Outline& outline = floors.outlines[cell];
+      const glm::dvec2 along = outline[1] - outline[0];
+      const glm::dvec2 across = outline[3] - outline[0];
+      const double rows = std::max(1.0, std::floor(glm::length(along) / kStep));
+      const double columns = std::max(1.0, std::floor(glm::length(across) / kStep));
+      for (double i = 0.5; i < rows; ++i) {
+        for (double j = 0.5; j < columns; ++j) {
+          const glm::dvec2 place = outline[0] + along * (i / rows) + across * (j / columns);
+          ++places;
+          covered += std::any_of(cover.cells.begin(), cover.cells.end(), [&](uint32_t other) {
+            return isOneLevel(floors.map.cells[cell].center.y, cover.map.cells[other].center.y) &&
+                   holdsPlace(cover.outlines[other], place);
+          });
+        }
+      }
+    }
+    return places == 0 ? 0 : static_cast<double>(covered) / static_cast<double>(places);
   }
 
   void comparePortals() {

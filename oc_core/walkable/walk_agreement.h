@@ -33,9 +33,10 @@ struct WalkAgreement {
   std::vector<uint32_t> reached;        ///< the found cells of the part that counts
   std::vector<uint32_t> reachedPortals;
   double knownArea = 0;
-  double reachedArea = 0;  ///< of the found cells that count
-  double commonArea = 0;   ///< of both
-  size_t otherCells = 0;   ///< of the found map: those of other parts
+  double reachedArea = 0;   ///< of the found cells that count
+  double coveredShare = 0;  ///< of the known floor, what found cells cover
+  double knownShare = 0;    ///< of the found floor, what known cells cover
+  size_t otherCells = 0;    ///< of the found map: those of other parts
 
   size_t matchedCells() const;
   size_t matchedPortals() const;
