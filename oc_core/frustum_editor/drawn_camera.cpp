@@ -13,18 +13,18 @@
 namespace ocelli {
 namespace {
 
-using Json = nlohmann::json;
+using FileJson = nlohmann::json;
 
 constexpr double kMinSlope = 0.2;       // sine between plane and paper, below which a plan sees a plane from the front
 constexpr double kRoundedShare = 1e-5;  // of the scene's diagonal: what coordinates are rounded to, at most
 constexpr double kInPlaneShare = 1e-7;  // of the diagonal: corners so near to a plane lie in it
 constexpr double kSameEndShare = 1e-3;  // of a plane's width: corners so far from its end belong to the end
 
-glm::dvec3 pointOf(const Json& json) {
+glm::dvec3 pointOf(const FileJson& json) {
   return {json[0].get<double>(), json[1].get<double>(), json[2].get<double>()};
 }
 
-DrawnPlane planeOf(const Json& json) {
+DrawnPlane planeOf(const FileJson& json) {
   DrawnPlane drawn;
   drawn.point = pointOf(json.at("point"));
   drawn.plane = Plane::through(drawn.point, pointOf(json.at("normal")));
@@ -44,15 +44,15 @@ class GraphReader {
  public:
   GraphReader(const GraphCamera& camera, const Box& room) : camera_(camera), room_(room) {}
 
-  std::vector<DrawnFrustum> read(const Json& operations) {
+  std::vector<DrawnFrustum> read(const FileJson& operations) {
     DrawnFrustum root;
     root.name = camera_.frusta()[0].name;
     root.operation = "root";
     frusta_.push_back(root);
-    for (const Json& operation : operations) {
+    for (const FileJson& operation : operations) {
       add(operation);
     }
-    for (const Json& operation : operations) {
+    for (const FileJson& operation : operations) {
       if (operation.at("operation") == "limit") {
         frusta_[indexOf(operation.at("of").get<std::string>())].limits.push_back(planeOf(operation.at("plane")));
       }
@@ -84,20 +84,20 @@ class GraphReader {
     return static_cast<size_t>(found - frusta_.begin());
   }
 
-  void add(const Json& operation) {
+  void add(const FileJson& operation) {
     if (!operation.contains("into")) {
       return;
     }
-    const Json& into = operation["into"];
-    const Json& of = operation.at("of");
-    for (const Json& each : into.is_array() ? into : Json::array({into})) {
+    const FileJson& into = operation["into"];
+    const FileJson& of = operation.at("of");
+    for (const FileJson& each : into.is_array() ? into : FileJson::array({into})) {
       DrawnFrustum frustum;
       frustum.name = each.at("name").get<std::string>();
       frustum.operation = operation.at("operation").get<std::string>();
       frustum.of = of.is_array() ? of.get<std::vector<std::string>>() : std::vector{of.get<std::string>()};
       frustum.begins = planeOf(each.at("plane"));
       frustum.viewpoint = pointOf(each.at("viewpoint"));
-      for (const Json& corner : each.value("part", Json::array())) {
+      for (const FileJson& corner : each.value("part", FileJson::array())) {
         frustum.part.emplace_back(corner[0].get<double>(), corner[1].get<double>());
       }
       frusta_.push_back(std::move(frustum));
@@ -141,7 +141,7 @@ class GraphReader {
   std::vector<DrawnFrustum> frusta_;
 };
 
-std::vector<DrawnFrustum> curvedFrusta(const CurvedRayCamera& camera, const Json& turns, const Box& room) {
+std::vector<DrawnFrustum> curvedFrusta(const CurvedRayCamera& camera, const FileJson& turns, const Box& room) {
   std::vector<DrawnVolume> volumes = curvedVolumesOf(camera, room);
   std::vector<DrawnFrustum> frusta(1);
   frusta[0].name = frusta[0].operation = "root";
@@ -215,7 +215,7 @@ std::string DrawnCamera::freeName() const {
 }
 
 DrawnCamera drawnCamera(const std::string& text, const MultiperspectiveCamera& camera, const Box& world) {
-  const Json json = Json::parse(text, nullptr, true, true);
+  const FileJson json = FileJson::parse(text, nullptr, true, true);
   DrawnCamera drawn;
   drawn.camera = std::make_shared<const MultiperspectiveCamera>(camera);
   const PinholeCamera& root = std::visit([](const auto& each) -> const PinholeCamera& { return each.root(); }, camera);

@@ -7,26 +7,26 @@
 namespace ocelli {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using EditJson = nlohmann::ordered_json;
 
 constexpr double kRoundedNormal = 1e-6;
 constexpr double kRoundedPart = 1e-5;  // of the image: a hundredth of a pixel of a thousand
 
-Json pointJson(const glm::dvec3& point, double rounding) {
-  Json json = Json::array();
+EditJson pointJson(const glm::dvec3& point, double rounding) {
+  EditJson json = EditJson::array();
   for (int axis = 0; axis < 3; ++axis) {
     json.push_back(roundedTo(point[axis], rounding));
   }
   return json;
 }
 
-Json planeJson(const DrawnEditPlane& plane, double rounding) {
+EditJson planeJson(const DrawnEditPlane& plane, double rounding) {
   return {{"point", pointJson(plane.point, rounding)},
           {"normal", pointJson(glm::normalize(plane.normal), kRoundedNormal)}};
 }
 
-Json partJson(const GraphCamera::Part& shares) {
-  Json json = Json::array();
+EditJson partJson(const GraphCamera::Part& shares) {
+  EditJson json = EditJson::array();
   for (const glm::dvec2& corner : shares) {
     json.push_back({roundedTo(glm::clamp(corner.x, 0.0, 1.0), kRoundedPart),
                     roundedTo(glm::clamp(corner.y, 0.0, 1.0), kRoundedPart)});
@@ -34,12 +34,12 @@ Json partJson(const GraphCamera::Part& shares) {
   return json;
 }
 
-std::string changeEdit(const std::string& name, const Json& to) {
-  return Json{{"edit", "change"}, {"name", name}, {"to", to}}.dump();
+std::string changeEdit(const std::string& name, const EditJson& to) {
+  return EditJson{{"edit", "change"}, {"name", name}, {"to", to}}.dump();
 }
 
-std::string addOperation(const Json& operation) {
-  return Json{{"edit", "add"}, {"operation", operation}}.dump();
+std::string addOperation(const EditJson& operation) {
+  return EditJson{{"edit", "add"}, {"operation", operation}}.dump();
 }
 
 }  // namespace
@@ -57,7 +57,7 @@ std::string DrawnEdits::view(const View& view) const {
     rounded.eye[axis] = static_cast<float>(roundedTo(static_cast<double>(view.eye[axis]), camera_.rounding));
     rounded.target[axis] = static_cast<float>(roundedTo(static_cast<double>(view.target[axis]), camera_.rounding));
   }
-  return Json{{"edit", "view"}, {"view", Json::parse(jsonText(rounded))}}.dump();
+  return EditJson{{"edit", "view"}, {"view", EditJson::parse(jsonText(rounded))}}.dump();
 }
 
 std::string DrawnEdits::viewpoint(const std::string& name, const glm::dvec3& at) const {
@@ -73,18 +73,18 @@ std::string DrawnEdits::part(const std::string& name, const GraphCamera::Part& s
 }
 
 std::string DrawnEdits::limits(const std::string& name, std::span<const DrawnEditPlane> planes) const {
-  Json json = Json::array();
+  EditJson json = EditJson::array();
   for (const DrawnEditPlane& plane : planes) {
     json.push_back(planeJson(plane, camera_.rounding));
   }
-  return Json{{"edit", "limits"}, {"name", name}, {"planes", json}}.dump();
+  return EditJson{{"edit", "limits"}, {"name", name}, {"planes", json}}.dump();
 }
 
 std::string DrawnEdits::addBend(const std::string& of, const std::string& name, const DrawnEditPlane& plane,
                                 const glm::dvec3& viewpoint, const GraphCamera::Part& shares) const {
-  Json into{{"name", name},
-            {"plane", planeJson(plane, camera_.rounding)},
-            {"viewpoint", pointJson(viewpoint, camera_.rounding)}};
+  EditJson into{{"name", name},
+                {"plane", planeJson(plane, camera_.rounding)},
+                {"viewpoint", pointJson(viewpoint, camera_.rounding)}};
   if (!shares.empty()) {
     into["part"] = partJson(shares);
   }
@@ -93,7 +93,7 @@ std::string DrawnEdits::addBend(const std::string& of, const std::string& name, 
 
 std::string DrawnEdits::addSplit(const std::string& of, std::span<const std::string, 2> names,
                                  std::span<const DrawnEditPlane, 2> planes, const glm::dvec3& viewpoint) const {
-  Json into = Json::array();
+  EditJson into = EditJson::array();
   for (size_t i = 0; i < 2; ++i) {
     into.push_back({{"name", names[i]},
                     {"plane", planeJson(planes[i], camera_.rounding)},
@@ -105,7 +105,7 @@ std::string DrawnEdits::addSplit(const std::string& of, std::span<const std::str
 std::string DrawnEdits::addMerge(std::span<const std::string, 2> of, const std::string& name,
                                  const DrawnEditPlane& plane, const glm::dvec3& viewpoint) const {
   return addOperation({{"operation", "merge"},
-                       {"of", Json::array({of[0], of[1]})},
+                       {"of", EditJson::array({of[0], of[1]})},
                        {"into",
                         {{"name", name},
                          {"plane", planeJson(plane, camera_.rounding)},
@@ -114,34 +114,34 @@ std::string DrawnEdits::addMerge(std::span<const std::string, 2> of, const std::
 
 std::string DrawnEdits::addTurn(const std::string& name, std::span<const DrawnEditPlane, 3> planes,
                                 const glm::dvec3& viewpoint) const {
-  return Json{{"edit", "add"},
-              {"turn",
-               {{"name", name},
-                {"from", planeJson(planes[0], camera_.rounding)},
-                {"middle", planeJson(planes[1], camera_.rounding)},
-                {"to", planeJson(planes[2], camera_.rounding)},
-                {"viewpoint", pointJson(viewpoint, camera_.rounding)}}}}
+  return EditJson{{"edit", "add"},
+                  {"turn",
+                   {{"name", name},
+                    {"from", planeJson(planes[0], camera_.rounding)},
+                    {"middle", planeJson(planes[1], camera_.rounding)},
+                    {"to", planeJson(planes[2], camera_.rounding)},
+                    {"viewpoint", pointJson(viewpoint, camera_.rounding)}}}}
       .dump();
 }
 
 std::string DrawnEdits::remove(const std::string& name) {
-  return Json{{"edit", "remove"}, {"name", name}}.dump();
+  return EditJson{{"edit", "remove"}, {"name", name}}.dump();
 }
 
 std::string DrawnEdits::rename(const std::string& name, const std::string& to) {
-  return textOfJson(Json{{"edit", "rename"}, {"name", name}, {"to", to}});
+  return textOfJson(EditJson{{"edit", "rename"}, {"name", name}, {"to", to}});
 }
 
 std::string DrawnEdits::overlap(bool allowed) {
-  return Json{{"edit", "overlap"}, {"overlap", allowed ? "allowed" : "refused"}}.dump();
+  return EditJson{{"edit", "overlap"}, {"overlap", allowed ? "allowed" : "refused"}}.dump();
 }
 
 std::string DrawnEdits::several(std::span<const std::string> edits) {
-  Json json = Json::array();
+  EditJson json = EditJson::array();
   for (const std::string& edit : edits) {
-    json.push_back(Json::parse(edit));
+    json.push_back(EditJson::parse(edit));
   }
-  return Json{{"edit", "several"}, {"edits", json}}.dump();
+  return EditJson{{"edit", "several"}, {"edits", json}}.dump();
 }
 
 std::vector<DrawnEditPlane> DrawnEdits::limitsOf(const DrawnFrustum& frustum) {

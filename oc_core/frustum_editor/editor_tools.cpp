@@ -1,6 +1,7 @@
 #include "oc_core/frustum_editor/editor_tools.h"
 
 #include "oc_core/base/error.h"
+#include "oc_core/frustum_editor/drawn_edits.h"
 #include "oc_core/frustum_editor/graph_tools.h"
 #include "oc_core/frustum_editor/handle_kinds.h"
 #include "oc_core/frustum_editor/stroke_frusta.h"

@@ -83,11 +83,14 @@ std::vector<HandleNumber> aimNumbers(const DrawnCamera& camera, const FrustumHan
 }  // namespace
 
 HandleKind viewpointHandle() {
-  return {"viewpoint", "moves where the rays of the frustum come from", viewpointsOf, dragViewpoint, viewpointNumbers};
+  return {"viewpoint",     "moves where the rays of the frustum come from",
+          Marker::kCircle, viewpointsOf,
+          dragViewpoint,   viewpointNumbers};
 }
 
 HandleKind aimHandle() {
-  return {"aim", "turns the rays of the frustum about the middle of its plane", aimsOf, dragAim, aimNumbers};
+  return {"aim",     "turns the rays of the frustum about the middle of its plane", Marker::kDiamond, aimsOf, dragAim,
+          aimNumbers};
 }
 
 }  // namespace ocelli

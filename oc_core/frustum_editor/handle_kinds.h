@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/drawing/drawing.h"
 #include "oc_core/frustum_editor/drawn_camera.h"
 
 namespace ocelli {
@@ -37,8 +38,9 @@ struct HandleNumber {
 };
 
 struct HandleKind {
-  std::string name;  ///< in scripts, and beside the handle: "viewpoint"
-  std::string says;  ///< what dragging it does, in a line
+  std::string name;                 ///< in scripts, and beside the handle: "viewpoint"
+  std::string says;                 ///< what dragging it does, in a line
+  Marker marker = Marker::kCircle;  ///< what it looks like
   /// Those of a frustum in a plan.
   std::vector<FrustumHandle> (*of)(const DrawnCamera& camera, const DrawnFrustum& frustum, PlanSide side);
   /// The edit that moves it: the text of an edit of CameraEditor. Throws InputError where it cannot be there.

@@ -100,7 +100,11 @@ std::vector<HandleNumber> borderNumbers(const DrawnCamera& camera, const Frustum
 }  // namespace
 
 HandleKind partBorderHandle() {
-  return {"part border", "moves the border between what bends here and what does not", bordersOf, dragBorder,
+  return {"part border",
+          "moves the border between what bends here and what does not",
+          Marker::kTriangleDown,
+          bordersOf,
+          dragBorder,
           borderNumbers};
 }
 

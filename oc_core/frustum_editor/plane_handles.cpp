@@ -196,23 +196,24 @@ std::string dragLimitEnd(const DrawnCamera& camera, const FrustumHandle& handle,
 }  // namespace
 
 HandleKind planeHandle() {
-  return {"plane", "moves the plane where the frustum begins", planesOf, dragPlane, planeNumbers};
+  return {"plane", "moves the plane where the frustum begins", Marker::kSquare, planesOf, dragPlane, planeNumbers};
 }
 
 HandleKind planeEndHandle() {
-  return {"plane end", "turns the plane about its other end", planeEndsOf, dragPlaneEnd};
+  return {"plane end", "turns the plane about its other end", Marker::kTriangle, planeEndsOf, dragPlaneEnd};
 }
 
 HandleKind splitEdgeHandle() {
-  return {"split edge", "moves the line where the planes of a split meet", splitEdgesOf, dragSplitEdge};
+  return {"split edge", "moves the line where the planes of a split meet", Marker::kTriangleDown, splitEdgesOf,
+          dragSplitEdge};
 }
 
 HandleKind limitHandle() {
-  return {"limit", "moves a limit of the frustum", limitsOfFrustum, dragLimit, limitNumbers};
+  return {"limit", "moves a limit of the frustum", Marker::kSquare, limitsOfFrustum, dragLimit, limitNumbers};
 }
 
 HandleKind limitEndHandle() {
-  return {"limit end", "turns a limit about its other end", limitEndsOf, dragLimitEnd};
+  return {"limit end", "turns a limit about its other end", Marker::kTriangle, limitEndsOf, dragLimitEnd};
 }
 
 }  // namespace ocelli

@@ -106,15 +106,17 @@ std::vector<HandleNumber> turnPlaneNumbers(const DrawnCamera& camera, const Frus
 }  // namespace
 
 HandleKind turnMiddleHandle() {
-  return {"turn", "moves the three planes of a turn", turnMiddlesOf, dragTurnMiddle};
+  return {"turn", "moves the three planes of a turn", Marker::kSquare, turnMiddlesOf, dragTurnMiddle};
 }
 
 HandleKind turnLineHandle() {
-  return {"turn line", "moves the line where the planes of a turn meet", turnLinesOf, dragTurnLine};
+  return {"turn line", "moves the line where the planes of a turn meet", Marker::kTriangleDown, turnLinesOf,
+          dragTurnLine};
 }
 
 HandleKind turnPlaneHandle() {
-  return {"turn plane", "turns a plane of a turn about the line", turnPlanesOf, dragTurnPlane, turnPlaneNumbers};
+  return {"turn plane",    "turns a plane of a turn about the line", Marker::kTriangle, turnPlanesOf, dragTurnPlane,
+          turnPlaneNumbers};
 }
 
 }  // namespace ocelli

@@ -116,15 +116,16 @@ std::vector<HandleNumber> fieldOfViewNumbers(const DrawnCamera& camera, const Fr
 }  // namespace
 
 HandleKind eyeHandle() {
-  return {"eye", "moves the viewpoint of the root", eyesOf, dragEye};
+  return {"eye", "moves the viewpoint of the root", Marker::kCircle, eyesOf, dragEye};
 }
 
 HandleKind targetHandle() {
-  return {"target", "aims the root", targetsOf, dragTarget, targetNumbers};
+  return {"target", "aims the root", Marker::kDiamond, targetsOf, dragTarget, targetNumbers};
 }
 
 HandleKind fieldOfViewHandle() {
-  return {"field of view", "widens or narrows the root", fieldsOfViewOf, dragFieldOfView, fieldOfViewNumbers};
+  return {"field of view",   "widens or narrows the root", Marker::kTriangle, fieldsOfViewOf, dragFieldOfView,
+          fieldOfViewNumbers};
 }
 
 }  // namespace ocelli
