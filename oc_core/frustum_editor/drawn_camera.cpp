@@ -118,10 +118,13 @@ class GraphReader {
       frustum.begins.plane = camera_.frusta()[0].plane;
     }
     std::vector<glm::dvec3> crossings;
+    glm::dvec3 middle(0);
     for (const int i : frustum.indices) {
       const std::vector<glm::dvec3> some = crossingsOf(camera_, i);
       crossings.insert(crossings.end(), some.begin(), some.end());
-      frustum.direction += middleDirectionOf(camera_, i);
+      const DrawnRay ray = middleRayOf(camera_, i);
+      middle += ray.from / static_cast<double>(frustum.indices.size());
+      frustum.direction += ray.direction;
       for (DrawnVolume& volume : graphVolumesOf(camera_, i, room_)) {
         frustum.volumes.push_back(std::move(volume));
       }
@@ -130,6 +133,7 @@ class GraphReader {
     frustum.direction = length > 0 ? frustum.direction / length : frustum.begins.plane.normal;
     // Of a merge the polygon is two; only its hull in plans is used.
     setPolygon(frustum.begins, frustum.indices.size() == 1 ? polygonWithin(crossings, room_) : crossings);
+    frustum.begins.middle = middle;
     const double slack = static_cast<double>(glm::length(room_.size())) * kInPlaneShare;
     for (DrawnPlane& limit : frustum.limits) {
       setPolygon(limit, cornersIn(frustum.volumes, limit.plane, slack));

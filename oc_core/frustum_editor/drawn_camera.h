@@ -20,7 +20,7 @@ struct DrawnPlane {
   Plane plane;
   glm::dvec3 point{0};              ///< of the plane, as the file gives it
   std::vector<glm::dvec3> polygon;  ///< convex; empty where no ray comes to it within the scene
-  glm::dvec3 middle{0};             ///< of the polygon; else `point`
+  glm::dvec3 middle{0};             ///< where the middle ray of a frustum crosses it; of others, of the polygon
 };
 
 /// Corners of a convex piece of space.
@@ -35,7 +35,7 @@ struct DrawnFrustum {
   std::vector<int> indices;  ///< of GraphCamera::frusta(): two after a merge. Of a turn: of CurvedRayCamera::bends()
   glm::dvec3 viewpoint{0};
   DrawnPlane begins;        ///< where it begins: of the root zNear, of a turn its middle plane
-  glm::dvec3 direction{0};  ///< unit; of the ray through the middle of its plane
+  glm::dvec3 direction{0};  ///< unit; of its middle ray, behind that plane
   std::vector<DrawnPlane> limits;
   GraphCamera::Part part;            ///< of a bend that takes a part: in shares of the image
   std::vector<DrawnPlane> turn;      ///< from, middle and to; of a turn alone

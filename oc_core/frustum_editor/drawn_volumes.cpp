@@ -12,13 +12,8 @@ namespace {
 
 constexpr int kBorderSamples = 12;  // of rays, along each side of the image
 
-struct ChainRay {
-  glm::dvec3 from{0};
-  glm::dvec3 direction{0};
-};
-
 /// The ray of a pixel from where it crosses the plane of frustum `i`, whichever part it is in.
-ChainRay rayBehind(const GraphCamera& camera, int i, const glm::dvec2& pixel) {
+DrawnRay rayBehind(const GraphCamera& camera, int i, const glm::dvec2& pixel) {
   const GraphCamera::Frustum& frustum = camera.frusta()[static_cast<size_t>(i)];
   if (frustum.parent < 0) {
     const PinholeCamera& root = camera.root();
@@ -27,7 +22,7 @@ ChainRay rayBehind(const GraphCamera& camera, int i, const glm::dvec2& pixel) {
         glm::dvec3(root.right()) * offset.x + glm::dvec3(root.down()) * offset.y + glm::dvec3(root.forward());
     return {glm::dvec3(root.eye()) + direction * static_cast<double>(root.view().zNear), direction};
   }
-  const ChainRay ray = rayBehind(camera, frustum.parent, pixel);
+  const DrawnRay ray = rayBehind(camera, frustum.parent, pixel);
   const glm::dvec3 at = frustum.plane.crossing(ray.from, ray.from + ray.direction);
   return {at, at - frustum.viewpoint};
 }
@@ -83,9 +78,11 @@ std::vector<glm::dvec3> crossingsOf(const GraphCamera& camera, int i) {
   return points;
 }
 
-glm::dvec3 middleDirectionOf(const GraphCamera& camera, int i) {
+DrawnRay middleRayOf(const GraphCamera& camera, int i) {
   const GraphCamera::Part& part = camera.frusta()[static_cast<size_t>(i)].part;
-  return glm::normalize(rayBehind(camera, i, GraphCamera::middleOf(part)).direction);
+  DrawnRay ray = rayBehind(camera, i, GraphCamera::middleOf(part));
+  ray.direction = glm::normalize(ray.direction);
+  return ray;
 }
 
 std::vector<glm::dvec3> polygonWithin(std::vector<glm::dvec3> polygon, const Box& box) {

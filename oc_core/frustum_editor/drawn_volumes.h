@@ -9,8 +9,12 @@ namespace ocelli {
 
 /// Where the rays at the corners of the part of frustum `i` cross its plane.
 std::vector<glm::dvec3> crossingsOf(const GraphCamera& camera, int i);
-/// The direction of the ray through the middle of its part, behind its plane; unit.
-glm::dvec3 middleDirectionOf(const GraphCamera& camera, int i);
+/// The ray through the middle of its part: where it crosses the plane, and its direction behind it; unit.
+struct DrawnRay {
+  glm::dvec3 from{0};
+  glm::dvec3 direction{0};
+};
+DrawnRay middleRayOf(const GraphCamera& camera, int i);
 
 /// Of a convex polygon, what lies in the box; all of it where that is nothing.
 std::vector<glm::dvec3> polygonWithin(std::vector<glm::dvec3> polygon, const Box& box);

@@ -185,30 +185,45 @@ PlanPointer FrustumEditor::snappedPointer(const PlanPointer& pointer) {
   return moved;
 }
 
+/// From near to far; of those on each other, that of the selected frustum comes first.
+std::vector<FrustumHandle> FrustumEditor::handlesNear(const PlanPointer& pointer) const {
+  std::vector<std::pair<double, FrustumHandle>> ranked;
+  for (const FrustumHandle& handle : handlesOf(*drawn_, pointer.side)) {
+    const double distance = glm::distance(paperFromWorld(pointer.side, handle.at), pointer.paper);
+    if (distance <= pointer.reach) {
+      ranked.emplace_back(distance + (handle.frustum == selectedFrustum_ ? 0 : pointer.reach), handle);
+    }
+  }
+  std::stable_sort(ranked.begin(), ranked.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<FrustumHandle> handles;
+  for (auto& [rank, handle] : ranked) {
+    handles.push_back(std::move(handle));
+  }
+  return handles;
+}
+
 void FrustumEditor::press(const PlanPointer& pointer) {
   cancel();
   message_ = "";
   if (tool_->apply != nullptr) {
     const PlanPointer from = snappedPointer(pointer);
-    drag_ = Drag{from, from, std::nullopt, drawn_, "", ""};
+    drag_ = Drag{from, from, std::nullopt, drawn_, "", "", std::nullopt};
     followDrag();
     return;
   }
-  std::optional<FrustumHandle> nearest;
-  double nearestRank = 0;
-  for (const FrustumHandle& handle : handlesOf(*drawn_, pointer.side)) {
-    const double distance = glm::distance(paperFromWorld(pointer.side, handle.at), pointer.paper);
-    // Of handles on each other, that of the selected frustum.
-    const double rank = distance + (handle.frustum == selectedFrustum_ ? 0 : pointer.reach);
-    if (distance <= pointer.reach && (!nearest || rank < nearestRank)) {
-      nearest = handle;
-      nearestRank = rank;
+  const std::vector<FrustumHandle> near = handlesNear(pointer);
+  if (!near.empty()) {
+    const auto again = std::find_if(near.begin(), near.end(), [&](const FrustumHandle& handle) {
+      return selectedHandle_ && handle.isSame(*selectedHandle_);
+    });
+    const bool isAgain = again != near.end();
+    const FrustumHandle handle = isAgain ? *again : near.front();
+    drag_ = Drag{pointer, pointer, handle, drawn_, "", "", std::nullopt};
+    if (isAgain) {
+      drag_->ifClicked = again + 1 == near.end() ? near.front() : *(again + 1);
     }
-  }
-  if (nearest) {
-    selectedHandle_ = nearest;
-    selectedFrustum_ = nearest->frustum;
-    drag_ = Drag{pointer, pointer, nearest, drawn_, "", ""};
+    selectedHandle_ = handle;
+    selectedFrustum_ = handle.frustum;
     return;
   }
   const DrawnFrustum* frustum = frustumAt(*drawn_, pointer.side, pointer.paper);
@@ -276,6 +291,9 @@ void FrustumEditor::release() {
     if (!drag.handle) {
       selectedHandle_.reset();
     }
+  } else if (drag.ifClicked && drag.to.paper == drag.from.paper) {
+    selectedHandle_ = drag.ifClicked;
+    selectedFrustum_ = drag.ifClicked->frustum;
   }
   showDocument();
   message_ = message;

@@ -67,6 +67,7 @@ class FrustumEditor {
   /// Throws InputError for an unknown name; message() refuses a tool that is not for this kind of camera.
   void chooseTool(const std::string& name);
 
+  /// With the tool "move" a handle, the selected one before others: a click on it selects the next one that lies there.
   void press(const PlanPointer& pointer);
   void dragTo(const PlanPointer& pointer);
   /// The camera is what it was when the drag last led to one.
@@ -113,6 +114,8 @@ class FrustumEditor {
     std::shared_ptr<const DrawnCamera> before;
     std::string lastEdit;  ///< that led to camera_; "" for none yet
     std::string selects;   ///< the frustum to select then
+    std::optional<FrustumHandle>
+        ifClicked;  ///< to select where the pointer does not move: another one on the same spot
   };
 
   void showDocument();
@@ -122,6 +125,7 @@ class FrustumEditor {
   PlanPointer snappedPointer(const PlanPointer& pointer);
   const std::vector<SnapPoint>& sceneSnapsOf(PlanSide side);
   void keepSelection();
+  std::vector<FrustumHandle> handlesNear(const PlanPointer& pointer) const;
 
   const Mesh* mesh_;
   SceneGuides guides_;
