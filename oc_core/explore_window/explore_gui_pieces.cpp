@@ -55,11 +55,11 @@ std::string fittedExploreText(std::string_view text, float width) {
   }
   const std::string end = "…";
   const float left = width - widthOf(end);
-  size_t size = text.size();
-  const auto startsCharacter = [&](size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U; };
-  while (size > 0 && (!startsCharacter(size) || widthOf(text.substr(0, size)) > left)) {
+  // Only whole characters of UTF-8.
+  const auto isBorder = [&](size_t at) { return (static_cast<unsigned char>(text[at]) & 0xC0U) != 0x80U; };
+  size_t size = text.size() - 1;
+  while (size > 0 && (!isBorder(size) || widthOf(text.substr(0, size)) > left)) {
     --size;
-    // Only whole characters of UTF-8.
   }
   return std::string(text.substr(0, size)) + end;
 }

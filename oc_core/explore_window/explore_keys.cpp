@@ -104,7 +104,8 @@ void togglePane(ExploreWindowState& state, const char* name) {
 }
 
 void zoomPlan(Target& target, int steps) {
-  target.state.planZoom = std::clamp(target.state.planZoom * std::pow(1.5f, static_cast<float>(steps)), 1.0f, kMaxPlanZoom);
+  target.state.planZoom =
+      std::clamp(target.state.planZoom * std::pow(1.5f, static_cast<float>(steps)), 1.0f, kMaxPlanZoom);
 }
 
 void escape(Target& target, int) {
@@ -141,7 +142,8 @@ const std::vector<ExploreKeyAction>& actionRows() {
       {kCamera, "N  Shift + N", "pick the next, previous portal, occluder or target", Key::kN, false, false, 1,
        pickNeighbour},
       {kCamera, "", "", Key::kN, true, false, -1, pickNeighbour},
-      {kCamera, "Enter", "pick what is in the middle of the view", Key::kEnter, false, false, 0, pickInTheMiddle, 0, "A"},
+      {kCamera, "Enter", "pick what is in the middle of the view", Key::kEnter, false, false, 0, pickInTheMiddle, 0,
+       "A"},
       {kCamera, "X", "let go of what is picked", Key::kX, false, false, 0, letGo, 1, "B"},
       {kCamera, "O", "options; Up and Down choose one", Key::kO, false, false, 0,
        [](Target& target, int) { target.state.form = !target.state.form; }, 10, "right stick pressed"},

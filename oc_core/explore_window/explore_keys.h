@@ -30,16 +30,16 @@ struct ExploreKeyTarget {
 
 /// A row: what a press does.
 struct ExploreKeyAction {
-  const char* group;    ///< a heading of the help
-  const char* keys;     ///< how the help names the key and those that belong to it; empty: not listed by itself
+  const char* group;  ///< a heading of the help
+  const char* keys;   ///< how the help names the key and those that belong to it; empty: not listed by itself
   const char* meaning;
   Key key;
   bool shift = false;
   bool control = false;
-  int argument = 0;     ///< for `act`
+  int argument = 0;  ///< for `act`
   void (*act)(ExploreKeyTarget& target, int argument) = nullptr;
-  int padButton = -1;   ///< of GamepadState::buttons; -1 for none
-  const char* pad = ""; ///< how the help names that
+  int padButton = -1;    ///< of GamepadState::buttons; -1 for none
+  const char* pad = "";  ///< how the help names that
 };
 
 /// A row: what moves as long as a key is held.
@@ -48,7 +48,7 @@ struct ExploreHeldKey {
   const char* keys;
   const char* meaning;
   Key key;
-  float WindowMotion::* part = nullptr;
+  float WindowMotion::*part = nullptr;
   float amount = 1;
   const char* pad = "";
 };

@@ -41,11 +41,11 @@ ExploreWindowLayout exploreWindowLayout(const std::vector<size_t>& kinds, const 
   const float column = beside == 0 ? 0 : std::min(wanted, std::floor(size.x / 2));
   const float height = size.y - above - below;
   if (!kinds.empty()) {
-    layout.panes.push_back({kinds.front(),
-                            atLeastOne({0, above, size.x - column - (beside == 0 ? 0 : gap), height}),
-                            {0, above, 0, 0}});
+    layout.panes.push_back(
+        {kinds.front(), atLeastOne({0, above, size.x - column - (beside == 0 ? 0 : gap), height}), {0, above, 0, 0}});
   }
-  const float each = beside == 0 ? 0 : std::floor((height - gap * static_cast<float>(beside - 1)) / static_cast<float>(beside));
+  const float each =
+      beside == 0 ? 0 : std::floor((height - gap * static_cast<float>(beside - 1)) / static_cast<float>(beside));
   for (size_t i = 0; i < beside; ++i) {
     const float top = above + static_cast<float>(i) * (each + gap);
     const ExplorePaneRect head{size.x - column, top, column, std::min(title, std::floor(each / 2))};

@@ -22,8 +22,8 @@ struct ExplorePaneRect {
 
 struct ExploreWindowLayout {
   struct Pane {
-    size_t kind = 0;      ///< of explorePanes()
-    ExplorePaneRect rect;  ///< without its title
+    size_t kind = 0;        ///< of explorePanes()
+    ExplorePaneRect rect;   ///< without its title
     ExplorePaneRect title;  ///< empty (no height) over the large one
   };
   ExplorePaneRect choices;

@@ -22,15 +22,22 @@
 
 namespace ocelli {
 
+class ExploreTexture;
+
 /// What a pane has to do with in a frame.
 struct ExplorePaneFrame {
-  ExplorePaneRect rect;             ///< screen coordinates of the window
-  float scale = 1;              ///< lengths in screen coordinates of a length of 1 at 96 dots an inch
-  float pixelsPerUnit = 1;      ///< framebuffer pixels for each screen coordinate
+  ExplorePaneRect rect;                    ///< screen coordinates of the window
+  float scale = 1;                         ///< lengths in screen coordinates of a length of 1 at 96 dots an inch
+  float pixelsPerUnit = 1;                 ///< framebuffer pixels for each screen coordinate
   const WindowPicture* picture = nullptr;  ///< the newest; null until the first is there
-  bool isFresh = false;         ///< whether that picture is another one than in the frame before
+  bool isFresh = false;                    ///< whether that picture is another one than in the frame before
   ExploreWindowState& state;
   ExploreWindowWork& work;
+
+  /// Of `rect`, at least 1.
+  glm::ivec2 pixels() const;
+  /// Into the pane, as large as it can be. Hold a GlScope.
+  void copy(const ExploreTexture& image, GlContext& context, const GlObject& framebuffer) const;
 };
 
 class ExplorePane {
@@ -53,6 +60,7 @@ class ExplorePane {
 struct ExplorePaneKind {
   const char* name;   ///< of ExploreWindowState::shown, and of scripts: "view"
   const char* title;  ///< over it: "Plan"
+  const char* keys;   ///< beside that, how the help names the key that toggles it: "M"
   bool isAlways;      ///< shows whatever is chosen: the view
   std::unique_ptr<ExplorePane> (*make)();
 };

@@ -1,5 +1,6 @@
 // What the window of `ocelli explore` needs of whatever walks, picks and draws: the interface, and what a frame of it
-// is. The window never calls it itself: a thread of its own does (explore_window_work.h), so that slow frames hold up no keys.
+// is. The window never calls it itself: a thread of its own does (explore_window_work.h), so that slow frames hold up
+// no keys.
 //
 // Image points are pixels of the image named with them, origin at its top left, y down. Points of plans are those of
 // plan_side.h, seen from the top: x to the right, z down, in the units of the scene.
@@ -28,8 +29,8 @@ struct WindowMotion {
   float turnRight = 0;  ///< as long as it is held
   float lookUp = 0;
   bool fast = false;
-  float alongPath = 0;          ///< of the path camera: on along its path
-  glm::vec2 turnedDegrees{0};   ///< at once, as by a mouse: to the right and up
+  float alongPath = 0;         ///< of the path camera: on along its path
+  glm::vec2 turnedDegrees{0};  ///< at once, as by a mouse: to the right and up
   bool operator==(const WindowMotion&) const = default;
 };
 
@@ -49,10 +50,10 @@ struct WindowChoice {
 
 /// An option of the constructor that is chosen, for a form.
 struct WindowField {
-  std::string name;     ///< as in JSON
+  std::string name;  ///< as in JSON
   std::string label;
   std::string meaning;
-  std::string unit;     ///< "m", "degrees", "frames"; empty for a number alone
+  std::string unit;  ///< "m", "degrees", "frames"; empty for a number alone
   double lower = 0;
   double upper = 1;
   double step = 0.1;
@@ -92,8 +93,8 @@ struct WindowPlan {
   glm::vec2 walker{0};
   glm::vec2 heading{0, -1};  ///< unit
   std::vector<Frustum> frusta;
-  std::vector<Thing> things;            ///< portals, occluders, targets
-  std::vector<glm::vec2> path;          ///< of the path camera
+  std::vector<Thing> things;                       ///< portals, occluders, targets
+  std::vector<glm::vec2> path;                     ///< of the path camera
   std::shared_ptr<const std::vector<Cell>> cells;  ///< of the walk map; null while there is none
 };
 
@@ -126,9 +127,9 @@ struct WindowPicture {
   size_t chosen = 0;
   std::vector<WindowField> fields;
   std::vector<WindowNote> notes;
-  std::string picked;      ///< "portal 3", "statue"; empty for nothing
-  std::string place;       ///< "12.1, 3.4 m, heading 214 degrees"
-  std::string lengthUnit;  ///< "m"; empty where the scene does not say
+  std::string picked;       ///< "portal 3", "statue"; empty for nothing
+  std::string place;        ///< "12.1, 3.4 m, heading 214 degrees"
+  std::string lengthUnit;   ///< "m"; empty where the scene does not say
   double milliseconds = 0;  ///< that drawing took
   bool isMoving = false;    ///< whether the next frame differs though nobody does anything
 };
