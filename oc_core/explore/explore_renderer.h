@@ -33,7 +33,7 @@ class ExploreRenderer {
 
  private:
   const ExploreScene& scene_;
-  std::vector<glm::u8vec3> vertexColors_;  ///< sRGB
+  std::vector<Rgb8> vertexColors_;  ///< sRGB
   Image<Rgb8> last_;
   Image<Rgb8> dissolving_;
   int dissolvingFrom_ = -1;

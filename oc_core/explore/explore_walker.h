@@ -13,6 +13,9 @@
 
 namespace ocelli {
 
+/// The least upright part of the normal of what one can stand on.
+inline constexpr float kFloorNormal = 0.7f;
+
 /// Where the walker is and looks. Angles in degrees: heading 0 looks to the north (-z), 90 to the east (+x); pitch is
 /// up from level.
 struct WalkerView {
@@ -83,7 +86,6 @@ class ExploreWalker {
  private:
   void turn(const WalkInput& input, double seconds);
   glm::dvec3 slid(glm::dvec3 move) const;
-  void followFloor();
 
   const ExploreScene& scene_;
   WalkerOptions options_;

@@ -30,6 +30,8 @@ struct ExplorerOptions {
   double deploySeconds = 1.5;    ///< from collapsed to deployed
   double dissolveSeconds = 1.0;  ///< of what cannot collapse
   double glideSeconds = 1.5;     ///< to a place that a constructor wants
+  /// choose() waits for the search for ways, where a constructor needs them; otherwise it goes on meanwhile.
+  bool waitForWays = false;
 };
 
 class Explorer {
@@ -72,6 +74,16 @@ class Explorer {
 
  private:
   struct State;
+
+  LiveMoment momentFor(const PinholeCamera& view, double seconds) const;
+  void applyWaiting();
+  void move(const WalkInput& input, double seconds);
+  void deploy(double seconds);
+  void followOptions(double seconds);
+  void makeFrame(double seconds);
+  void startDissolve();
+  void addStateNotes(std::vector<ExploreNote> notes);
+  bool waysMissing() const;
 
   ExploreScene& scene_;
   ExplorerOptions options_;

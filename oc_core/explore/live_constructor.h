@@ -82,16 +82,20 @@ class LiveConstructor {
   /// Where it wants the walker before it deploys; nothing where any place will do.
   virtual std::optional<WalkerView> wantedView(const LiveMoment& /*moment*/) { return {}; }
 
-  /// Takes what was clicked; false where it is of no use to it. Called where the camera is collapsed.
-  virtual bool pick(const ExploreScene& /*scene*/, const ExplorePick& /*pick*/) { return false; }
+  /// Whether a click is of use to it, and differs from what is picked.
+  virtual bool accepts(const ExploreScene& /*scene*/, const ExplorePick& /*pick*/) const { return false; }
+  /// Takes what was clicked, where it accepts that. Called where the camera is collapsed.
+  virtual void pick(const ExploreScene& /*scene*/, const ExplorePick& /*pick*/) {}
+  /// Takes a camera that was made elsewhere; false where it makes its own.
+  virtual bool show(const MultiperspectiveCamera& /*camera*/, const std::string& /*name*/) { return false; }
   /// What is picked, as a box around it, for the plan; nothing for none.
   virtual std::optional<Box> picked() const { return {}; }
   /// Shows the image behind below that ahead.
   virtual bool showsBehind() const { return false; }
 
   /// `index` of the row's options.
-  virtual double option(size_t index) const = 0;
-  virtual void setOption(size_t index, double value) = 0;
+  virtual double option(size_t /*index*/) const { return 0; }
+  virtual void setOption(size_t /*index*/, double /*value*/) {}
 };
 
 struct LiveConstructorRow {
@@ -101,9 +105,10 @@ struct LiveConstructorRow {
   std::vector<LiveOption> options;
   /// Whether its camera comes from the pinhole by bending rays. Where not, the picture dissolves into it.
   bool collapses = true;
-  /// Whether it needs to know where one can walk.
-  bool needsWays = false;
+  /// Makes one for a scene.
   std::function<std::unique_ptr<LiveConstructor>(const ExploreScene& scene)> make;
+  /// Whether in this scene it needs to know where one can walk, which may have to be searched. Empty: in none.
+  std::function<bool(const ExploreScene& scene)> needsWays = {};
 };
 
 /// In the order in which a window offers them; the first is the pinhole.
