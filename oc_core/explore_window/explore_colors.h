@@ -15,7 +15,5 @@ constexpr GuiColor exploreSeriesColor(int color) {
 inline constexpr GuiColor kExploreAttention = kOkabeItoOrange;
 /// Of what is picked.
 inline constexpr GuiColor kExplorePicked = kOkabeItoYellow;
-/// Of lines where an image jumps.
-inline constexpr GuiColor kExploreSplit{190, 192, 196};
 
 }  // namespace ocelli

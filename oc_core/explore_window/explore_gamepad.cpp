@@ -27,7 +27,6 @@ ExploreGamepad::Reading ExploreGamepad::read(const std::optional<GamepadState>& 
   reading.motion.ahead = beyondRest(-axes[1]);
   reading.motion.turnRight = beyondRest(axes[2]);
   reading.motion.lookUp = beyondRest(-axes[3]);
-  reading.motion.alongPath = beyondRest((axes[5] - axes[4]) / 2);
   reading.isUsed = !(reading.motion == WindowMotion{});
   reading.motion.fast = state->buttons[kLeftStickPressed];
   for (size_t i = 0; i < before_.size(); ++i) {

@@ -7,8 +7,6 @@
 namespace ocelli {
 namespace {
 
-using Target = ExploreKeyTarget;
-
 constexpr const char* kWalking = "Walking";
 constexpr const char* kCamera = "Camera";
 constexpr const char* kScreen = "Screen";
@@ -17,7 +15,8 @@ constexpr const char* kFiles = "Files and window";
 constexpr float kMaxPlanZoom = 32;
 
 constexpr std::array kHeldKeys{
-    ExploreHeldKey{kWalking, "W  A  S  D", "walk; Shift: fast", Key::kW, &WindowMotion::ahead, 1, "left stick"},
+    ExploreHeldKey{kWalking, "W  A  S  D", "walk, also along the path; Shift: fast", Key::kW, &WindowMotion::ahead, 1,
+                   "left stick"},
     ExploreHeldKey{kWalking, "", "", Key::kS, &WindowMotion::ahead, -1},
     ExploreHeldKey{kWalking, "", "", Key::kA, &WindowMotion::right, -1},
     ExploreHeldKey{kWalking, "", "", Key::kD, &WindowMotion::right, 1},
@@ -29,11 +28,9 @@ constexpr std::array kHeldKeys{
     ExploreHeldKey{kWalking, "", "", Key::kPageDown, &WindowMotion::lookUp, -1},
     ExploreHeldKey{kWalking, "R  F", "fly up, down, where there is no floor", Key::kR, &WindowMotion::up, 1},
     ExploreHeldKey{kWalking, "", "", Key::kF, &WindowMotion::up, -1},
-    ExploreHeldKey{kCamera, ",  .", "path: back, on along it", Key::kComma, &WindowMotion::alongPath, -1, "triggers"},
-    ExploreHeldKey{kCamera, "", "", Key::kPeriod, &WindowMotion::alongPath, 1},
 };
 
-void chooseByNumber(Target& target, int number) {
+void chooseByNumber(ExploreKeyTarget& target, int number) {
   const auto index = static_cast<size_t>(number - 1);
   if (target.picture != nullptr && index < target.picture->choices.size()) {
     target.state.formRow = 0;
@@ -44,14 +41,14 @@ void chooseByNumber(Target& target, int number) {
   }
 }
 
-void chooseNeighbour(Target& target, int step) {
+void chooseNeighbour(ExploreKeyTarget& target, int step) {
   if (target.picture != nullptr && !target.picture->choices.empty()) {
     const int count = static_cast<int>(target.picture->choices.size());
     chooseByNumber(target, (static_cast<int>(target.picture->chosen) + step + count) % count + 1);
   }
 }
 
-void pickInTheMiddle(Target& target, int) {
+void pickInTheMiddle(ExploreKeyTarget& target, int) {
   if (target.picture != nullptr) {
     const glm::dvec2 middle(target.picture->view.width() / 2.0, target.picture->view.height() / 2.0);
     target.work.tell([middle](ExploreWindowModel& model) {
@@ -61,32 +58,25 @@ void pickInTheMiddle(Target& target, int) {
   }
 }
 
-void pickNeighbour(Target& target, int step) {
+void pickNeighbour(ExploreKeyTarget& target, int step) {
   target.work.tell([step](ExploreWindowModel& model) {
     model.pickNext(step);
     return std::string();
   });
 }
 
-void letGo(Target& target, int) {
-  target.work.tell([](ExploreWindowModel& model) {
-    model.letGo();
-    return std::string();
-  });
-}
-
-void goToStart(Target& target, int) {
+void goToStart(ExploreKeyTarget& target, int) {
   target.work.tell([](ExploreWindowModel& model) {
     model.goToStart();
     return std::string();
   });
 }
 
-void changeRow(Target& target, int steps) {
+void changeRow(ExploreKeyTarget& target, int steps) {
   changeExploreField(target, target.state.formRow, steps);
 }
 
-void moveRow(Target& target, int step) {
+void moveRow(ExploreKeyTarget& target, int step) {
   if (target.picture != nullptr && !target.picture->fields.empty()) {
     const int count = static_cast<int>(target.picture->fields.size());
     const int row = std::min(static_cast<int>(target.state.formRow), count - 1);
@@ -103,12 +93,12 @@ void togglePane(ExploreWindowState& state, const char* name) {
   }
 }
 
-void zoomPlan(Target& target, int steps) {
+void zoomPlan(ExploreKeyTarget& target, int steps) {
   target.state.planZoom =
       std::clamp(target.state.planZoom * std::pow(1.5f, static_cast<float>(steps)), 1.0f, kMaxPlanZoom);
 }
 
-void escape(Target& target, int) {
+void escape(ExploreKeyTarget& target, int) {
   ExploreWindowState& state = target.state;
   if (state.help) {
     state.help = false;
@@ -125,7 +115,7 @@ void escape(Target& target, int) {
 const std::vector<ExploreKeyAction>& actionRows() {
   static const std::vector<ExploreKeyAction> rows{
       {kWalking, "C", "the mouse looks around; Escape ends it", Key::kC, false, false, 0,
-       [](Target& target, int) { target.state.captured = !target.state.captured; }},
+       [](ExploreKeyTarget& target, int) { target.state.captured = !target.state.captured; }},
       {kWalking, "Home", "back to the start", Key::kHome, false, false, 0, goToStart},
 
       {kCamera, "1 ... 9", "choose the camera named above", Key::k1, false, false, 1, chooseByNumber},
@@ -139,42 +129,44 @@ const std::vector<ExploreKeyAction>& actionRows() {
       {kCamera, "", "", Key::k9, false, false, 9, chooseByNumber},
       {kCamera, "T  Shift + T", "next, previous camera", Key::kT, false, false, 1, chooseNeighbour, 5, "bumpers"},
       {kCamera, "", "", Key::kT, true, false, -1, chooseNeighbour, 4},
-      {kCamera, "N  Shift + N", "pick the next, previous portal, occluder or target", Key::kN, false, false, 1,
-       pickNeighbour},
+      {kCamera, "N  Shift + N", "pick the next, previous thing", Key::kN, false, false, 1, pickNeighbour, 1, "B"},
       {kCamera, "", "", Key::kN, true, false, -1, pickNeighbour},
       {kCamera, "Enter", "pick what is in the middle of the view", Key::kEnter, false, false, 0, pickInTheMiddle, 0,
        "A"},
-      {kCamera, "X", "let go of what is picked", Key::kX, false, false, 0, letGo, 1, "B"},
-      {kCamera, "O", "options; Up and Down choose one", Key::kO, false, false, 0,
-       [](Target& target, int) { target.state.form = !target.state.form; }, 10, "right stick pressed"},
-      {kCamera, "-  +", "less, more of the option that is chosen", Key::kMinus, false, false, -1, changeRow, 14, "pad"},
+      {kCamera, "O", "options of this camera", Key::kO, false, false, 0,
+       [](ExploreKeyTarget& target, int) { target.state.form = !target.state.form; }, 10, "right stick click"},
+      {kCamera, "-  +", "less, more of the chosen option", Key::kMinus, false, false, -1, changeRow, 14,
+       "pad left, right"},
       {kCamera, "", "", Key::kEqual, false, false, 1, changeRow, 12},
       {kCamera, "", "", Key::kEqual, true, false, 1, changeRow},
-      {kCamera, "J  Shift + J", "choose the next, previous option", Key::kJ, false, false, 1, moveRow, 13, "pad"},
+      {kCamera, "J  Shift + J", "choose the next, previous option", Key::kJ, false, false, 1, moveRow, 13,
+       "pad up, down"},
       {kCamera, "", "", Key::kJ, true, false, -1, moveRow, 11},
 
       {kScreen, "Tab", "the pinhole's image beside it", Key::kTab, false, false, 0,
-       [](Target& target, int) { togglePane(target.state, "pinhole"); }, 6, "Back"},
+       [](ExploreKeyTarget& target, int) { togglePane(target.state, "pinhole"); }, 6, "Back"},
       {kScreen, "M", "the plan from above", Key::kM, false, false, 0,
-       [](Target& target, int) { togglePane(target.state, "plan"); }, 3, "Y"},
+       [](ExploreKeyTarget& target, int) { togglePane(target.state, "plan"); }, 3, "Y"},
       {kScreen, "Z  Shift + Z", "plan: nearer, farther", Key::kZ, false, false, 1, zoomPlan},
       {kScreen, "", "", Key::kZ, true, false, -1, zoomPlan},
       {kScreen, "B", "borders around what bends", Key::kB, false, false, 0,
-       [](Target& target, int) { target.state.borders = !target.state.borders; }, 2, "X"},
+       [](ExploreKeyTarget& target, int) { target.state.borders = !target.state.borders; }, 2, "X"},
       {kScreen, "H  F1", "this help", Key::kH, false, false, 0,
-       [](Target& target, int) { target.state.help = !target.state.help; }, 7, "Start"},
-      {kScreen, "", "", Key::kF1, false, false, 0, [](Target& target, int) { target.state.help = !target.state.help; }},
+       [](ExploreKeyTarget& target, int) { target.state.help = !target.state.help; }, 7, "Start"},
+      {kScreen, "", "", Key::kF1, false, false, 0,
+       [](ExploreKeyTarget& target, int) { target.state.help = !target.state.help; }},
 
       {kFiles, "P", "save an image of the window", Key::kP, false, false, 0,
-       [](Target& target, int) { target.wishes.saveImage = true; }},
+       [](ExploreKeyTarget& target, int) { target.wishes.saveImage = true; }},
       {kFiles, "K", "save the camera, for --camera", Key::kK, false, false, 0,
-       [](Target& target, int) { target.wishes.saveCamera = true; }},
+       [](ExploreKeyTarget& target, int) { target.wishes.saveCamera = true; }},
       {kFiles, "V", "record a video, and end it", Key::kV, false, false, 0,
-       [](Target& target, int) { target.wishes.record = true; }},
+       [](ExploreKeyTarget& target, int) { target.wishes.record = true; }},
       {kFiles, "F11", "the whole screen", Key::kF11, false, false, 0,
-       [](Target& target, int) { target.wishes.fullscreen = true; }},
+       [](ExploreKeyTarget& target, int) { target.wishes.fullscreen = true; }},
       {kFiles, "Escape", "leave help, the mouse, options", Key::kEscape, false, false, 0, escape},
-      {kFiles, "Ctrl + Q", "quit", Key::kQ, false, true, 0, [](Target& target, int) { target.wishes.close = true; }},
+      {kFiles, "Ctrl + Q", "quit", Key::kQ, false, true, 0,
+       [](ExploreKeyTarget& target, int) { target.wishes.close = true; }},
   };
   return rows;
 }
@@ -184,7 +176,7 @@ constexpr std::array kPointerRows{
     ExplorePointerRow{"Click", "pick a portal, an occluder, a target"},
     ExplorePointerRow{"Right click", "the mouse looks around, as C"},
     ExplorePointerRow{"Click in the plan", "go there"},
-    ExplorePointerRow{"Wheel over the plan", "nearer, farther"},
+    ExplorePointerRow{"Wheel in the plan", "nearer, farther"},
 };
 
 }  // namespace
@@ -215,7 +207,7 @@ const ExploreKeyAction* exploreActionOfPadButton(int button) {
   return button >= 0 && found != rows.end() ? &*found : nullptr;
 }
 
-void changeExploreField(ExploreKeyTarget& target, size_t row, double steps) {
+void changeExploreField(ExploreKeyExploreKeyTarget& target, size_t row, double steps) {
   if (target.picture == nullptr || row >= target.picture->fields.size()) {
     return;
   }

@@ -62,7 +62,6 @@ std::string figuresText(const ExploreOverlayFrame& frame) {
   std::string text;
   const auto add = [&](const std::string& more) { text += more.empty() ? "" : (text.empty() ? "" : "     ") + more; };
   if (const WindowPicture* picture = frame.target.picture) {
-    add(picture->picked.empty() ? "" : "picked: " + picture->picked);
     add(picture->place);
     if (frame.showTimes && frame.framesPerSecond > 0) {
       add(fmt::format("{:.0f} ms, {:.0f} frames/s", picture->milliseconds, frame.framesPerSecond));
@@ -198,15 +197,18 @@ void drawExploreHint(const ExploreOverlayFrame& frame) {
 }
 
 void drawExploreProgress(const ExploreOverlayFrame& frame) {
-  if (frame.status.stage.empty()) {
+  const WindowPicture* picture = frame.target.picture;
+  const bool isBeside = frame.status.stage.empty() && picture != nullptr;
+  const std::string& stage = isBeside ? picture->stage : frame.status.stage;
+  const double fraction = isBeside ? picture->fraction : frame.status.fraction;
+  if (stage.empty()) {
     return;
   }
-  beginCard(frame, "explore progress", frame.target.picture == nullptr ? 0.5f : 0.04f, kGuiAccent, 245);
+  beginCard(frame, "explore progress", picture == nullptr ? 0.5f : 0.04f, kGuiAccent, 245);
   const float width = 320 * frame.scale;
-  ImGui::TextUnformatted(fmt::format("{} ...", frame.status.stage).c_str());
+  ImGui::TextUnformatted(fmt::format("{} ...", stage).c_str());
   ImGui::PushStyleColor(ImGuiCol_PlotHistogram, kGuiAccentDeep.packed());
-  ImGui::ProgressBar(static_cast<float>(frame.status.fraction), {width, 0},
-                     fmt::format("{:.0f} %", 100 * frame.status.fraction).c_str());
+  ImGui::ProgressBar(static_cast<float>(fraction), {width, 0}, fmt::format("{:.0f} %", 100 * fraction).c_str());
   ImGui::PopStyleColor();
   ImGui::End();
 }

@@ -93,7 +93,7 @@ WindowMotion ExploreWindow::motion() const {
   WindowMotion motion = heldByOthers_;
   const auto add = [&](const WindowMotion& more) {
     for (float WindowMotion::*part : {&WindowMotion::ahead, &WindowMotion::right, &WindowMotion::up,
-                                      &WindowMotion::turnRight, &WindowMotion::lookUp, &WindowMotion::alongPath}) {
+                                      &WindowMotion::turnRight, &WindowMotion::lookUp}) {
       motion.*part = std::clamp(motion.*part + more.*part, -1.0f, 1.0f);
     }
     motion.fast = motion.fast || more.fast;

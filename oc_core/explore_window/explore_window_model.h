@@ -6,6 +6,7 @@
 // plan_side.h, seen from the top: x to the right, z down, in the units of the scene.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <memory>
@@ -29,7 +30,6 @@ struct WindowMotion {
   float turnRight = 0;  ///< as long as it is held
   float lookUp = 0;
   bool fast = false;
-  float alongPath = 0;         ///< of the path camera: on along its path
   glm::vec2 turnedDegrees{0};  ///< at once, as by a mouse: to the right and up
   bool operator==(const WindowMotion&) const = default;
 };
@@ -45,7 +45,7 @@ struct WindowShape {
 /// A row of the constructors that can be chosen.
 struct WindowChoice {
   std::string name;     ///< "portal"
-  std::string meaning;  ///< one sentence
+  std::string meaning;  ///< "looks around an object that is clicked"
 };
 
 /// An option of the constructor that is chosen, for a form.
@@ -68,11 +68,6 @@ struct WindowTint {
   int color = 0;                   ///< of exploreSeriesColor(); 0 is that of rays that do not bend
 };
 
-struct WindowLine {
-  glm::vec2 from{0};
-  glm::vec2 to{0};
-};
-
 /// What the plan shows, but for the ground.
 struct WindowPlan {
   struct Frustum {
@@ -83,19 +78,16 @@ struct WindowPlan {
   struct Cell {
     std::vector<glm::vec2> outline;
     bool isTunnel = false;
-    bool isSeen = true;  ///< by the camera
   };
-  struct Thing {
-    std::vector<glm::vec2> outline;  ///< two points: a portal
-    bool isPicked = false;
-    std::string name;
-  };
+  using Opening = std::array<glm::vec2, 2>;
   glm::vec2 walker{0};
   glm::vec2 heading{0, -1};  ///< unit
   std::vector<Frustum> frusta;
-  std::vector<Thing> things;                       ///< portals, occluders, targets
-  std::vector<glm::vec2> path;                     ///< of the path camera
-  std::shared_ptr<const std::vector<Cell>> cells;  ///< of the walk map; null while there is none
+  std::vector<glm::vec2> path;  ///< of the path camera
+  // What stays for long; null where there is none.
+  std::shared_ptr<const std::vector<Cell>> cells;  ///< of the walk map
+  std::shared_ptr<const std::vector<Opening>> openings;
+  std::shared_ptr<const std::vector<glm::vec2>> path;
 };
 
 /// A picture of the scene from above. It comes once, and again where the scene has changed.
@@ -120,7 +112,6 @@ struct WindowPicture {
   Image<Rgb8> view;
   std::optional<Image<Rgb8>> pinhole;
   std::vector<WindowTint> tints;
-  std::vector<WindowLine> splits;  ///< between perspectives, of the view
   WindowPlan plan;
   std::shared_ptr<const WindowGround> ground;
   std::vector<WindowChoice> choices;
@@ -132,6 +123,9 @@ struct WindowPicture {
   std::string lengthUnit;   ///< "m"; empty where the scene does not say
   double milliseconds = 0;  ///< that drawing took
   bool isMoving = false;    ///< whether the next frame differs though nobody does anything
+  /// What is being done beside it that takes long, such as the search for where one can walk; empty for nothing.
+  std::string stage;
+  double fraction = 0;
 };
 
 /// What explores. One thread calls it. Errors that leave it as it was are InputError; others end the session.
@@ -146,11 +140,10 @@ class ExploreWindowModel {
   virtual void setField(const std::string& name, double value) = 0;
   /// By so many of its steps, within its range; one of names goes round.
   virtual void changeField(const std::string& name, double steps) = 0;
-  /// What the pixel of the view shows, or lets go of what was picked where it shows nothing to pick.
+  /// What the pixel of the view shows.
   virtual void pick(const glm::dvec2& viewPixel) = 0;
   /// The next thing that can be picked for this constructor, from near to far: 1, or -1 for the one before.
   virtual void pickNext(int step) = 0;
-  virtual void letGo() = 0;
   /// Shows a camera as it is, drawn by hand or from a file; `name` is for people.
   virtual void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) = 0;
   virtual void goToStart() = 0;

@@ -45,10 +45,7 @@ PlanExtent extentOfPlan(const WindowPicture& picture) {
       add(cell.outline);
     }
   }
-  for (const WindowPlan::Thing& thing : picture.plan.things) {
-    add(thing.outline);
-  }
-  add(picture.plan.path);
+  add(picture.plan.picked);
   return extent;
 }
 
@@ -79,7 +76,8 @@ class PlanPane : public ExplorePane {
     drawCells(plan, sight, list, frame.scale);
     drawFrusta(plan, sight, list, frame.scale);
     drawPath(plan, sight, list, frame.scale);
-    drawThings(plan, sight, list, frame.scale);
+    drawOpenings(plan, sight, list, frame.scale);
+    drawPicked(plan, sight, list, frame.scale);
     drawWalker(plan, sight, list, frame.scale);
     drawScaleBar(frame, sight, list);
   }
@@ -124,9 +122,6 @@ class PlanPane : public ExplorePane {
     }
     for (const WindowPlan::Cell& cell : *plan.cells) {
       onScreen(cell.outline, sight);
-      if (!cell.isSeen) {
-        list.AddConvexPolyFilled(points_.data(), count(), kGuiBackground.packed(120));
-      }
       list.AddPolyline(points_.data(), count(), kGuiText.packed(cell.isTunnel ? 90 : 150), ImDrawFlags_Closed, scale);
     }
   }
@@ -153,24 +148,38 @@ class PlanPane : public ExplorePane {
   }
 
   void drawPath(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {
-    if (plan.path.size() >= 2) {
-      onScreen(plan.path, sight);
+    if (plan.path && plan.path->size() >= 2) {
+      onScreen(*plan.path, sight);
       list.AddPolyline(points_.data(), count(), kGuiText.packed(220), 0, 1.5f * scale);
     }
   }
 
-  void drawThings(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {
-    for (const WindowPlan::Thing& thing : plan.things) {
-      onScreen(thing.outline, sight);
-      const GuiColor color = thing.isPicked ? kExplorePicked : kGuiAccent;
-      const float width = (thing.isPicked ? 3.5f : 2) * scale;
-      list.AddPolyline(points_.data(), count(), kGuiBackground.packed(180), count() > 2 ? ImDrawFlags_Closed : 0,
-                       width + 2 * scale);
-      list.AddPolyline(points_.data(), count(), color.packed(), count() > 2 ? ImDrawFlags_Closed : 0, width);
-      if (thing.isPicked && !thing.name.empty() && !points_.empty()) {
-        drawExploreBadge(list, {points_.front().x, points_.front().y - 12 * scale}, thing.name, color, scale);
-      }
+  void drawOpenings(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {
+    if (!plan.openings) {
+      return;
     }
+    for (const WindowPlan::Opening& opening : *plan.openings) {
+      const ImVec2 from = planPoint(sight.onScreen(opening[0]));
+      const ImVec2 to = planPoint(sight.onScreen(opening[1]));
+      list.AddLine(from, to, kGuiBackground.packed(180), 4 * scale);
+      list.AddLine(from, to, kGuiAccent.packed(), 2 * scale);
+    }
+  }
+
+  void drawPicked(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {
+    if (plan.picked.size() < 2) {
+      return;
+    }
+    onScreen(plan.picked, sight);
+    list.AddPolyline(points_.data(), count(), kGuiBackground.packed(200), ImDrawFlags_Closed, 6 * scale);
+    list.AddPolyline(points_.data(), count(), kExplorePicked.packed(), ImDrawFlags_Closed, 3 * scale);
+    float top = points_.front().y;
+    float middle = 0;
+    for (const ImVec2& point : points_) {
+      top = std::min(top, point.y);
+      middle += point.x / static_cast<float>(points_.size());
+    }
+    drawExploreBadge(list, {middle, top - 12 * scale}, "picked", kExplorePicked, scale);
   }
 
   static void drawWalker(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {

@@ -42,11 +42,6 @@ class ViewPane : public ExplorePane {
     const WindowPicture& picture = *frame.picture;
     const ExploreImageFit fit = fitOf(frame);
     ImDrawList& list = *ImGui::GetWindowDrawList();
-    for (const WindowLine& split : picture.splits) {
-      const glm::vec2 from = fit.onScreen(split.from);
-      const glm::vec2 to = fit.onScreen(split.to);
-      list.AddLine({from.x, from.y}, {to.x, to.y}, kExploreSplit.packed(), 2 * frame.scale);
-    }
     if (frame.state.borders) {
       drawTints(frame, fit, list);
     }

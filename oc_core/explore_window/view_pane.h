@@ -1,4 +1,4 @@
-// The view: the image of the camera that is chosen, with borders around what bends and lines where it jumps.
+// The view: the image of the camera that is chosen, with borders around what bends.
 #pragma once
 
 #include <memory>

@@ -18,16 +18,6 @@ TEST(ExploreGamepad, sticksMoveBeyondWhereTheyRest) {
   EXPECT_FLOAT_EQ(reading.motion.right, 1);
   EXPECT_FLOAT_EQ(reading.motion.ahead, 1);         // up is negative
   EXPECT_FLOAT_EQ(reading.motion.turnRight, 0.5f);  // (0.59 - 0.18) / (1 - 0.18)
-  EXPECT_EQ(reading.motion.alongPath, 0);
-}
-
-TEST(ExploreGamepad, triggersGoAlongPaths) {
-  ExploreGamepad pad;
-  GamepadState state;
-  state.axes[5] = 1;
-  EXPECT_FLOAT_EQ(pad.read(state).motion.alongPath, 1);
-  state.axes[4] = 1;
-  EXPECT_FLOAT_EQ(pad.read(state).motion.alongPath, 0);
 }
 
 TEST(ExploreGamepad, aPressCountsOnceUntilItIsReleased) {

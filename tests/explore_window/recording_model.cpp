@@ -46,14 +46,17 @@ class RecordingModel : public ExploreWindowModel {
                          {0.85f * width, 0.8f * height},
                          {0.6f * width, 0.8f * height}},
                         1}};
-      picture.splits = {{{0.4f * width, 0.1f * height}, {0.4f * width, 0.9f * height}}};
       picture.plan.frusta = {{{{0, -at_}, {4, -6 - at_}, {-4, -6 - at_}}, {0, -at_}, 0},
                              {{{3, -6}, {9, -4}, {9, -8}}, {2, -6}, 1}};
     }
     picture.plan.walker = {0, -at_};
-    picture.plan.things = {{{{3, -7}, {3, -5}}, picked_, "portal 1"}};
+    picture.plan.openings = std::make_shared<const std::vector<WindowPlan::Opening>>(
+        std::vector<WindowPlan::Opening>{{glm::vec2(3, -7), glm::vec2(3, -5)}});
+    if (picked_) {
+      picture.plan.picked = {{3, -7}, {3, -5}};
+    }
     picture.plan.cells = std::make_shared<const std::vector<WindowPlan::Cell>>(std::vector<WindowPlan::Cell>{
-        {{{-3, -9}, {3, -9}, {3, 3}, {-3, 3}}, false, true}, {{{3, -9}, {10, -9}, {10, -3}, {3, -3}}, true, false}});
+        {{{-3, -9}, {3, -9}, {3, 3}, {-3, 3}}, false}, {{{3, -9}, {10, -9}, {10, -3}, {3, -3}}, true}});
     picture.choices = {
         {"pinhole", "Rays do not bend."}, {"portal", "Rays bend into rooms."}, {"path", "Follows a path."}};
     picture.chosen = chosen_;
@@ -62,7 +65,6 @@ class RecordingModel : public ExploreWindowModel {
                         {"reach", "Reach", "How far away openings count.", "m", 1, 40, 0.5, 12, {}}};
     }
     picture.notes = {{"Two openings are in sight.", WindowNoteKind::kPlain}};
-    picture.picked = picked_ ? "portal 1" : "";
     picture.place = "0, 0 m";
     picture.lengthUnit = "m";
     return picture;
@@ -90,10 +92,6 @@ class RecordingModel : public ExploreWindowModel {
   void pickNext(int step) override {
     picked_ = true;
     call("pick next " + std::to_string(step));
-  }
-  void letGo() override {
-    picked_ = false;
-    call("let go");
   }
   void showDrawn(const MultiperspectiveCamera&, const std::string& name) override { call("show " + name); }
   void goToStart() override { call("start"); }
