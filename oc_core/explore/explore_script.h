@@ -17,6 +17,7 @@
 
 #include "oc_core/base/registry.h"
 #include "oc_core/explore/explorer.h"
+#include "oc_core/image/png_file.h"
 
 namespace ocelli {
 

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/explore/explore_message.h"
 #include "oc_core/explore/explore_picking.h"
 #include "oc_core/explore/explore_shapes.h"
 
@@ -257,7 +258,7 @@ void Explorer::makeFrame(double seconds) {
     }
     state.failed = true;
     state.deployed = 0;
-    notes = {{ExploreNote::Kind::kProblem, error.what()}};
+    notes = {{ExploreNote::Kind::kProblem, messageOf(error).what}};
   }
   if (state.deployed == 0 || waysMissing()) {
     frame_.camera = GraphCamera(whole);
