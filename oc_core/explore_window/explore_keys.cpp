@@ -207,7 +207,7 @@ const ExploreKeyAction* exploreActionOfPadButton(int button) {
   return button >= 0 && found != rows.end() ? &*found : nullptr;
 }
 
-void changeExploreField(ExploreKeyExploreKeyTarget& target, size_t row, double steps) {
+void changeExploreField(ExploreKeyTarget& target, size_t row, double steps) {
   if (target.picture == nullptr || row >= target.picture->fields.size()) {
     return;
   }

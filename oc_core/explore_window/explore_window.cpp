@@ -24,7 +24,10 @@ constexpr double kFrameSmoothing = 0.1;  // share of the newest picture in the r
 }  // namespace
 
 ExploreWindow::ExploreWindow(GlContext& context, ExploreWindowOptions options)
-    : context_(context), options_(std::move(options)), work_(options_.make, options_.way), gui_(context, 1) {
+    : context_(context),
+      options_(std::move(options)),
+      work_(options_.make, options_.way, options_.woken),
+      gui_(context, 1) {
   for (const ExplorePaneKind& kind : explorePanes()) {
     panes_.push_back(kind.make());
   }
@@ -131,8 +134,9 @@ void ExploreWindow::update(double seconds) {
   }
   takeStatus();
   if (status_.picture && state_.hintSeconds < kHintOver) {
-    needsDrawing_ = needsDrawing_ || exploreHintOpacity(state_.hintSeconds) > 0;
+    const float before = exploreHintOpacity(state_.hintSeconds);
     state_.hintSeconds += seconds;
+    needsDrawing_ = needsDrawing_ || exploreHintOpacity(state_.hintSeconds) != before;
   }
   if (!state_.message.empty() && !state_.messageIsError) {
     state_.messageSeconds -= seconds;

@@ -29,6 +29,7 @@ struct ExploreWindowOptions {
   ExploreWindowWork::Way way = ExploreWindowWork::Way::kThread;
   std::filesystem::path folder = ".";  ///< where images, cameras and videos are saved
   bool showTimes = true;               ///< figures that differ from run to run
+  std::function<void()> woken{};       ///< as of ExploreWindowWork
 };
 
 class ExploreWindow {

@@ -83,7 +83,7 @@ struct WindowPlan {
   glm::vec2 walker{0};
   glm::vec2 heading{0, -1};  ///< unit
   std::vector<Frustum> frusta;
-  std::vector<glm::vec2> path;  ///< of the path camera
+  std::vector<glm::vec2> picked;  ///< the outline of what is picked; empty for nothing
   // What stays for long; null where there is none.
   std::shared_ptr<const std::vector<Cell>> cells;  ///< of the walk map
   std::shared_ptr<const std::vector<Opening>> openings;

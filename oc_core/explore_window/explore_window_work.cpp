@@ -26,7 +26,8 @@ bool isHeld(const WindowMotion& motion) {
 
 }  // namespace
 
-ExploreWindowWork::ExploreWindowWork(Make make, Way way) : make_(std::move(make)) {
+ExploreWindowWork::ExploreWindowWork(Make make, Way way, std::function<void()> woken)
+    : make_(std::move(make)), woken_(std::move(woken)) {
   if (way == Way::kThread) {
     thread_ = std::thread([this] { run(); });
   }
@@ -71,13 +72,22 @@ void ExploreWindowWork::say(const std::string& text, bool isError) {
 
 Progress ExploreWindowWork::progress() {
   return [this](std::string_view stage, double fraction) {
-    const std::scoped_lock lock(mutex_);
-    if (stop_) {
-      throw ExploreWindowClosed{};
+    {
+      const std::scoped_lock lock(mutex_);
+      if (stop_) {
+        throw ExploreWindowClosed{};
+      }
+      status_.stage = stage;
+      status_.fraction = std::clamp(fraction, 0.0, 1.0);
     }
-    status_.stage = stage;
-    status_.fraction = std::clamp(fraction, 0.0, 1.0);
+    wake();
   };
+}
+
+void ExploreWindowWork::wake() const {
+  if (woken_) {
+    woken_();
+  }
 }
 
 bool ExploreWindowWork::isWanted() const {
@@ -152,6 +162,7 @@ void ExploreWindowWork::run() {
         last = now;
       }
       drawNext(seconds, std::move(wish));
+      wake();
       // No more frames than screens show.
       std::this_thread::sleep_until(last + std::chrono::duration_cast<ExploreClock::duration>(
                                                std::chrono::duration<double>(kExploreFrameSeconds)));
@@ -162,6 +173,7 @@ void ExploreWindowWork::run() {
     failure_ = std::current_exception();
     isDrawing_ = false;
   }
+  wake();
 }
 
 ExploreWindowStatus ExploreWindowWork::status() {

@@ -43,7 +43,8 @@ class ExploreWindowWork {
   /// Returns what the window shall say of it; empty for nothing. InputError and WorkError become messages.
   using Task = std::function<std::string(ExploreWindowModel& model)>;
 
-  ExploreWindowWork(Make make, Way way);
+  /// `woken` is called on the thread where there is something new to show; it may be empty.
+  ExploreWindowWork(Make make, Way way, std::function<void()> woken = {});
   /// Waits for the frame that is being drawn. Long work ends where it next tells how far it is.
   ~ExploreWindowWork();
   ExploreWindowWork(const ExploreWindowWork&) = delete;
@@ -75,9 +76,11 @@ class ExploreWindowWork {
   void make();
   void drawNext(double seconds, Wish wish);
   void say(const std::string& text, bool isError);
+  void wake() const;
   Progress progress();
 
   Make make_;
+  std::function<void()> woken_;
   std::unique_ptr<ExploreWindowModel> model_;  ///< of the thread
   mutable std::mutex mutex_;                   ///< guards what follows
   std::condition_variable changed_;

@@ -32,7 +32,6 @@ class ExplorerWindowModel : public ExploreWindowModel {
   void changeField(const std::string& name, double steps) override;
   void pick(const glm::dvec2& viewPixel) override;
   void pickNext(int step) override;
-  void letGo() override;
   void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) override;
   void goToStart() override;
   void goTo(const glm::vec2& planPoint) override;

@@ -182,10 +182,11 @@ TEST_P(ExploreWindowTest, bordersAreThereAndCanBeOff) {
   keepImage("explore_borders");
   const ExplorePaneRect rect = window.layout().panes.front().rect;
   // Across the left side of the bend of the model, in its middle: a line of two pixels covers one at least by half.
-  const int y = std::lround(rect.y + 0.4f * rect.height);
+  const auto y = static_cast<int>(rect.y + 0.4f * rect.height);
+  const auto middle = static_cast<int>(rect.x + 0.6f * rect.width);
   const auto nearest = [&](const Image<Rgb8>& image) {
     int least = 765;
-    for (int x = std::lround(rect.x + 0.6f * rect.width) - 3; x <= rect.x + 0.6f * rect.width + 3; ++x) {
+    for (int x = middle - 3; x <= middle + 3; ++x) {
       const glm::ivec3 difference = glm::abs(glm::ivec3(image(x, y)) - glm::ivec3(230, 159, 0));
       least = std::min(least, difference.x + difference.y + difference.z);
     }
