@@ -31,11 +31,16 @@ ExploreScript::Step readStep(JsonFields& fields) {
 Registry<ExploreStepKind>& exploreStepKinds() {
   static Registry<ExploreStepKind> kinds("step of explore scripts", [] {
     std::vector<ExploreStepKind> rows = exploreWalkSteps();
-    std::vector<ExploreStepKind> others = exploreChoiceSteps();
-    rows.insert(rows.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+    for (std::vector<ExploreStepKind> others : {exploreChoiceSteps(), exploreEventSteps()}) {
+      rows.insert(rows.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
+    }
     return rows;
   }());
   return kinds;
+}
+
+void ExploreSession::give(const InputEvent&) {
+  throw InputError("this step needs the window", "", "give --window, or leave the step out");
 }
 
 ExploreScript exploreScriptFromJsonText(const std::string& text, const std::string& where) {

@@ -5,8 +5,8 @@
 // explore_script.schema.json lists every step. Time is the script's own, 30 frames a second, so the same script gives
 // the same pictures.
 //
-// A step is a row of a table: its name, and a function that reads it and gives what it does. A window has further ones
-// (keys, clicks), which it adds to the table.
+// A step is a row of a table: its name, and a function that reads it and gives what it does. Some (keys, clicks) need a
+// window.
 #pragma once
 
 #include <filesystem>
@@ -15,6 +15,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/base/input_event.h"
 #include "oc_core/base/registry.h"
 #include "oc_core/explore/explorer.h"
 #include "oc_core/image/png_file.h"
@@ -33,6 +34,9 @@ class ExploreSession {
   virtual Explorer& explorer() = 0;
   /// One frame: time passes by 1 / kExploreFramesPerSecond, and the picture is shown, and recorded where that is on.
   virtual void showFrame(const WalkInput& input) = 0;
+  /// What a person does with keys and the pointer; frames that show it follow. Throws InputError where there is no
+  /// window.
+  virtual void give(const InputEvent& event);
   /// What a person sees now, without time passing.
   virtual Image<Rgb8> picture() = 0;
   /// A file that the script names, in the folder that the user gave; its folder is made.

@@ -1,4 +1,4 @@
-// The steps of scripts that need no window (explore_script.h).
+// The steps of scripts (explore_script.h).
 #pragma once
 
 #include <vector>
@@ -17,5 +17,7 @@ void showFrames(ExploreSession& session, const WalkInput& input, double seconds)
 std::vector<ExploreStepKind> exploreWalkSteps();
 /// Constructors, picks, options, what is expected, and files.
 std::vector<ExploreStepKind> exploreChoiceSteps();
+/// Keys and the pointer, where there is a window.
+std::vector<ExploreStepKind> exploreEventSteps();
 
 }  // namespace ocelli
