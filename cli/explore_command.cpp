@@ -12,7 +12,9 @@
 #include "display_sim/observing/frame_sink.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/explore/explore_offscreen.h"
+#include "oc_core/walkable/walkable.h"
 
 namespace ocelli {
 namespace {
@@ -27,6 +29,7 @@ struct ExploreChoice {
   std::string camera;
   bool benchmark = false;
   bool jumps = false;
+  std::string changes;
 };
 
 /// Where the eye of a view file is and looks, level or not.
@@ -66,21 +69,30 @@ void explore(const ExploreChoice& choice, const CommandContext& context) {
   const ExploreScript script = readExploreScript(choice.script);
   SceneOptions sceneOptions = choice.scene.options;
   sceneOptions.fit = false;
+  GuidedScene loaded = loadGuidedScene(choice.scene.source, sceneOptions, context.progress());
   ExploreSceneOptions options;
-  options.metre = choice.metre;
-  ExploreScene scene(loadGuidedScene(choice.scene.source, sceneOptions, context.progress()), options);
+  options.metre = choice.metre ? choice.metre : metreOf(choice.scene.source, loaded).units;
+  options.findWays = [](const Mesh& mesh, double metre, const Progress& progress) {
+    return findWalkMap(mesh, inUnits({}, metre), progress);
+  };
+  ExploreScene scene(std::move(loaded), std::move(options));
   ExploreOffscreenOptions offscreen;
   offscreen.explorer.walker = choice.walker;
   offscreen.folder = choice.folder;
   offscreen.measureTimes = choice.benchmark;
-  offscreen.measureJumps = choice.jumps;
+  offscreen.measureJumps = choice.jumps || !choice.changes.empty();
   offscreen.record = recordingOf;
   offscreen.wrote = [&](const std::filesystem::path& path) { context.note("wrote " + path.string()); };
   if (!choice.view.empty()) {
     offscreen.start = walkerViewOf(readViewOption(choice.view));
   }
   offscreen.camera = choice.camera;
-  printReport(exploreOffscreen(scene, script, std::move(offscreen)), choice, context);
+  const ExploreReport report = exploreOffscreen(scene, script, std::move(offscreen));
+  if (!choice.changes.empty()) {
+    writeFile(choice.changes, csvOf(report.changes));
+    context.note("wrote " + choice.changes);
+  }
+  printReport(report, choice, context);
 }
 
 }  // namespace
@@ -99,8 +111,8 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
   addViewOption(command, choice->view);
   command
       .add_option("--metre", choice->metre,
-                  "Units of the scene in a metre; by default 1, or so that the scene is 50 m across where it is less "
-                  "than 4 m or more than 20 km")
+                  "Units of the scene in a metre; by default 1, or so that the longer level side is 20 m where it is "
+                  "less than 2.5 or more than 20,000 units")
       ->check(numberCheck(1e-6, 1e6))
       ->type_name("UNITS");
   command.add_option("--eye-height", choice->walker.eyeHeight, "Metres over the floor")
@@ -119,6 +131,10 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("-o,--output", choice->folder, "Folder for images, cameras and videos")->type_name("DIR");
   command.add_flag("--benchmark", choice->benchmark, "Draw every frame of the script, and print how long frames take");
   command.add_flag("--jumps", choice->jumps, "Print how many frames of the script change more than the pinhole's do");
+  command
+      .add_option("--changes", choice->changes,
+                  "A table of how much each frame of the script changes, and the pinhole's")
+      ->type_name("FILE.csv");
   context.finish(command,
                  "  ocelli explore builtin:town --offscreen oc_core/explore/examples/town_walk.json -o frames\n"
                  "  ocelli explore builtin:maze --camera portal --offscreen walk.json --jumps",
