@@ -23,7 +23,7 @@
 #include <vector>
 
 #include "oc_core/camera/graph_camera.h"
-#include "oc_core/scene/walk_map.h"
+#include "oc_core/constructor/walk_space.h"
 
 namespace ocelli {
 
@@ -43,6 +43,8 @@ struct WalkCameraOptions {
   double portalsInRooms = 1;         ///< how far rays bend in the openings of the room that the user is in; 0 for none
   std::optional<double> deployed{};  ///< instead of what the pose allows; 0 is a pinhole, 1 deployed in full
   double parallel = 0;               ///< 1 moves the viewpoint of the root away until its rays are almost parallel
+  std::optional<uint32_t> chosenPortal{};  ///< of WalkMap::portals: the way out of the crossing to give more rays to
+  double chosenShare = 0;                  ///< how far it gets them: 1 for all
 };
 
 /// A way out of the crossing or room ahead.
@@ -66,11 +68,14 @@ struct WalkCamera {
 /// An image of that size. Throws InputError where the eye or the heading is not finite, where the heading is vertical,
 /// where the split ratios are negative or do not add up to 1, and where the other options are out of range; never for a
 /// pose.
+WalkCamera makeWalkCamera(const WalkSpace& space, const WalkPose& pose, const WalkCameraOptions& options, int width,
+                          int height);
+/// The same for one image. Where there are many, the space should be prepared once.
 WalkCamera makeWalkCamera(const WalkMap& map, const WalkPose& pose, const WalkCameraOptions& options, int width,
                           int height);
 
 /// The pinhole of the user's eye, level, with the field of view of the options; backward too.
-PinholeCamera walkPinhole(const WalkMap& map, const WalkPose& pose, const WalkCameraOptions& options, int width,
+PinholeCamera walkPinhole(const WalkSpace& space, const WalkPose& pose, const WalkCameraOptions& options, int width,
                           int height);
 
 }  // namespace ocelli

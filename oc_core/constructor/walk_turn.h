@@ -21,11 +21,11 @@ struct WalkTurn {
 
 /// Where the user is at the end of the turn: within the chosen way, half as far from its mouth as it is wide. Throws
 /// InputError where the portal is no way out of the crossing ahead.
-WalkPose walkPoseAfter(const WalkMap& map, const WalkTurn& turn);
+WalkPose walkPoseAfter(const WalkSpace& space, const WalkTurn& turn);
 
 /// The forward and the backward camera. Throws InputError as well for a phase that is not from 0 to 4, and where
 /// makeWalkCamera does.
-std::pair<WalkCamera, WalkCamera> walkTurningCameras(const WalkMap& map, const WalkTurn& turn,
+std::pair<WalkCamera, WalkCamera> walkTurningCameras(const WalkSpace& space, const WalkTurn& turn,
                                                      const WalkCameraOptions& options, int width, int height);
 
 }  // namespace ocelli
