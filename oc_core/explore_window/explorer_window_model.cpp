@@ -86,9 +86,14 @@ struct ExplorerWindowModel::State {
   State(const ExplorerWindowOptions& options, const Progress& progress)
       : scene(std::make_shared<ExploreScene>(options.read(progress), options.scene)),
         explorer(*scene, options.explorer),
-        renderer(*scene),
-        start(explorer.walker().view()) {
-    explorer.choose(options.constructor);
+        renderer(*scene) {
+    if (options.start) {
+      explorer.walker().jump(*options.start);
+    }
+    start = explorer.walker().view();
+    if (!options.camera.empty()) {
+      explorer.choose(options.camera);
+    }
     path = std::make_shared<const std::vector<glm::vec2>>(planPath(*scene));
   }
 
@@ -194,8 +199,9 @@ WindowPicture ExplorerWindowModel::draw(const WindowShape& shape) {
   }
   const bool isInMetres = state.scene->metre() == 1;
   picture.lengthUnit = isInMetres ? "m" : "";
+  const double heading = std::round(frame.walker.headingDegrees);
   picture.place = fmt::format("at {:.1f}, {:.1f}{}, heading {:.0f}°", frame.walker.eye.x, frame.walker.eye.z,
-                              isInMetres ? " m" : "", frame.walker.headingDegrees);
+                              isInMetres ? " m" : "", heading - 360 * std::floor(heading / 360));
   const WalkMapStatus ways = state.scene->waysStatus();
   const bool isSearching = ways.state == WalkMapStatus::State::kSearching;
   if (isSearching) {

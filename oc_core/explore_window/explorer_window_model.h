@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "oc_core/explore/explorer.h"
@@ -13,8 +14,9 @@ struct ExplorerWindowOptions {
   /// Reads the scene. Throws InputError.
   std::function<GuidedScene(const Progress& progress)> read;
   ExploreSceneOptions scene{};
-  ExplorerOptions explorer{};           ///< but for the size, which the window says
-  std::string constructor = "pinhole";  ///< at first
+  ExplorerOptions explorer{};         ///< but for the size, which the window says
+  std::optional<WalkerView> start{};  ///< nothing: an open place
+  std::string camera{};               ///< the constructor to begin with; empty: the pinhole
 };
 
 class ExplorerWindowModel : public ExploreWindowModel {
