@@ -7,18 +7,15 @@
 #include <glm/geometric.hpp>
 
 #include "cli/command.h"
-#include "cli/gl_drawing.h"
+#include "cli/explore_window.h"
 #include "cli/number_check.h"
 #include "cli/scene_options.h"
 #include "display_sim/observing/frame_sink.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/explore/explore_offscreen.h"
-#ifdef OCELLI_WITH_OPENGL
-#include "oc_core/explore_window/explore_window_run.h"
-#include "oc_core/explore_window/explore_window_session.h"
-#include "oc_core/gl/gl_context.h"
-#endif
+#include "oc_core/walkable/walkable.h"
 
 namespace ocelli {
 namespace {
@@ -33,10 +30,8 @@ struct ExploreChoice {
   std::string camera;
   bool benchmark = false;
   bool jumps = false;
-  bool window = false;
-  double scale = 1;
-  std::string gl = "auto";
-  std::string video;
+  std::string changes;
+  ExploreWindowChoice window;
 };
 
 /// Where the eye of a view file is and looks, level or not.
@@ -68,114 +63,53 @@ void printReport(const ExploreReport& report, const ExploreChoice& choice, const
   }
 }
 
-GuidedScene sceneOf(const ExploreChoice& choice, const Progress& progress) {
-  SceneOptions options = choice.scene.options;
-  options.fit = false;
-  return loadGuidedScene(choice.scene.source, options, progress);
-}
-
-ExploreSceneOptions exploreSceneOptions(const ExploreChoice& choice) {
+std::shared_ptr<ExploreScene> openScene(const ExploreChoice& choice, const Progress& progress) {
+  SceneOptions sceneOptions = choice.scene.options;
+  sceneOptions.fit = false;
+  GuidedScene loaded = loadGuidedScene(choice.scene.source, sceneOptions, progress);
   ExploreSceneOptions options;
-  options.metre = choice.metre;
-  return options;
-}
-
-#ifdef OCELLI_WITH_OPENGL
-double percentileOf(const std::vector<double>& milliseconds, double share) {
-  return ExploreTimes{milliseconds, std::vector<double>(milliseconds.size())}.percentile(share);
-}
-
-ExplorerWindowOptions windowModelOf(const ExploreChoice& choice) {
-  ExplorerWindowOptions options;
-  options.read = [choice](const Progress& progress) { return sceneOf(choice, progress); };
-  options.scene = exploreSceneOptions(choice);
-  options.explorer.walker = choice.walker;
-  if (!choice.view.empty()) {
-    options.start = walkerViewOf(readViewOption(choice.view));
-  }
-  options.camera = choice.camera;
-  return options;
-}
-
-void exploreInWindow(const ExploreChoice& choice, const CommandContext& context) {
-  ExploreWindowRunOptions options;
-  options.title = "Ocelli: " + choice.scene.source;
-  options.model = windowModelOf(choice);
-  options.folder = choice.folder;
-  options.record = recordingOf;
-  if (!choice.video.empty()) {
-    options.video = choice.video;
-  }
-  options.wrote = [&](const std::filesystem::path& path) { context.note("wrote " + path.string()); };
-  runExploreWindow(options);
-}
-
-void playInWindow(const ExploreChoice& choice, const CommandContext& context) {
-  const ExploreScript script = readExploreScript(choice.script);
-  const std::unique_ptr<GlContext> gl = openGlContext(choice.gl, "--gl");
-  ExploreWindowSessionOptions options;
-  options.model = windowModelOf(choice);
-  options.folder = choice.folder;
-  options.contentScale = choice.scale;
-  options.record = recordingOf;
-  options.wrote = [&](const std::filesystem::path& path) { context.note("wrote " + path.string()); };
-  const ExploreWindowTimes times = playInExploreWindow(*gl, script, std::move(options));
-  if (choice.benchmark) {
-    context.print(
-        fmt::format("frames            {}\nwalk and images   {:.1f} ms median, {:.1f} of 90 %\n"
-                    "window            {:.1f} ms median, {:.1f} of 90 %\n",
-                    times.walk.size(), percentileOf(times.walk, 0.5), percentileOf(times.walk, 0.9),
-                    percentileOf(times.window, 0.5), percentileOf(times.window, 0.9)));
-  }
-}
-#else
-void exploreInWindow(const ExploreChoice&, const CommandContext&) {
-  failWithoutOpenGl("explore without --offscreen");
-}
-void playInWindow(const ExploreChoice&, const CommandContext&) {
-  failWithoutOpenGl("--window");
-}
-#endif
-
-/// Options that say nothing without others.
-void checkTogether(const ExploreChoice& choice) {
-  const auto require = [](bool given, bool holds, const std::string& option, const std::string& next) {
-    if (given && !holds) {
-      throw InputError("it means nothing here", option, next);
-    }
+  options.metre = choice.metre ? choice.metre : metreOf(choice.scene.source, loaded).units;
+  options.findWays = [](const Mesh& mesh, double metre, const Progress& searching) {
+    return findWalkMap(mesh, inUnits({}, metre), searching);
   };
-  const bool plays = !choice.script.empty();
-  require(choice.window, plays, "--window", "give --offscreen SCRIPT.json; without it there is a window anyhow");
-  require(choice.gl != "auto" || choice.scale != 1, choice.window, "--gl, --scale", "give --window with --offscreen");
-  require(choice.benchmark, plays, "--benchmark", "give --offscreen SCRIPT.json");
-  require(choice.jumps, plays && !choice.window, "--jumps", "give --offscreen SCRIPT.json, without --window");
-  require(!choice.video.empty(), !plays, "--record", "a script has the step {\"record\": \"walk.mp4\"}");
+  return std::make_shared<ExploreScene>(std::move(loaded), std::move(options));
 }
 
 void explore(const ExploreChoice& choice, const CommandContext& context) {
-  checkTogether(choice);
-  if (choice.script.empty()) {
-    exploreInWindow(choice, context);
-    return;
+  const bool plays = !choice.script.empty();
+  checkExploreWindow(choice.window, plays, choice.jumps || !choice.changes.empty());
+  if (choice.benchmark && !plays) {
+    throw InputError("a script is needed", "--benchmark",
+                     "give --offscreen SCRIPT.json, such as oc_core/explore/examples/town_walk.json");
   }
-  if (choice.window) {
-    playInWindow(choice, context);
-    return;
-  }
-  const ExploreScript script = readExploreScript(choice.script);
-  ExploreScene scene(sceneOf(choice, context.progress()), exploreSceneOptions(choice));
   ExploreOffscreenOptions offscreen;
   offscreen.explorer.walker = choice.walker;
   offscreen.folder = choice.folder;
   offscreen.measureTimes = choice.benchmark;
-  offscreen.measureJumps = choice.jumps;
+  offscreen.measureJumps = choice.jumps || !choice.changes.empty();
   offscreen.record = recordingOf;
   offscreen.wrote = [&](const std::filesystem::path& path) { context.note("wrote " + path.string()); };
   if (!choice.view.empty()) {
     offscreen.start = walkerViewOf(readViewOption(choice.view));
   }
   offscreen.camera = choice.camera;
-  printReport(exploreOffscreen(scene, script, std::move(offscreen)), choice, context);
+  const auto read = [&](const Progress& progress) { return openScene(choice, progress); };
+  if (!plays) {
+    exploreInWindow(choice.window, {choice.scene.source, read, offscreen});
+    return;
+  }
+  const ExploreScript script = readExploreScript(choice.script);
+  if (choice.window.window) {
+    playScriptInWindow(choice.window, {choice.scene.source, read, offscreen}, script, context);
+    return;
+  }
+  const std::shared_ptr<ExploreScene> scene = read(context.progress());
+  const ExploreReport report = exploreOffscreen(*scene, script, std::move(offscreen));
+  if (!choice.changes.empty()) {
+    writeFile(choice.changes, csvOf(report.changes));
+    context.note("wrote " + choice.changes);
+  }
+  printReport(report, choice, context);
 }
 
 }  // namespace
@@ -194,8 +128,8 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
   addViewOption(command, choice->view);
   command
       .add_option("--metre", choice->metre,
-                  "Units of the scene in a metre; by default 1, or so that the scene is 50 m across where it is less "
-                  "than 4 m or more than 20 km")
+                  "Units of the scene in a metre; by default 1, or so that the longer level side is 20 m where it is "
+                  "less than 2.5 or more than 20,000 units")
       ->check(numberCheck(1e-6, 1e6))
       ->type_name("UNITS");
   command.add_option("--eye-height", choice->walker.eyeHeight, "Metres over the floor")
@@ -211,17 +145,14 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
       ->capture_default_str()
       ->type_name("DEGREES");
   command.add_option("--offscreen", choice->script, "Play a script, without a display")->type_name("SCRIPT.json");
-  command.add_flag("--window", choice->window, "With --offscreen: draw the whole window, with panes and texts");
-  command.add_option("--scale", choice->scale, "With --window: how much larger texts are, as on a denser screen")
-      ->check(numberCheck(0.5, 4))
-      ->capture_default_str()
-      ->type_name("FACTOR");
-  addGlOption(command, choice->gl);
-  command.add_option("--record", choice->video, "Record the window to a video from the first image on")
-      ->type_name("FILE.mp4");
+  addExploreWindowOptions(command, choice->window);
   command.add_option("-o,--output", choice->folder, "Folder for images, cameras and videos")->type_name("DIR");
   command.add_flag("--benchmark", choice->benchmark, "Draw every frame of the script, and print how long frames take");
   command.add_flag("--jumps", choice->jumps, "Print how many frames of the script change more than the pinhole's do");
+  command
+      .add_option("--changes", choice->changes,
+                  "A table of how much each frame of the script changes, and the pinhole's")
+      ->type_name("FILE.csv");
   context.finish(command,
                  "  ocelli explore builtin:town\n"
                  "  ocelli explore house.glb --camera portal\n"

@@ -146,7 +146,7 @@ GraphCamera buildOccluderCamera(const OccluderOptions& options, const GuidedScen
   requireInView(box, reference);
   const PlanView plan(reference, box.center());
   const OccluderExtent extent = extentOf(box, plan);
-  const double split = splitDistance(box, plan, extent.farthest);
+  const double split = options.splitDepth.value_or(splitDistance(box, plan, extent.farthest));
   const double meeting = extent.farthest + options.shadow * (extent.right - extent.left);
   const double left = asideFor(meeting, box, plan, -1);
   const double right = asideFor(meeting, box, plan, 1);

@@ -1,5 +1,7 @@
 #include "oc_core/explore/explore_jumps.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cstdlib>
 
@@ -26,6 +28,15 @@ double imageChange(const Image<Rgb8>& one, const Image<Rgb8>& other) {
     }
   }
   return one.empty() ? 0 : static_cast<double>(sum) / (3.0 * static_cast<double>(one.size()));
+}
+
+std::string csvOf(const std::vector<FrameChange>& changes) {
+  std::string text = "frame,picture,pinhole,turn,jumps\n";
+  for (const FrameChange& each : changes) {
+    text += fmt::format("{},{:.4f},{:.4f},{:.4f},{}\n", each.frame, each.picture, each.pinhole, each.turn,
+                        each.jumps() ? 1 : 0);
+  }
+  return text;
 }
 
 void JumpMeasure::add(const ExploreFrame& frame, const Image<Rgb8>& picture, double fovHorizontalDegrees,

@@ -28,6 +28,9 @@ struct FrameChange {
   bool jumps() const { return picture > allowed(); }
 };
 
+/// A table, a line a frame: frame,picture,pinhole,turn,jumps.
+std::string csvOf(const std::vector<FrameChange>& changes);
+
 /// Watches the frames of a session, each once, in their order.
 class JumpMeasure {
  public:

@@ -5,6 +5,7 @@
 #include <variant>
 
 #include "oc_core/explore/explore_shapes.h"
+#include "oc_core/multiperspective/ray_pieces.h"
 
 namespace ocelli {
 namespace {
@@ -74,7 +75,7 @@ std::optional<ExplorePick> pickAt(const ExploreScene& scene, const ExploreFrame&
   RayPath::Position end{ray.size() - 2, 1};
   if (const std::optional<ExploreHit> hit = scene.cast(ray)) {
     end = ray.positionNear(hit->position);
-    pick = {hit->position, hit->object, true, hit->normal.y >= kFloorNormal, {}};
+    pick = {hit->position, hit->object, true, hit->normal.y >= kFloorNormal, {}, {}};
   }
   const std::vector<Portal> portals = knownPortals(scene);
   float soFar = 0;
@@ -89,6 +90,13 @@ std::optional<ExplorePick> pickAt(const ExploreScene& scene, const ExploreFrame&
       }
     }
     soFar += glm::distance(ray[i], to);
+  }
+  const std::vector<RayPiece> pieces =
+      std::visit([&](const auto& camera) { return rayPieces(camera, spot.pixel); }, *spot.camera);
+  size_t points = 0;
+  for (size_t i = 0; i < pieces.size() && points <= end.segment; ++i) {
+    pick.parts.push_back(pieces[i].part);
+    points += pieces[i].points.size() - 1;
   }
   return pick.surface || pick.portal ? std::optional(pick) : std::nullopt;
 }

@@ -44,7 +44,7 @@ class LivePortal final : public LiveConstructor {
     if (guides.portals.empty() && !guides.maze) {
       throw InputError("there are no portals here", "portal camera", "choose another constructor");
     }
-    const GraphCamera made = buildPortalCamera({}, guides, moment.view);
+    const GraphCamera made = buildPortalCamera(options(), guides, moment.view);
     LiveCamera live{moment.deployed < 1 ? partlyDeployed(made, moment.deployed) : made};
     live.notes.push_back(note(made, moment));
     return live;
@@ -61,6 +61,8 @@ class LivePortal final : public LiveConstructor {
     picked_ = pick.portal;
     leadsNowhere_ = !hasFloorBehind(scene);
   }
+  double option(size_t /*index*/) const override { return curve_; }
+  void setOption(size_t /*index*/, double value) override { curve_ = value; }
   std::optional<Box> picked() const override {
     if (!picked_) {
       return std::nullopt;
@@ -73,13 +75,15 @@ class LivePortal final : public LiveConstructor {
   }
 
  private:
+  const PortalOptions& options() const { return portalCurves()[static_cast<size_t>(curve_)].options; }
+
   ExploreNote note(const GraphCamera& made, const LiveMoment& moment) const {
     const size_t bends = made.frusta().size() - 1;
     if (picked_) {
       if (leadsNowhere_) {
         return {ExploreNote::Kind::kProblem, "this portal leads nowhere: nothing is behind it"};
       }
-      if (!(portalPresence(*picked_, glm::dvec3(moment.view.eye())) > kMinPresence)) {
+      if (!(portalPresence(*picked_, glm::dvec3(moment.view.eye()), options()) > kMinPresence)) {
         return {ExploreNote::Kind::kState,
                 "the chosen portal is too near, too far, faced or behind: rays are straight"};
       }
@@ -108,15 +112,21 @@ class LivePortal final : public LiveConstructor {
 
   std::optional<Portal> picked_;
   bool leadsNowhere_ = false;
+  double curve_ = 0;  // of portalCurves()
 };
 
 }  // namespace
 
 LiveConstructorRow livePortal() {
+  std::vector<const char*> curves;
+  for (const PortalCurve& curve : portalCurves()) {
+    curves.push_back(curve.name);
+  }
   return {"portal",
           "looks straight into every opening in view, or into one that is clicked",
           "an opening to look into; the same again: all openings",
-          {},
+          {{"curve", "Bends", "", 0, static_cast<double>(curves.size() - 1), 0,
+            "how much each opening bends rays from where", 1, curves, false}},
           true,
           [](const ExploreScene&) { return std::make_unique<LivePortal>(); },
           [](const ExploreScene& scene) { return scene.guides().portals.empty() && !scene.guides().maze; }};

@@ -6,6 +6,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/object_boxes.h"
+#include "oc_core/constructor/walk_from_maze.h"
 
 namespace ocelli {
 namespace {
@@ -22,9 +23,13 @@ double metreOf(const Box& bounds, const ExploreSceneOptions& options) {
   return size >= kMinMetricSize && size <= kMaxMetricSize ? 1.0 : size / kOtherSize;
 }
 
-GuidedScene notEmpty(GuidedScene scene) {
+/// Grids know where one can walk.
+GuidedScene withWays(GuidedScene scene) {
   if (boundsOf(scene.mesh).empty()) {
     throw InputError("there is nothing to walk in", "the scene is empty", "choose another scene");
+  }
+  if (scene.guides.maze && !scene.guides.walk) {
+    scene.guides.walk = walkMapOf(*scene.guides.maze);
   }
   return scene;
 }
@@ -32,7 +37,7 @@ GuidedScene notEmpty(GuidedScene scene) {
 }  // namespace
 
 ExploreScene::ExploreScene(GuidedScene scene, ExploreSceneOptions options)
-    : scene_(notEmpty(std::move(scene))),
+    : scene_(withWays(std::move(scene))),
       options_(std::move(options)),
       bounds_(boundsOf(scene_.mesh)),
       metre_(metreOf(bounds_, options_)),

@@ -7,6 +7,7 @@
 #include <iterator>
 
 #include "oc_core/constructor/target_constructor.h"
+#include "oc_core/constructor/target_sight.h"
 #include "oc_core/explore/explore_boxes.h"
 #include "oc_core/explore/live_constructor_rows.h"
 
@@ -54,9 +55,14 @@ class LiveTarget final : public LiveConstructor {
   }
   std::optional<Box> picked() const override { return target_; }
 
-  double option(size_t index) const override { return options_.*kOptions[index]; }
+  double option(size_t index) const override { return index < kNumbers ? options_.*kOptions[index] : sightIndex_; }
   void setOption(size_t index, double value) override {
-    options_.*kOptions[index] = value;
+    if (index < kNumbers) {
+      options_.*kOptions[index] = value;
+    } else {
+      sightIndex_ = value;
+      options_.sight = targetSights()[static_cast<size_t>(value)].name;
+    }
     // Only f is remembered from frame to frame.
     TargetOptions options = options_;
     options.f = tracker_.f();
@@ -65,7 +71,9 @@ class LiveTarget final : public LiveConstructor {
 
  private:
   static constexpr double TargetOptions::*kOptions[] = {&TargetOptions::maxF, &TargetOptions::maxChange,
-                                                        &TargetOptions::visibleShare, &TargetOptions::enlarged};
+                                                        &TargetOptions::visibleShare, &TargetOptions::enlarged,
+                                                        &TargetOptions::enlargedPixels};
+  static constexpr size_t kNumbers = std::size(kOptions);
 
   void aimAt(const ExploreScene& scene, const Box& box, uint32_t object) {
     target_ = box;
@@ -88,8 +96,9 @@ class LiveTarget final : public LiveConstructor {
     }
     const double f = tracker_.f();
     const double wanted = tracker_.wanted(moment.view, occluders_, *target_);
-    const bool shown =
-        visibleShare(bentCamera(moment.view, *target_, wanted), occluders_, *target_) >= options_.visibleShare;
+    const bool shown = targetSight(options_.sight)
+                           .share(bentCamera(moment.view, *target_, wanted), occluders_, *target_,
+                                  {options_.enlarged, options_.enlargedPixels}) >= options_.visibleShare;
     if (!shown) {
       return {ExploreNote::Kind::kProblem, "target hidden: no bend shows it"};
     }
@@ -104,12 +113,17 @@ class LiveTarget final : public LiveConstructor {
   TargetTracker tracker_;
   std::optional<Box> target_;
   std::vector<Box> occluders_;
+  double sightIndex_ = 0;
 };
 
 }  // namespace
 
 LiveConstructorRow liveTarget() {
   const TargetOptions usual;
+  std::vector<const char*> sights;
+  for (const TargetSight& sight : targetSights()) {
+    sights.push_back(sight.name);
+  }
   return {"target",
           "keeps an object in sight that is clicked: rays bend around what hides it",
           "an object to keep in sight",
@@ -118,7 +132,10 @@ LiveConstructorRow liveTarget() {
            {"visible_share", "Enough of it", "", 0.01, 1, usual.visibleShare,
             "the share of the target's box that must be in sight"},
            {"enlarged", "Margin", "of its size", 0, 2, usual.enlarged,
-            "by so much the box is larger on each side, in shares of its size"}},
+            "by so much the target's box is larger on each side, in shares of its size"},
+           {"enlarged_pixels", "Margin", "pixels", 0, 200, usual.enlargedPixels, "and by so many pixels of the image"},
+           {"sight", "In sight by", "", 0, static_cast<double>(sights.size() - 1), 0,
+            "what decides whether the target is in sight: rays to its box, or images of boxes", 1, sights}},
           true,
           [](const ExploreScene& scene) { return std::make_unique<LiveTarget>(scene); }};
 }

@@ -185,13 +185,19 @@ void Explorer::move(const WalkInput& input, double seconds) {
       return;
     }
   }
-  const std::optional<WalkerView> led =
-      state.failed || state.next ? std::nullopt : state.live.constructor->lead(moment, input);
+  const std::optional<WalkerView> led = state.failed || (state.next && !state.live.constructor->busy())
+                                            ? std::nullopt
+                                            : state.live.constructor->lead(moment, input);
   if (led) {
     walker_.place(*led);
-  } else {
-    walker_.step(input, seconds);
+    return;
   }
+  WalkInput free = input;
+  if (state.live.constructor->looksLevel() && !state.next) {
+    free.lookUp = 0;
+    free.pointerDegrees.y = 0;
+  }
+  walker_.step(free, seconds);
 }
 
 void Explorer::glideTo(const WalkerView& view) {
@@ -208,7 +214,8 @@ void Explorer::deploy(double seconds) {
   if (state.dissolve > 0) {
     state.dissolve = std::max(0.0, state.dissolve - seconds / options_.dissolveSeconds);
   }
-  const bool wanted = !state.changes() && !state.failed && !state.glide && !waysMissing();
+  const bool leaves = state.changes() && !state.live.constructor->busy();
+  const bool wanted = !leaves && !state.failed && !state.glide && !waysMissing();
   if (state.live.row->collapses) {
     const double most = seconds / options_.deploySeconds;
     state.deployed += std::clamp((wanted ? 1.0 : 0.0) - state.deployed, -most, most);
@@ -356,7 +363,11 @@ bool Explorer::pick(const ExplorePick& pick) {
   if (!chosen.constructor->accepts(scene_, pick)) {
     return false;
   }
-  chosen.pick = pick;
+  if (chosen.constructor->picksAtOnce()) {
+    chosen.constructor->pick(scene_, pick);
+  } else {
+    chosen.pick = pick;
+  }
   return true;
 }
 
@@ -371,7 +382,8 @@ bool Explorer::atRest() const {
   for (size_t i = 0; i < state.live.wanted.size(); ++i) {
     optionsReached = optionsReached && state.live.constructor->option(i) == state.live.wanted[i];
   }
-  return settled && optionsReached && state.arrived && !state.changes() && !state.glide && state.dissolve == 0;
+  return settled && optionsReached && state.arrived && !state.changes() && !state.glide && state.dissolve == 0 &&
+         !state.live.constructor->busy();
 }
 
 }  // namespace ocelli

@@ -31,6 +31,7 @@ struct ExplorePick {
   uint32_t object = 0;           ///< identity; 0 is structure
   bool surface = false;          ///< the ray met one, at `position`
   bool floor = false;            ///< one that is level
+  std::vector<int> parts;        ///< of the camera, that the ray passes up to there: frusta, or segments of curved rays
   std::optional<Portal> portal;  ///< the nearest opening that the ray passes before that, seen from where it came
 };
 
@@ -86,6 +87,12 @@ class LiveConstructor {
   virtual bool accepts(const ExploreScene& /*scene*/, const ExplorePick& /*pick*/) const { return false; }
   /// Takes what was clicked, where it accepts that. Called where the camera is collapsed.
   virtual void pick(const ExploreScene& /*scene*/, const ExplorePick& /*pick*/) {}
+  /// Whether a click is taken at once, as it moves the walker and not the camera.
+  virtual bool picksAtOnce() const { return false; }
+  /// Whether it is about to do something that has to end before the camera collapses: a turn, for example.
+  virtual bool busy() const { return false; }
+  /// Whether one looks level with it.
+  virtual bool looksLevel() const { return false; }
   /// Takes a camera that was made elsewhere; false where it makes its own.
   virtual bool show(const MultiperspectiveCamera& /*camera*/, const std::string& /*name*/) { return false; }
   /// What is picked, as a box around it, for the plan; nothing for none.

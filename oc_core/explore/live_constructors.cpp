@@ -6,8 +6,8 @@
 namespace ocelli {
 
 const std::vector<LiveConstructorRow>& liveConstructors() {
-  static const std::vector<LiveConstructorRow> rows{livePinhole(), livePortal(),        liveOccluder(), liveTarget(),
-                                                    livePath(),    liveComprehensive(), liveDrawn()};
+  static const std::vector<LiveConstructorRow> rows{livePinhole(), livePortal(), liveOccluder(),      liveTarget(),
+                                                    liveMaze(),    livePath(),   liveComprehensive(), liveDrawn()};
   return rows;
 }
 

@@ -84,9 +84,7 @@ bool isSamePick(const ExplorePick& a, const ExplorePick& b) {
 
 struct ExplorerWindowModel::State {
   State(const ExplorerWindowOptions& options, const Progress& progress)
-      : scene(std::make_shared<ExploreScene>(options.read(progress), options.scene)),
-        explorer(*scene, options.explorer),
-        renderer(*scene) {
+      : scene(options.read(progress)), explorer(*scene, options.explorer), renderer(*scene) {
     if (options.start) {
       explorer.walker().jump(*options.start);
     }

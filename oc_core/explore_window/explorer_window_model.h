@@ -12,8 +12,7 @@ namespace ocelli {
 
 struct ExplorerWindowOptions {
   /// Reads the scene. Throws InputError.
-  std::function<GuidedScene(const Progress& progress)> read;
-  ExploreSceneOptions scene{};
+  std::function<std::shared_ptr<ExploreScene>(const Progress& progress)> read;
   ExplorerOptions explorer{};         ///< but for the size, which the window says
   std::optional<WalkerView> start{};  ///< nothing: an open place
   std::string camera{};               ///< the constructor to begin with; empty: the pinhole
