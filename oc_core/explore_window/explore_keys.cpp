@@ -26,7 +26,7 @@ constexpr std::array kHeldKeys{
     ExploreHeldKey{kWalking, "", "", Key::kRight, &WindowMotion::turnRight, 1},
     ExploreHeldKey{kWalking, "PageUp  PageDown", "look up, down", Key::kPageUp, &WindowMotion::lookUp, 1},
     ExploreHeldKey{kWalking, "", "", Key::kPageDown, &WindowMotion::lookUp, -1},
-    ExploreHeldKey{kWalking, "R  F", "fly up, down, where there is no floor", Key::kR, &WindowMotion::up, 1},
+    ExploreHeldKey{kWalking, "R  F", "fly up, down, where one flies", Key::kR, &WindowMotion::up, 1},
     ExploreHeldKey{kWalking, "", "", Key::kF, &WindowMotion::up, -1},
 };
 
@@ -68,6 +68,13 @@ void pickNeighbour(ExploreKeyTarget& target, int step) {
 void goToStart(ExploreKeyTarget& target, int) {
   target.work.tell([](ExploreWindowModel& model) {
     model.goToStart();
+    return std::string();
+  });
+}
+
+void toggleFlying(ExploreKeyTarget& target, int) {
+  target.work.tell([](ExploreWindowModel& model) {
+    model.toggleFlying();
     return std::string();
   });
 }
@@ -116,6 +123,7 @@ const std::vector<ExploreKeyAction>& actionRows() {
   static const std::vector<ExploreKeyAction> rows{
       {kWalking, "C", "the mouse looks around; Escape ends it", Key::kC, false, false, 0,
        [](ExploreKeyTarget& target, int) { target.state.captured = !target.state.captured; }},
+      {kWalking, "L", "fly through walls, and walk again", Key::kL, false, false, 0, toggleFlying},
       {kWalking, "Home", "back to the start", Key::kHome, false, false, 0, goToStart},
 
       {kCamera, "1 ... 9", "choose the camera named above", Key::k1, false, false, 1, chooseByNumber},
@@ -174,6 +182,7 @@ constexpr std::array kPointerRows{
     ExplorePointerRow{"Click", "pick a portal, an occluder, a target"},
     ExplorePointerRow{"Right click", "the mouse looks around, as C"},
     ExplorePointerRow{"Click in the plan", "go there"},
+    ExplorePointerRow{"Drop a file", "show its camera"},
     ExplorePointerRow{"Wheel in the plan", "nearer, farther"},
 };
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/explore/explore_picking.h"
@@ -266,6 +267,19 @@ void ExplorerWindowModel::pickNext(int step) {
 
 void ExplorerWindowModel::showDrawn(const MultiperspectiveCamera& camera, const std::string& name) {
   state_->explorer.showDrawn(camera, name);
+}
+
+void ExplorerWindowModel::openCamera(const std::string& nameOrFile) {
+  Explorer& explorer = state_->explorer;
+  const PinholeCamera& view = explorer.frame().pinhole;
+  const std::optional<glm::ivec2> size = sizeInFile(nameOrFile);
+  const PinholeCamera reference = size ? PinholeCamera(view.view(), size->x, size->y) : view;
+  explorer.showDrawn(constructCamera(nameOrFile, state_->scene->scene(), reference), nameOrFile);
+}
+
+void ExplorerWindowModel::toggleFlying() {
+  bool& fly = state_->explorer.walker().options().fly;
+  fly = !fly;
 }
 
 void ExplorerWindowModel::goToStart() {

@@ -34,6 +34,8 @@ class ExplorerWindowModel : public ExploreWindowModel {
   void pick(const glm::dvec2& viewPixel) override;
   void pickNext(int step) override;
   void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) override;
+  void openCamera(const std::string& nameOrFile) override;
+  void toggleFlying() override;
   void goToStart() override;
   void goTo(const glm::vec2& planPoint) override;
   std::string cameraFile() const override;
