@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 
 #include "cli/command.h"
+#include "cli/explore_window.h"
 #include "cli/number_check.h"
 #include "cli/scene_options.h"
 #include "display_sim/observing/frame_sink.h"
@@ -30,6 +31,7 @@ struct ExploreChoice {
   bool benchmark = false;
   bool jumps = false;
   std::string changes;
+  ExploreWindowChoice window;
 };
 
 /// Where the eye of a view file is and looks, level or not.
@@ -61,21 +63,25 @@ void printReport(const ExploreReport& report, const ExploreChoice& choice, const
   }
 }
 
-void explore(const ExploreChoice& choice, const CommandContext& context) {
-  if (choice.script.empty()) {
-    throw InputError("a script is needed", "--offscreen",
-                     "give --offscreen SCRIPT.json, such as oc_core/explore/examples/town_walk.json");
-  }
-  const ExploreScript script = readExploreScript(choice.script);
+std::shared_ptr<ExploreScene> openScene(const ExploreChoice& choice, const Progress& progress) {
   SceneOptions sceneOptions = choice.scene.options;
   sceneOptions.fit = false;
-  GuidedScene loaded = loadGuidedScene(choice.scene.source, sceneOptions, context.progress());
+  GuidedScene loaded = loadGuidedScene(choice.scene.source, sceneOptions, progress);
   ExploreSceneOptions options;
   options.metre = choice.metre ? choice.metre : metreOf(choice.scene.source, loaded).units;
-  options.findWays = [](const Mesh& mesh, double metre, const Progress& progress) {
-    return findWalkMap(mesh, inUnits({}, metre), progress);
+  options.findWays = [](const Mesh& mesh, double metre, const Progress& searching) {
+    return findWalkMap(mesh, inUnits({}, metre), searching);
   };
-  ExploreScene scene(std::move(loaded), std::move(options));
+  return std::make_shared<ExploreScene>(std::move(loaded), std::move(options));
+}
+
+void explore(const ExploreChoice& choice, const CommandContext& context) {
+  const bool plays = !choice.script.empty();
+  checkExploreWindow(choice.window, plays, choice.jumps || !choice.changes.empty());
+  if (choice.benchmark && !plays) {
+    throw InputError("a script is needed", "--benchmark",
+                     "give --offscreen SCRIPT.json, such as oc_core/explore/examples/town_walk.json");
+  }
   ExploreOffscreenOptions offscreen;
   offscreen.explorer.walker = choice.walker;
   offscreen.folder = choice.folder;
@@ -87,7 +93,18 @@ void explore(const ExploreChoice& choice, const CommandContext& context) {
     offscreen.start = walkerViewOf(readViewOption(choice.view));
   }
   offscreen.camera = choice.camera;
-  const ExploreReport report = exploreOffscreen(scene, script, std::move(offscreen));
+  const auto read = [&](const Progress& progress) { return openScene(choice, progress); };
+  if (!plays) {
+    exploreInWindow(choice.window, {choice.scene.source, read, offscreen});
+    return;
+  }
+  const ExploreScript script = readExploreScript(choice.script);
+  if (choice.window.window) {
+    playScriptInWindow(choice.window, {choice.scene.source, read, offscreen}, script, context);
+    return;
+  }
+  const std::shared_ptr<ExploreScene> scene = read(context.progress());
+  const ExploreReport report = exploreOffscreen(*scene, script, std::move(offscreen));
   if (!choice.changes.empty()) {
     writeFile(choice.changes, csvOf(report.changes));
     context.note("wrote " + choice.changes);
@@ -128,6 +145,7 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
       ->capture_default_str()
       ->type_name("DEGREES");
   command.add_option("--offscreen", choice->script, "Play a script, without a display")->type_name("SCRIPT.json");
+  addExploreWindowOptions(command, choice->window);
   command.add_option("-o,--output", choice->folder, "Folder for images, cameras and videos")->type_name("DIR");
   command.add_flag("--benchmark", choice->benchmark, "Draw every frame of the script, and print how long frames take");
   command.add_flag("--jumps", choice->jumps, "Print how many frames of the script change more than the pinhole's do");
@@ -136,6 +154,8 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
                   "A table of how much each frame of the script changes, and the pinhole's")
       ->type_name("FILE.csv");
   context.finish(command,
+                 "  ocelli explore builtin:town\n"
+                 "  ocelli explore house.glb --camera portal\n"
                  "  ocelli explore builtin:town --offscreen oc_core/explore/examples/town_walk.json -o frames\n"
                  "  ocelli explore builtin:maze --camera portal --offscreen walk.json --jumps",
                  [choice, context] { explore(*choice, context); });

@@ -52,9 +52,9 @@ void drawLines(std::string_view title, const std::vector<HelpLine>& lines, float
   ImGui::Separator();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4 * scale, 1 * scale));
   if (ImGui::BeginTable(std::string(title).c_str(), 3)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 128 * scale);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 124 * scale);
     ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
-    ImGui::TableSetupColumn("gamepad", ImGuiTableColumnFlags_WidthFixed, 82 * scale);
+    ImGui::TableSetupColumn("gamepad", ImGuiTableColumnFlags_WidthFixed, 96 * scale);
     for (const HelpLine& line : lines) {
       ImGui::TableNextRow();
       ImGui::TableNextColumn();
@@ -94,14 +94,15 @@ void drawExploreHelp(const ExploreOverlayFrame& frame) {
   }
   const float scale = frame.scale;
   const ImVec2 window = ImGui::GetIO().DisplaySize;
-  const ImVec2 size(std::min(1120 * scale, window.x - 16 * scale), std::min(660 * scale, window.y - 16 * scale));
-  ImGui::SetNextWindowPos({(window.x - size.x) / 2, (window.y - size.y) / 2});
-  ImGui::SetNextWindowSize(size);
+  const float width = std::min(1120 * scale, window.x - 16 * scale);
+  ImGui::SetNextWindowPos({window.x / 2, window.y / 2}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({width, 0}, {width, std::max(window.y - 16 * scale, 1.0f)});
   ImGui::PushStyleColor(ImGuiCol_WindowBg, kGuiPanel.packed(250));
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {20 * scale, 14 * scale});
   ImGui::Begin("explore help", nullptr,
                ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing);
+                   ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoFocusOnAppearing |
+                   ImGuiWindowFlags_AlwaysAutoResize);
   ImGui::PopStyleVar();
   ImGui::PopStyleColor();
   textOf(
@@ -110,7 +111,7 @@ void drawExploreHelp(const ExploreOverlayFrame& frame) {
       kGuiText);
   ImGui::Dummy({0, 4 * scale});
   const std::vector<std::string_view> groups = exploreHelpGroups();
-  const int columns = size.x >= 900 * scale ? 2 : 1;
+  const int columns = width >= 900 * scale ? 2 : 1;
   if (ImGui::BeginTable("explore help columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     for (size_t i = 0; i < groups.size(); ++i) {

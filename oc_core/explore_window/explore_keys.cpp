@@ -26,7 +26,7 @@ constexpr std::array kHeldKeys{
     ExploreHeldKey{kWalking, "", "", Key::kRight, &WindowMotion::turnRight, 1},
     ExploreHeldKey{kWalking, "PageUp  PageDown", "look up, down", Key::kPageUp, &WindowMotion::lookUp, 1},
     ExploreHeldKey{kWalking, "", "", Key::kPageDown, &WindowMotion::lookUp, -1},
-    ExploreHeldKey{kWalking, "R  F", "fly up, down, where there is no floor", Key::kR, &WindowMotion::up, 1},
+    ExploreHeldKey{kWalking, "R  F", "fly up, down, where one flies", Key::kR, &WindowMotion::up, 1},
     ExploreHeldKey{kWalking, "", "", Key::kF, &WindowMotion::up, -1},
 };
 
@@ -68,6 +68,13 @@ void pickNeighbour(ExploreKeyTarget& target, int step) {
 void goToStart(ExploreKeyTarget& target, int) {
   target.work.tell([](ExploreWindowModel& model) {
     model.goToStart();
+    return std::string();
+  });
+}
+
+void toggleFlying(ExploreKeyTarget& target, int) {
+  target.work.tell([](ExploreWindowModel& model) {
+    model.toggleFlying();
     return std::string();
   });
 }
@@ -116,6 +123,7 @@ const std::vector<ExploreKeyAction>& actionRows() {
   static const std::vector<ExploreKeyAction> rows{
       {kWalking, "C", "the mouse looks around; Escape ends it", Key::kC, false, false, 0,
        [](ExploreKeyTarget& target, int) { target.state.captured = !target.state.captured; }},
+      {kWalking, "L", "fly through walls, and walk again", Key::kL, false, false, 0, toggleFlying},
       {kWalking, "Home", "back to the start", Key::kHome, false, false, 0, goToStart},
 
       {kCamera, "1 ... 9", "choose the camera named above", Key::k1, false, false, 1, chooseByNumber},
@@ -134,13 +142,11 @@ const std::vector<ExploreKeyAction>& actionRows() {
       {kCamera, "Enter", "pick what is in the middle of the view", Key::kEnter, false, false, 0, pickInTheMiddle, 0,
        "A"},
       {kCamera, "O", "options of this camera", Key::kO, false, false, 0,
-       [](ExploreKeyTarget& target, int) { target.state.form = !target.state.form; }, 10, "right stick click"},
-      {kCamera, "-  +", "less, more of the chosen option", Key::kMinus, false, false, -1, changeRow, 14,
-       "pad left, right"},
+       [](ExploreKeyTarget& target, int) { target.state.form = !target.state.form; }, 10, "right stick in"},
+      {kCamera, "-  +", "less, more of the chosen option", Key::kMinus, false, false, -1, changeRow, 14, "left, right"},
       {kCamera, "", "", Key::kEqual, false, false, 1, changeRow, 12},
       {kCamera, "", "", Key::kEqual, true, false, 1, changeRow},
-      {kCamera, "J  Shift + J", "choose the next, previous option", Key::kJ, false, false, 1, moveRow, 13,
-       "pad up, down"},
+      {kCamera, "J  Shift + J", "choose the next, previous option", Key::kJ, false, false, 1, moveRow, 13, "up, down"},
       {kCamera, "", "", Key::kJ, true, false, -1, moveRow, 11},
 
       {kScreen, "Tab", "the pinhole's image beside it", Key::kTab, false, false, 0,
@@ -176,6 +182,7 @@ constexpr std::array kPointerRows{
     ExplorePointerRow{"Click", "pick a portal, an occluder, a target"},
     ExplorePointerRow{"Right click", "the mouse looks around, as C"},
     ExplorePointerRow{"Click in the plan", "go there"},
+    ExplorePointerRow{"Drop a file", "show its camera"},
     ExplorePointerRow{"Wheel in the plan", "nearer, farther"},
 };
 

@@ -25,6 +25,12 @@ void ExploreWindow::handle(const InputEvent& event) {
   if (const auto* resize = std::get_if<ResizeEvent>(&event)) {
     window_ = *resize;
   }
+  if (const auto* drop = std::get_if<DropEvent>(&event); drop != nullptr && !drop->files.empty()) {
+    work_.tell([file = drop->files.front()](ExploreWindowModel& model) {
+      model.openCamera(file);
+      return "the camera of " + file;
+    });
+  }
   // A captured mouse points at nothing.
   if (!state_.captured || std::holds_alternative<ResizeEvent>(event)) {
     gui_.handle(event);

@@ -146,6 +146,10 @@ class ExploreWindowModel {
   virtual void pickNext(int step) = 0;
   /// Shows a camera as it is, drawn by hand or from a file; `name` is for people.
   virtual void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) = 0;
+  /// The same of a file, or of a camera by its name, as --camera of other commands takes it.
+  virtual void openCamera(const std::string& nameOrFile) = 0;
+  /// Flies through walls, or walks again.
+  virtual void toggleFlying() = 0;
   virtual void goToStart() = 0;
   /// Where a point of the plan is.
   virtual void goTo(const glm::vec2& planPoint) = 0;

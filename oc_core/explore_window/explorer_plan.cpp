@@ -18,6 +18,7 @@ namespace {
 constexpr int kGroundPixels = 1024;     // of its longer side
 constexpr float kGroundDistance = 300;  // sizes of the scene, from which it is seen
 constexpr float kGroundBorder = 0.02f;  // of its size, around it
+const Rgb8 kNoGround(20, 21, 23);       // kGuiBackground
 constexpr float kGroundLight = 0.4f;    // of its colours
 
 glm::vec2 planPointOf(const glm::vec3& point) {
@@ -65,13 +66,19 @@ WindowGround groundBelow(const ExploreScene& scene, float cut) {
   view.zNear = distance;
   view.zFar = distance + 2 * glm::length(extent);
   const PinholeCamera camera(view, width, height);
-  Image<glm::vec3> light = colorImage(rasterize(camera, scene.mesh()), scene.mesh(), glm::vec3(0));
+  const FragmentImage fragments = rasterize(camera, scene.mesh());
+  Image<glm::vec3> light = colorImage(fragments, scene.mesh(), glm::vec3(0));
   for (glm::vec3& pixel : light) {
     // Paler as well as darker: colours belong to frusta.
     const float grey = glm::dot(pixel, glm::vec3(0.2126f, 0.7152f, 0.0722f));
     pixel = glm::mix(glm::vec3(grey), pixel, 0.5f) * kGroundLight;
   }
   ground.image = srgbFromLinear(light);
+  for (size_t i = 0; i < fragments.size(); ++i) {
+    if (!fragments[i].covered()) {
+      ground.image[i] = kNoGround;
+    }
+  }
   return ground;
 }
 

@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/explore/explore_picking.h"
@@ -84,11 +85,14 @@ bool isSamePick(const ExplorePick& a, const ExplorePick& b) {
 
 struct ExplorerWindowModel::State {
   State(const ExplorerWindowOptions& options, const Progress& progress)
-      : scene(std::make_shared<ExploreScene>(options.read(progress), options.scene)),
-        explorer(*scene, options.explorer),
-        renderer(*scene),
-        start(explorer.walker().view()) {
-    explorer.choose(options.constructor);
+      : scene(options.read(progress)), explorer(*scene, options.explorer), renderer(*scene) {
+    if (options.start) {
+      explorer.walker().jump(*options.start);
+    }
+    start = explorer.walker().view();
+    if (!options.camera.empty()) {
+      explorer.choose(options.camera);
+    }
     path = std::make_shared<const std::vector<glm::vec2>>(planPath(*scene));
   }
 
@@ -194,8 +198,9 @@ WindowPicture ExplorerWindowModel::draw(const WindowShape& shape) {
   }
   const bool isInMetres = state.scene->metre() == 1;
   picture.lengthUnit = isInMetres ? "m" : "";
+  const double heading = std::round(frame.walker.headingDegrees);
   picture.place = fmt::format("at {:.1f}, {:.1f}{}, heading {:.0f}°", frame.walker.eye.x, frame.walker.eye.z,
-                              isInMetres ? " m" : "", frame.walker.headingDegrees);
+                              isInMetres ? " m" : "", heading - 360 * std::floor(heading / 360));
   const WalkMapStatus ways = state.scene->waysStatus();
   const bool isSearching = ways.state == WalkMapStatus::State::kSearching;
   if (isSearching) {
@@ -262,6 +267,19 @@ void ExplorerWindowModel::pickNext(int step) {
 
 void ExplorerWindowModel::showDrawn(const MultiperspectiveCamera& camera, const std::string& name) {
   state_->explorer.showDrawn(camera, name);
+}
+
+void ExplorerWindowModel::openCamera(const std::string& nameOrFile) {
+  Explorer& explorer = state_->explorer;
+  const PinholeCamera& view = explorer.frame().pinhole;
+  const std::optional<glm::ivec2> size = sizeInFile(nameOrFile);
+  const PinholeCamera reference = size ? PinholeCamera(view.view(), size->x, size->y) : view;
+  explorer.showDrawn(constructCamera(nameOrFile, state_->scene->scene(), reference), nameOrFile);
+}
+
+void ExplorerWindowModel::toggleFlying() {
+  bool& fly = state_->explorer.walker().options().fly;
+  fly = !fly;
 }
 
 void ExplorerWindowModel::goToStart() {

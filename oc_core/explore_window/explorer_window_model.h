@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "oc_core/explore/explorer.h"
@@ -11,10 +12,10 @@ namespace ocelli {
 
 struct ExplorerWindowOptions {
   /// Reads the scene. Throws InputError.
-  std::function<GuidedScene(const Progress& progress)> read;
-  ExploreSceneOptions scene{};
-  ExplorerOptions explorer{};           ///< but for the size, which the window says
-  std::string constructor = "pinhole";  ///< at first
+  std::function<std::shared_ptr<ExploreScene>(const Progress& progress)> read;
+  ExplorerOptions explorer{};         ///< but for the size, which the window says
+  std::optional<WalkerView> start{};  ///< nothing: an open place
+  std::string camera{};               ///< the constructor to begin with; empty: the pinhole
 };
 
 class ExplorerWindowModel : public ExploreWindowModel {
@@ -33,6 +34,8 @@ class ExplorerWindowModel : public ExploreWindowModel {
   void pick(const glm::dvec2& viewPixel) override;
   void pickNext(int step) override;
   void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) override;
+  void openCamera(const std::string& nameOrFile) override;
+  void toggleFlying() override;
   void goToStart() override;
   void goTo(const glm::vec2& planPoint) override;
   std::string cameraFile() const override;

@@ -18,7 +18,8 @@ namespace {
 
 constexpr float kPlanZoomPerStep = 1.25f;
 constexpr float kMaxWheelZoom = 32;
-constexpr float kMaxScaleBar = 110;  // screen coordinates at 96 dots an inch
+constexpr float kFirstPlanWidth = 110;  // metres, that show at first of a larger scene
+constexpr float kMaxScaleBar = 110;     // screen coordinates at 96 dots an inch
 
 ImVec2 planPoint(const glm::vec2& p) {
   return {p.x, p.y};
@@ -67,6 +68,13 @@ class PlanPane : public ExplorePane {
       return;
     }
     const WindowPlan& plan = frame.picture->plan;
+    if (!hasZoom_ && ground_) {
+      hasZoom_ = true;
+      const glm::vec2 size = ground_->upper - ground_->lower;
+      frame.state.planZoom = frame.picture->lengthUnit.empty()
+                                 ? 1
+                                 : std::clamp(std::max(size.x, size.y) / kFirstPlanWidth, 1.0f, kMaxWheelZoom);
+    }
     const ExplorePlanSight sight = sightOf(frame);
     ImDrawList& list = *ImGui::GetWindowDrawList();
     if (ground_) {
@@ -131,7 +139,7 @@ class PlanPane : public ExplorePane {
       const GuiColor color = exploreSeriesColor(frustum.color);
       onScreen(frustum.outline, sight);
       if (points_.size() >= 3) {
-        list.AddConvexPolyFilled(points_.data(), count(), color.packed(56));
+        list.AddConvexPolyFilled(points_.data(), count(), color.packed(frustum.color > 0 ? 64 : 22));
         list.AddPolyline(points_.data(), count(), color.packed(235), ImDrawFlags_Closed, 1.5f * scale);
       }
     }
@@ -213,6 +221,7 @@ class PlanPane : public ExplorePane {
 
   std::shared_ptr<const WindowGround> ground_;
   ExploreTexture texture_;
+  bool hasZoom_ = false;
   std::vector<ImVec2> points_;
 };
 

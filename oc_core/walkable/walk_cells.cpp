@@ -5,6 +5,7 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/walkable/walk_box.h"
+#include "oc_core/walkable/walk_extent.h"
 #include "oc_core/walkable/walk_rings.h"
 
 namespace ocelli {
@@ -114,10 +115,7 @@ WalkCell cellOf(const WalkField& field, const std::vector<uint32_t>& squares, co
 }  // namespace
 
 std::vector<WalkCell> cellsOf(const WalkField& field, const WalkLayout& layout, float agentHeight) {
-  std::vector<std::vector<uint32_t>> squares(layout.pieces.count);
-  for (uint32_t i = 0; i < layout.pieces.of.size(); ++i) {
-    squares[layout.pieces.of[i]].push_back(i);
-  }
+  const std::vector<std::vector<uint32_t>> squares = squaresOf(layout.pieces);
   std::vector<WalkCell> cells;
   for (uint32_t piece = 0; piece < layout.pieces.count; ++piece) {
     cells.push_back(cellOf(field, squares[piece], layout.shapes[piece], agentHeight));

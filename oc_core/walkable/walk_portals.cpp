@@ -69,6 +69,39 @@ std::vector<std::vector<PortalEdge>> openingsIn(const WalkField& field, const st
   return openings;
 }
 
+/// A group that lies on several sides of a piece, as around a corner, has an opening on each: its straight runs of at
+/// least that many edges. One that is a staircase is one opening.
+std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, const std::vector<PortalEdge>& group,
+                                                      int least) {
+  std::map<std::array<int, 2>, std::vector<std::pair<int, PortalEdge>>> lines;  // by side and by where it is across it
+  for (const PortalEdge& edge : group) {
+    const std::array<int, 2> at = endsOf(field.squares[edge.square], edge.side)[0];
+    const bool alongX = edge.side % 2 == 1;
+    lines[{edge.side, alongX ? at[1] : at[0]}].push_back({alongX ? at[0] : at[1], edge});
+  }
+  std::vector<std::vector<PortalEdge>> runs;
+  std::array<bool, 4> hasSide{};
+  for (auto& [line, edges] : lines) {
+    std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (size_t begin = 0; begin < edges.size();) {
+      size_t end = begin + 1;
+      while (end < edges.size() && edges[end].first == edges[end - 1].first + 1) {
+        ++end;
+      }
+      if (end - begin >= static_cast<size_t>(least)) {
+        runs.emplace_back();
+        hasSide[line[0]] = true;
+        for (size_t e = begin; e < end; ++e) {
+          runs.back().push_back(edges[e].second);
+        }
+      }
+      begin = end;
+    }
+  }
+  const bool hasCorner = std::count(hasSide.begin(), hasSide.end(), true) > 1;
+  return hasCorner ? runs : std::vector<std::vector<PortalEdge>>{group};
+}
+
 float median(std::vector<float> values) {
   std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
   return values[values.size() / 2];
@@ -138,8 +171,10 @@ std::vector<WalkPortal> portalsOf(const WalkField& field, const WalkLayout& layo
     const std::vector<PortalEdge> pair(edges.begin() + static_cast<long>(begin),
                                        edges.begin() + static_cast<long>(end));
     for (const std::vector<PortalEdge>& opening : openingsIn(field, pair)) {
-      const WalkPortal portal = portalOf(field, opening, cells);
-      (glm::length(portal.opening.halfRight) < 0.99f * least ? narrow : portals).push_back(portal);
+      for (const std::vector<PortalEdge>& straight : straightOpenings(field, opening, 2 * radius + 1)) {
+        const WalkPortal portal = portalOf(field, straight, cells);
+        (glm::length(portal.opening.halfRight) < 0.99f * least ? narrow : portals).push_back(portal);
+      }
     }
     begin = end;
   }

@@ -11,6 +11,7 @@
 #include "oc_core/walkable/walk_cells.h"
 #include "oc_core/walkable/walk_columns.h"
 #include "oc_core/walkable/walk_direction.h"
+#include "oc_core/walkable/walk_links.h"
 #include "oc_core/walkable/walk_obstacles.h"
 #include "oc_core/walkable/walk_parts.h"
 #include "oc_core/walkable/walk_portals.h"
@@ -21,8 +22,8 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kWalkable = "walkable floor";
-constexpr uint16_t kWidestPlace = 80;  // squares; wider places are as wide as that
-constexpr double kMostHeights = 8000;  // Recast's height fields have 8,191
+constexpr uint16_t kWidestPlace = 128;  // squares; wider places are as wide as that
+constexpr double kMostHeights = 8000;   // Recast's height fields have 8,191
 
 void requireRange(const WalkOptions& options, double unitsOfScene) {
   for (const WalkOption& option : walkOptionTable()) {
@@ -125,15 +126,16 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   survey.smallPartsArea = reach.smallPartsArea;
   survey.smallParts = reach.smallParts;
   report(progress, "find ways", 0.3);
-  const WalkField field = overlookObstacles(
-      reach.field, halfWidths(reach.field, stepsToBorder(reach.field), kWidestPlace), raster.agentHeight);
+  const WalkField field = overlookObstacles(reach.field, raster.agentHeight, kWidestPlace);
   reach.field = {};
   report(progress, "find ways", 0.6);
   const std::vector<uint16_t> half = halfWidths(field, stepsToBorder(field), kWidestPlace);
-  const WalkLayout layout = layoutOf(field, areasOf(field, half, radius), radius);
+  const auto smallest = static_cast<size_t>(std::pow(options.agentHeight / raster.cellSize / 2, 2));
+  const WalkLayout layout = layoutOf(field, areasOf(field, half, radius, smallest), radius);
   report(progress, "find ways", 0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
   survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
+  dissolveShortTunnels(survey.map, raster.agentHeight / 2);
   survey.map.partOfCell = connectedParts(survey.map);
   turn(survey.map, angle);
   report(progress, "find ways", 1);

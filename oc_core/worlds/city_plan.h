@@ -21,7 +21,7 @@ namespace ocelli {
 
 struct CityOptions {
   uint64_t seed = 1;
-  float size = 168;  ///< of the inside of its wall along each side, kMinCitySize to kMaxCitySize
+  float size = 152;  ///< of the inside of its wall along each side, kMinCitySize to kMaxCitySize
 };
 
 inline constexpr float kMinCitySize = 60;
@@ -65,6 +65,9 @@ struct CityBlock {
   std::array<float, 4> streetWidth{};
   std::array<bool, 4> isOnAlley{};  ///< by CitySide, of those with a street
   bool isSquare = false;            ///< open, and paved
+
+  /// The block with the streets before it, which nothing parts from a square.
+  CityRectangle withStreets() const;
 };
 
 enum class CityRoof : uint8_t {

@@ -20,16 +20,6 @@ struct Interval {
   float from, to;
 };
 
-/// A square with the streets around it, which nothing parts from it.
-CityRectangle openArea(const CityBlock& square) {
-  CityRectangle area = square.area;
-  area.lower.x -= square.streetWidth[static_cast<size_t>(CitySide::kWest)];
-  area.upper.x += square.streetWidth[static_cast<size_t>(CitySide::kEast)];
-  area.lower.y -= square.streetWidth[static_cast<size_t>(CitySide::kNorth)];
-  area.upper.y += square.streetWidth[static_cast<size_t>(CitySide::kSouth)];
-  return area;
-}
-
 class CityWalks {
  public:
   explicit CityWalks(const CityPlan& plan) : plan_(plan) {}
@@ -46,7 +36,7 @@ class CityWalks {
                        {length, kCityGateHalfWidth, kCityGateHalfWidth, kCityGateHeight}};
     for (const CityBlock& block : plan_.blocks) {
       if (block.isSquare) {
-        squares_.push_back(openArea(block));
+        squares_.push_back(block.withStreets());
         addCell(WalkCellKind::kRoom, squares_.back());
       }
     }

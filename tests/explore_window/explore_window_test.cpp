@@ -283,6 +283,12 @@ TEST_P(ExploreWindowTest, theSameEventsGiveTheSamePixels) {
   EXPECT_TRUE(window.screenshot() == other.screenshot());
 }
 
+TEST_P(ExploreWindowTest, aFileThatIsDroppedIsOpened) {
+  window.handle(DropEvent{{"camera.json", "other.json"}});
+  frames(1);
+  EXPECT_EQ(lastCall(), "open camera.json");
+}
+
 TEST_P(ExploreWindowTest, whatAsksToCloseIsHeard) {
   EXPECT_FALSE(window.wantsClose());
   key(Key::kQ, {.control = true});

@@ -94,6 +94,8 @@ class RecordingModel : public ExploreWindowModel {
     call("pick next " + std::to_string(step));
   }
   void showDrawn(const MultiperspectiveCamera&, const std::string& name) override { call("show " + name); }
+  void openCamera(const std::string& nameOrFile) override { call("open " + nameOrFile); }
+  void toggleFlying() override { call("fly"); }
   void goToStart() override { call("start"); }
   void goTo(const glm::vec2& planPoint) override {
     call("go to " + std::to_string(std::lround(planPoint.x)) + " " + std::to_string(std::lround(planPoint.y)));
