@@ -189,11 +189,15 @@ TEST(Explorer, tracksATargetAndSaysSo) {
   EXPECT_THAT(notesOf(explorer), HasSubstr("rays bend by"));
   const auto& camera = std::get<CurvedRayCamera>(explorer.frame().camera);
   ASSERT_EQ(camera.bends().size(), 1u);
-  const std::optional<ImagePoint> image = camera.project({0, 1.1f, -6.9f});
-  ASSERT_TRUE(image);
-  const std::optional<ExplorePick> seen = explorer.probe({image->u, image->v});
-  ASSERT_TRUE(seen);
-  EXPECT_EQ(seen->object, 2u) << "the target is in sight";
+  // Half of its box counts as in sight. Of its front, that much is seen.
+  int seen = 0;
+  for (int i = 0; i < 25; ++i) {
+    const glm::vec3 point = glm::vec3(-0.28f, 0.55f, -6.7f) + glm::vec3(i % 5, i / 5, 0) * glm::vec3(0.14f, 0.3f, 0);
+    const std::optional<ImagePoint> image = camera.project(point);
+    const std::optional<ExplorePick> met = image ? explorer.probe({image->u, image->v}) : std::nullopt;
+    seen += met && met->object == 2 ? 1 : 0;
+  }
+  EXPECT_GE(seen, 10);
 }
 
 TEST(Explorer, saysWhereNoBendShowsATarget) {
@@ -253,7 +257,8 @@ TEST(Explorer, followsThePath) {
   for (int i = 0; i < 60; ++i) {
     explorer.advance(forward, test::kExploreFrame);
   }
-  EXPECT_NEAR(explorer.walker().view().eye.z, 3 - 2 * explorer.walker().options().speed, 0.15);
+  const glm::dvec3 eye = explorer.walker().view().eye;  // it has turned at z = 0
+  EXPECT_NEAR(3 - eye.z + eye.x + 8, 2 * explorer.walker().options().speed, 0.1);
   EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
 }
 
