@@ -142,10 +142,7 @@ class ViewPane : public ExplorePane {
     }
     const glm::vec2 size(frame.picture->view.width(), frame.picture->view.height());
     const glm::dvec2 pixel = pointer ? fitOf(frame).inImage(*pointer) : size * 0.5f;
-    frame.work.tell([pixel](ExploreWindowModel& model) {
-      model.pick(pixel);
-      return std::string();
-    });
+    frame.work.tell([pixel](ExploreWindowModel& model) { return model.pick(pixel); });
   }
 
   static void turn(const ExplorePaneFrame& frame, const glm::vec2& degrees) {

@@ -91,9 +91,9 @@ TEST(ExplorerWindowModel, everyRowCanBeChosenAndSaysItsOptions) {
 TEST(ExplorerWindowModel, thingsArePickedWithoutThePointer) {
   ExplorerWindowModel model = modelOf("builtin:boxes");
   const WindowPicture first = model.draw(kSmall);
-  EXPECT_THROW(model.pickNext(1), InputError);  // the pinhole picks nothing
+  EXPECT_NE(model.pickNext(1), "");  // the pinhole picks nothing
   model.choose(indexOf(first, "occluder"));
-  model.pickNext(1);
+  EXPECT_EQ(model.pickNext(1), "");
   for (int i = 0; i < 5; ++i) {
     model.advance(0.1, {});
   }
@@ -116,12 +116,7 @@ TEST(ExplorerWindowModel, aClickThatMeetsNothingSaysWhatToClick) {
   ExplorerWindowModel model = modelOf(kSmallMaze);
   const WindowPicture picture = model.draw(kSmall);
   model.choose(indexOf(picture, "target"));
-  try {
-    model.pick({-5, -5});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("object"), std::string::npos) << error.what();
-  }
+  EXPECT_NE(model.pick({-5, -5}).find("object"), std::string::npos);
 }
 
 TEST(ExplorerWindowModel, placesOfThePlanAreReachedAndTheStartAgain) {
