@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cstdlib>
+#include <glm/geometric.hpp>
 
 #include "oc_core/base/check.h"
 
@@ -11,10 +12,12 @@ namespace ocelli {
 namespace {
 
 /// Changes below the rounding of bytes are none.
-constexpr double kLeastAllowed = 0.02;
+constexpr double kMinAllowed = 0.02;
+constexpr int kTurnHeadings = 8;
+constexpr double kSamePlaceMetres = 0.5;
 
 double shareOfAllowed(const FrameChange& change) {
-  return change.picture / std::max(change.allowed(), kLeastAllowed);
+  return change.picture / std::max(change.allowed(), kMinAllowed);
 }
 
 }  // namespace
@@ -39,16 +42,30 @@ std::string csvOf(const std::vector<FrameChange>& changes) {
   return text;
 }
 
+double JumpMeasure::turnAt(const ExploreFrame& frame, double fovHorizontalDegrees, double turnDegrees) {
+  if (place_ && glm::distance(place_->eye, frame.walker.eye) <= kSamePlaceMetres * scene_.metre()) {
+    return place_->turn;
+  }
+  place_ = Place{frame.walker.eye, 0};
+  const auto pictureAt = [&](double heading) {
+    WalkerView view = frame.walker;
+    view.headingDegrees = heading;
+    return renderer_.draw(MultiperspectiveCamera(
+        GraphCamera(walkerCamera(view, scene_, fovHorizontalDegrees, frame.pinhole.width(), frame.pinhole.height()))));
+  };
+  for (int i = 0; i < kTurnHeadings; ++i) {
+    const double heading = frame.walker.headingDegrees + 360.0 * i / kTurnHeadings;
+    place_->turn = std::max(place_->turn, imageChange(pictureAt(heading), pictureAt(heading + turnDegrees)));
+  }
+  return place_->turn;
+}
+
 void JumpMeasure::add(const ExploreFrame& frame, const Image<Rgb8>& picture, double fovHorizontalDegrees,
                       double turnDegrees) {
   Last now;
   now.picture = picture;
   now.pinhole = renderer_.draw(MultiperspectiveCamera(GraphCamera(frame.pinhole)));
-  WalkerView turned = frame.walker;
-  turned.headingDegrees += turnDegrees;
-  const Image<Rgb8> afterTurn = renderer_.draw(MultiperspectiveCamera(
-      GraphCamera(walkerCamera(turned, scene_, fovHorizontalDegrees, frame.pinhole.width(), frame.pinhole.height()))));
-  now.turn = imageChange(now.pinhole, afterTurn);
+  now.turn = turnAt(frame, fovHorizontalDegrees, turnDegrees);
   if (last_ && last_->picture.width() == picture.width() && last_->picture.height() == picture.height()) {
     changes_.push_back({frame.number, imageChange(last_->picture, picture), imageChange(last_->pinhole, now.pinhole),
                         std::max(last_->turn, now.turn)});

@@ -3,7 +3,8 @@
 //
 // A frame jumps where its picture changes by more than the pinhole's picture would, with the same step of the walker or
 // with a turn at full speed for a frame, whichever is more: where the walker stands still, a camera may deploy as fast
-// as people look around. Changes are means of absolute differences of sRGB bytes, over the picture.
+// as people look around. The turn is that which changes most of those from eight headings at the walker's place (or at
+// one at most half a metre away, as they take long). Changes are means of absolute differences of sRGB bytes.
 #pragma once
 
 #include <optional>
@@ -22,7 +23,7 @@ struct FrameChange {
   int frame = 0;
   double picture = 0;  ///< from the frame before
   double pinhole = 0;  ///< of the pinhole's picture, with the same step
-  double turn = 0;     ///< of the pinhole's picture, with a turn of a frame
+  double turn = 0;     ///< of the pinhole's picture, with a turn of a frame, whatever way it looks
 
   double allowed() const { return pinhole > turn ? pinhole : turn; }
   bool jumps() const { return picture > allowed(); }
@@ -51,10 +52,16 @@ class JumpMeasure {
     Image<Rgb8> pinhole;
     double turn = 0;
   };
+  double turnAt(const ExploreFrame& frame, double fovHorizontalDegrees, double turnDegrees);
 
   ExploreRenderer renderer_;
   const ExploreScene& scene_;
   std::optional<Last> last_;
+  struct Place {
+    glm::dvec3 eye{0};
+    double turn = 0;
+  };
+  std::optional<Place> place_;
   std::vector<FrameChange> changes_;
 };
 

@@ -15,7 +15,7 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMinBehind = 16;  // pixels: a lower image behind is not worth showing
+constexpr int kMinBehind = 1;  // pixels
 /// Of the range of an option, a second: how fast a steady option follows what was set.
 constexpr double kOptionShareASecond = 0.5;
 constexpr const char* kDrawn = "drawn";
