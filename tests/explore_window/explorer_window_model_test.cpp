@@ -160,7 +160,12 @@ TEST(ExplorerPlan, tunnelsFollowTheirRings) {
                        .halfLength = 2,
                        .halfWidth = 1,
                        .rings = {{0, 1, 1, 2}, {2, 0.5f, 1, 2}, {4, 1, 1, 2}}});
-  map.cells.push_back({.center = {5, 0, 0}, .axis = {1, 0, 0}, .halfLength = 3, .halfWidth = 1});
+  WalkCell room;
+  room.center = {5, 0, 0};
+  room.axis = {1, 0, 0};
+  room.halfLength = 3;
+  room.halfWidth = 1;
+  map.cells.push_back(room);
   const std::vector<WindowPlan::Cell> cells = planCells(map);
   EXPECT_TRUE(cells[0].isTunnel);
   // To the right of who walks to -z is +x; up the right wall, back along the left one.
