@@ -22,6 +22,8 @@ constexpr double kMaxOpening = 0.97;
 /// The way deploys along a tunnel; across it it does not. Between these angles from its axis it does less.
 constexpr double kAlongDegrees = 20;
 constexpr double kAcrossDegrees = 50;
+/// Less than this is nothing.
+constexpr double kMinDeployed = 1e-6;
 /// Near an opening beside it the tunnel's ways are retracted, over so many half widths of the tunnel.
 constexpr double kBesideReach = 0.5;
 
@@ -129,6 +131,8 @@ class WalkCameraBuilder {
     return std::clamp(distanceTo(mouth, eye) / reach, 0.0, 1.0);
   }
 
+  static double retractedIfLittle(double deployed) { return deployed > kMinDeployed ? deployed : 0; }
+
   double deployedIn(uint32_t cell, const WalkAhead& ahead) const {
     if (options_.deployed) {
       return *options_.deployed;
@@ -151,7 +155,7 @@ class WalkCameraBuilder {
       return;
     }
     result.crossing = ahead.opening->cell;
-    result.deployed = deployedIn(*result.cell, ahead);
+    result.deployed = retractedIfLittle(deployedIn(*result.cell, ahead));
     if (!(result.deployed > 0)) {
       return;
     }
@@ -181,9 +185,15 @@ class WalkCameraBuilder {
     const double share = std::min(options_.crossingShare * 2 * half / ahead.opening->mouth.width(), kMaxOpening);
     const double hug = std::max(half / tangent, ahead.distance * share / (1 - share)) /
                        glm::mix(1.0, kWalkParallel, options_.parallel);
+    // On the way there the share grows geometrically, however much smaller it is in the pinhole: by equal factors. As
+    // much of the lens is deployed as that takes.
+    const double inPinhole = tangent * ahead.distance;  // half of the width of the image, at the opening
+    const double inFull = half * (hug + ahead.distance) / hug;
+    const double now = std::pow(inPinhole, 1 - deployed) * std::pow(inFull, deployed);
+    const double lensShare = std::clamp((now / tangent - ahead.distance) / (hug * (1 - now / half) + now / tangent), 0.0, 1.0);
     RootLens lens;
-    lens.behind = deployed * hug;
-    lens.tangent = 1 / glm::mix(1 / tangent, hug / half, deployed);
+    lens.behind = lensShare * hug;
+    lens.tangent = 1 / glm::mix(1 / tangent, hug / half, lensShare);
     lens.aside = deployed * (ahead.left / (2 * half) - 0.5);
     return lens;
   }
@@ -196,7 +206,7 @@ class WalkCameraBuilder {
       const double reach = options_.deployWidths * exit.mouth.width() / 2;
       result.deployed = std::min(result.deployed, options_.portalsInRooms * awayFrom(exit.mouth, planOf(eye_), reach));
     }
-    result.deployed = options_.deployed.value_or(result.deployed);
+    result.deployed = retractedIfLittle(options_.deployed.value_or(result.deployed));
     if (room.exits.empty()) {
       result.note = "no way leads out of here";
     } else if (result.deployed > 0) {

@@ -9,8 +9,8 @@
 namespace ocelli {
 namespace {
 
-/// Walls between exits that are narrower than this, in widths of the entry, are none.
-constexpr double kMinWall = 1e-3;
+/// Walls between exits that are narrower than this, in widths of the entry, are none: posts, and the ends of walls.
+constexpr double kMinWall = 0.12;
 /// How far ahead of the entry the ray to the edge of an exit runs at least, in its widths.
 constexpr double kMinAhead = 0.01;
 /// Viewpoints lie at most so many widths of the entry before it.

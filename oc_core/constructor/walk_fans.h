@@ -51,7 +51,7 @@ struct FanAim {
   double distance = 0;  ///< how far before the entry its viewpoint should lie; counts for the first and the last
 };
 
-/// The exits in the order in which rays spread, and the walls between them that are wider than a thousandth of the
+/// The exits in the order in which rays spread, and the walls between them that are wider than an eighth of the
 /// entry. Exits must lie ahead of the entry's line, but for their near ends. Shares are 0.
 std::vector<FanAim> aimsOf(const EntryFrame& frame, double width, const std::vector<WalkMouth>& exits);
 

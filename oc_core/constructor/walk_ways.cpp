@@ -26,6 +26,8 @@ constexpr double kEdgeFrom = 70;
 constexpr double kEdgeDegrees = 85;
 /// A share of the way by which rays turn, of which less shows nothing else than straight ones.
 constexpr double kMinBent = 1e-6;
+/// Openings that are lower than this, in heights of the region, have a wall above them.
+constexpr double kFullHeight = 0.95;
 /// How far before the opening the viewpoint of the chosen way lies when it has all rays, in widths.
 constexpr double kParallelWidths = 50;
 constexpr double kShrunk = 2;  ///< how fast limits move outwards, in sizes of the region
@@ -140,25 +142,38 @@ void shareOut(std::vector<FanAim>& aims, const std::vector<WalkWay>& ways, const
   }
 }
 
+/// A limit, the farther outwards the less is deployed.
+Plane movedOutwards(Plane plane, const WalkRegion& region, double deployed) {
+  plane.distance += kShrunk * region.size * (1 / std::max(deployed, kMinBent) - 1);
+  return plane;
+}
+
+/// Whether the exit leads out through that side.
+bool isOnSide(const WalkExit& exit, const Plane& side) {
+  return glm::dot(spaceOf(exit.mouth.ahead(), 0), side.normal) > 0.5;
+}
+
 std::array<glm::dvec3, 4> rectangle(const glm::dvec2& left, const glm::dvec2& right, double floor, double top) {
   return {spaceOf(left, floor), spaceOf(right, floor), spaceOf(right, top), spaceOf(left, top)};
 }
 
 }  // namespace
 
+std::vector<Plane> allSides(const WalkRegion& region, double deployed) {
+  std::vector<Plane> planes;
+  for (const Plane& plane : region.limits) {
+    planes.push_back(movedOutwards(plane, region, deployed));
+  }
+  return planes;
+}
+
 std::vector<Plane> closedSides(const WalkRegion& region, double deployed) {
   std::vector<Plane> planes;
-  const double outwards = kShrunk * region.size * (1 / std::max(deployed, 1e-3) - 1) + kWalkIntoWalls * region.size;
-  for (size_t i = 0; i < region.border.size(); ++i) {
-    const glm::dvec2& a = region.border[i];
-    const glm::dvec2 along = glm::normalize(region.border[(i + 1) % region.border.size()] - a);
-    const glm::dvec2 out(along.y, -along.x);
-    const bool closed = std::none_of(region.exits.begin(), region.exits.end(), [&](const WalkExit& exit) {
-      return glm::dot(exit.mouth.ahead(), out) > 0.5 &&
-             std::abs(glm::dot(exit.mouth.middle() - a, out)) < 0.5 * region.size;
-    });
+  for (const Plane& plane : allSides(region, deployed)) {
+    const bool closed = std::none_of(region.exits.begin(), region.exits.end(),
+                                     [&](const WalkExit& exit) { return isOnSide(exit, plane); });
     if (closed) {
-      planes.push_back(Plane::through(spaceOf(a + out * outwards, 0), spaceOf(out, 0)));
+      planes.push_back(plane);
     }
   }
   return planes;
@@ -221,7 +236,7 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
     if (fan < 0) {
       continue;
     }
-    builder.limit(fan, closedSides(crossing, view.deployed));
+    builder.limit(fan, allSides(crossing, view.deployed));
     if (way < ways.size()) {
       const WalkExit& exit = exits[static_cast<size_t>(aims[k].exit)];
       const double shift = kWalkBeyond * space.regions()[exit.cell].size;
@@ -232,6 +247,10 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
       ways[way].why.clear();
       builder.lookAlong(fan, exit, viewpoint, view.deployed, through, ways[way]);
     }
+  }
+  // Over an opening with a wall above it, rays of the root end there.
+  if (entry.height() < kFullHeight * crossing.height) {
+    builder.limit(GraphCamera::kRoot, {movedOutwards(plane, crossing, view.deployed)});
   }
   // From left to right; those that begin beside the opening come last.
   std::vector<WalkWay> sorted;
@@ -256,6 +275,7 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
     double angle;
   };
   std::vector<Seen> seen;
+  std::vector<std::pair<const WalkExit*, double>> inSight;  // by how much rays turn there
   for (const WalkExit& exit : region.exits) {
     const WalkMouth& mouth = exit.mouth;
     const glm::dvec2 to = mouth.middle() - eye;
@@ -265,6 +285,11 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
     const double aside = glm::dot(to, mouth.across());
     const double degrees = degreesFromRadians(std::atan2(std::abs(aside), std::max(before, 0.0)));
     const double share = view.deployed * (1 - glm::smoothstep(kEdgeFrom, kEdgeDegrees, degrees));
+    const GraphCamera::Part part =
+        imagePart(rectangle(mouth.left, mouth.right, mouth.floor, mouth.top), camera.root());
+    if (!part.empty() && before > 0) {
+      inSight.push_back({&exit, share});
+    }
     if (!(before > 0) || !(share > kMinBent)) {
       each.way.why = "it is nearly edge on, or behind its opening";
       seen.push_back(each);
@@ -277,7 +302,6 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
         mouth.middle() - mouth.ahead() * (distance * std::cos(angle)) + mouth.across() * (distance * std::sin(angle));
     const WalkRegion& next = space.regions()[exit.cell];
     const Plane plane = Ways::planeOf(mouth, next.size);
-    const GraphCamera::Part part = imagePart(rectangle(mouth.left, mouth.right, mouth.floor, mouth.top), camera.root());
     if (part.empty()) {
       each.way.why = "it is out of sight, or too small in the image";
     } else {
@@ -290,6 +314,16 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
       }
     }
     seen.push_back(each);
+  }
+  // Rays of the root end at the walls, as far as those through openings in them turn.
+  for (const Plane& side : region.limits) {
+    double share = view.deployed;
+    for (const auto& [exit, turned] : inSight) {
+      share = isOnSide(*exit, side) ? std::min(share, turned) : share;
+    }
+    if (share > kMinBent) {
+      builder.limit(GraphCamera::kRoot, {movedOutwards(side, region, share)});
+    }
   }
   std::stable_sort(seen.begin(), seen.end(), [](const Seen& a, const Seen& b) { return a.angle < b.angle; });
   std::vector<WalkWay> ways;

@@ -29,7 +29,9 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
 /// The ways out of the room in which the eye of the root is: rays turn in the openings to look straight in.
 std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, uint32_t room, const WaysView& view);
 
-/// Sides of a region without openings, moved outwards the farther the less is deployed: limits for rays along it.
+/// Sides, floor and ceiling of a region, moved outwards the farther the less is deployed: limits for rays in it. Those
+/// of the first kind leave out sides with openings, for rays that go on through these.
 std::vector<Plane> closedSides(const WalkRegion& region, double deployed);
+std::vector<Plane> allSides(const WalkRegion& region, double deployed);
 
 }  // namespace ocelli

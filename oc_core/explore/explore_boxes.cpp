@@ -6,7 +6,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kBorder = 0.15;       // of the image, over which what leaves it fades
+constexpr double kBorder = 0.4;        // of the image, over which what leaves it fades
 constexpr float kAroundPlace = 0.25f;  // metres
 
 }  // namespace

@@ -377,12 +377,14 @@ std::optional<Box> Explorer::picked() const {
 
 bool Explorer::atRest() const {
   const State& state = *state_;
-  const bool settled = state.deployed == 1 || state.failed || waysMissing();
+  // Without ways, it waits for the search.
+  const bool settled = waysMissing() ? scene_.waysStatus().state == WalkMapStatus::State::kFailed
+                                     : state.arrived && (state.deployed == 1 || state.failed);
   bool optionsReached = true;
   for (size_t i = 0; i < state.live.wanted.size(); ++i) {
     optionsReached = optionsReached && state.live.constructor->option(i) == state.live.wanted[i];
   }
-  return settled && optionsReached && state.arrived && !state.changes() && !state.glide && state.dissolve == 0 &&
+  return settled && optionsReached && !state.changes() && !state.glide && state.dissolve == 0 &&
          !state.live.constructor->busy();
 }
 

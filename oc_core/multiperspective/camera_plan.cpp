@@ -8,9 +8,9 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/multiperspective/plan_ground.h"
 #include "oc_core/multiperspective/plan_shapes.h"
 #include "oc_core/multiperspective/ray_pieces.h"
-#include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {
@@ -19,7 +19,6 @@ namespace {
 constexpr int kRowsTried = 24;        // of a column
 constexpr int kOutlineSamples = 160;  // along each side of the image
 constexpr float kMargin = 0.04f;      // around what is shown
-constexpr float kFarAway = 300;       // sizes of the scene, from which the ground is seen: perspective is slight there
 
 /// Ends a ray at a point on it.
 void endAt(std::vector<RayPiece>& pieces, const glm::vec3& hit) {
@@ -73,7 +72,7 @@ class Planner {
     const float at = options_.cut.value_or(camera_.root().eye()[axisOf(options_.side)]);
     plan_.section = sectionOf(mesh_, options_.side, at);
     if (options_.groundPixels > 0) {
-      plan_.ground = groundBelow(at);
+      plan_.ground = planGround(mesh_, options_.side, plan_.lower, plan_.upper, at, options_.groundPixels);
     }
     return std::move(plan_);
   }
@@ -169,39 +168,6 @@ class Planner {
     const glm::vec2 margin(kMargin * std::max(upper.x - lower.x, upper.y - lower.y) + 1e-6f);
     plan_.lower = lower - margin;
     plan_.upper = upper + margin;
-  }
-
-  /// The scene from so far away that its lines of sight are nearly parallel, without what lies before the cut.
-  Image<Rgb8> groundBelow(float at) const {
-    const glm::vec2 size = plan_.upper - plan_.lower;
-    const float scale = static_cast<float>(options_.groundPixels) / std::max(size.x, size.y);
-    const int width = std::max(1, static_cast<int>(size.x * scale));
-    const int height = std::max(1, static_cast<int>(size.y * scale));
-    const int axis = axisOf(options_.side);
-    const float distance = kFarAway * std::max(glm::length(box_.size()), std::max(size.x, size.y));
-    const glm::vec2 middle = (plan_.lower + plan_.upper) * 0.5f;
-    View view;
-    view.target = worldFromPaper(middle, at);
-    view.eye = view.target;
-    view.eye[axis] += distance;
-    view.up = options_.side == PlanSide::kTop ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-    view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(static_cast<double>(size.y / 2 / distance)));
-    view.zNear = distance;
-    view.zFar = distance + 2 * glm::length(box_.size());
-    const PinholeCamera camera(view, width, height);
-    return srgbFromLinear(colorImage(rasterize(camera, mesh_), mesh_, glm::vec3(1)));
-  }
-
-  glm::vec3 worldFromPaper(const glm::vec2& p, float at) const {
-    switch (options_.side) {
-      case PlanSide::kTop:
-        return {p.x, at, p.y};
-      case PlanSide::kFront:
-        return {p.x, -p.y, at};
-      case PlanSide::kRight:
-        return {at, -p.y, -p.x};
-    }
-    return glm::vec3(0);
   }
 
   const Camera& camera_;

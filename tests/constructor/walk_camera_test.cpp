@@ -10,6 +10,7 @@
 #include "oc_core/constructor/walk_from_maze.h"
 #include "tests/constructor/image_change.h"
 #include "tests/constructor/maze_plans.h"
+#include "tests/constructor/maze_seen.h"
 #include "tests/constructor/walk_checks.h"
 #include "tests/constructor/walk_maps.h"
 
@@ -42,17 +43,16 @@ TEST(WalkCamera, seesWhatTheCameraOfTheGridSees) {
     EXPECT_EQ(walk.deployed, 1);
     EXPECT_EQ(walk.note, "");
     ASSERT_EQ(walk.ways.size(), backward ? 2u : 3u);
-    size_t seen = 0;
-    for (int row = 0; row < maze.rows(); ++row) {
-      for (int column = 0; column < maze.columns(); ++column) {
-        const glm::dvec3 point = glm::dvec3(maze.centerOf({row, column})) + glm::dvec3(0, 1, 0);
-        EXPECT_EQ(walk.camera.projectExactly(point).has_value(), grid.projectExactly(point).has_value())
-            << "row " << row << ", column " << column << (backward ? " backward" : "");
-        seen += grid.projectExactly(point) ? 1 : 0;
-      }
-    }
-    EXPECT_GE(seen, 5u);
     const GuidedScene scene = test::sceneOf(maze);
+    const test::SeenMaze seen = test::seenMaze(walk.camera, maze, scene, maze.landmarks.size());
+    const test::SeenMaze gridSeen = test::seenMaze(grid, maze, scene, maze.landmarks.size());
+    // Along the ways that leave the crossing. Over the walls both see a little of other cells.
+    const std::vector<MazeCell> along = backward ? std::vector<MazeCell>{{5, 0}, {5, 1}, {5, 3}, {5, 4}}
+                                                 : std::vector<MazeCell>{{0, 2}, {1, 0}, {1, 1}, {1, 3}, {1, 4}};
+    for (const MazeCell& cell : along) {
+      EXPECT_GT(seen.cellPixels[maze.indexOf(cell)], 400u) << nameOf(cell);
+      EXPECT_GT(gridSeen.cellPixels[maze.indexOf(cell)], 400u) << nameOf(cell);
+    }
     test::keepImage(walk.camera, scene.mesh, backward ? "walk_street_backward" : "walk_street");
     test::keepImage(grid, scene.mesh, backward ? "grid_street_backward" : "grid_street");
     EXPECT_EQ(test::overlapCount(walk.camera, scene.mesh), 0u);
@@ -85,7 +85,7 @@ TEST(WalkCamera, isThePinholeWhereNothingIsDeployed) {
   const test::PlannedHouse house = test::smallHouse();
   const WalkSpace space(house.map());
   WalkCameraOptions options;
-  options.deployed = 1e-9;
+  options.deployed = 1e-5;
   const GuidedScene scene = house.scene();
   for (const WalkPose& pose : {walkerAt(2.5, 13), walkerAt(2.9, 10, {0.2, 0, 1}), walkerAt(4, 3, {0, 0, 1})}) {
     const WalkCamera walk = makeWalkCamera(space, pose, options, 120, 80);
@@ -138,7 +138,8 @@ double worstChange(const std::vector<WalkPose>& poses, const GuidedScene& scene,
   for (const WalkPose& pose : poses) {
     const GraphCamera camera =
         pinhole ? GraphCamera(walkPinhole(space, pose, {}, 120, 80)) : makeWalkCamera(space, pose, {}, 120, 80).camera;
-    worst = std::max(worst, change.next(rasterize(camera, scene.mesh), scene.mesh).value_or(0));
+    const double now = change.next(rasterize(camera, scene.mesh), scene.mesh).value_or(0);
+    worst = std::max(worst, now);
   }
   return worst;
 }
@@ -159,12 +160,23 @@ TEST(WalkCamera, doesNotJumpWhereOneWalksThroughOpenings) {
   const GuidedScene scene = test::smallHouse().scene();
   for (const std::vector<glm::dvec3>& way : {std::vector<glm::dvec3>{{2.8, 1.6, 21}, {2.8, 1.6, 1}},
                                              {{-2, 1.6, 15}, {3, 1.6, 15}},
-                                             {{7, 1.6, 12}, {2, 1.6, 12}}}) {
+                                             {{7, 1.6, 12}, {2.4, 1.6, 12}}}) {
     const double whole = worstChange(along(way, 0.16), scene, false);
     const double eighth = worstChange(along(way, 0.02), scene, false);
     const double pinhole = worstChange(along(way, 0.16), scene, true);
     std::printf("step 0.16: %.4f, 0.02: %.4f; pinhole %.4f\n", whole, eighth, pinhole);
     EXPECT_LT(eighth, 0.3 * whole);
+  }
+}
+
+TEST(WalkCamera, debug) {
+  const GuidedScene scene = test::smallHouse().scene();
+  const WalkSpace space(*scene.guides.walk);
+  test::ImageChange change;
+  for (double z = 18.16; z > 17.5; z -= 0.02) {
+    const WalkCamera w = makeWalkCamera(space, walkerAt(2.8, z), {}, 120, 80);
+    const double now = change.next(rasterize(w.camera, scene.mesh), scene.mesh).value_or(0);
+    printf("%f: %f deployed %g cell %d, behind %g fov %g frusta %zu\n", z, now, w.deployed, (int)*w.cell, (double)glm::distance(w.camera.root().eye(), glm::vec3(2.8,1.6,z)), w.camera.root().view().fovVerticalDegrees, w.camera.frusta().size());
   }
 }
 
@@ -215,7 +227,7 @@ TEST(WalkCamera, saysWhyItIsAPinhole) {
   const WalkSpace space(test::smallHouse().map());
   const auto noteAt = [&](const WalkPose& pose) { return makeWalkCamera(space, pose, {}, 90, 60).note; };
   EXPECT_THAT(noteAt(walkerAt(30, 2)), HasSubstr("no walkable floor below"));
-  EXPECT_THAT(noteAt(walkerAt(2.8, 6.3)), HasSubstr("retracted"));
+  EXPECT_THAT(noteAt(walkerAt(2.8, 6.1)), HasSubstr("retracted"));
   EXPECT_THAT(makeWalkCamera(WalkMap{}, walkerAt(2, 2), {}, 90, 60).note, HasSubstr("no floor to walk on"));
   test::PlannedHouse closed;
   closed.cells = {{{0, 0}, {4, 4}}, {{5, 0}, {6.5f, 8}, true}};

@@ -108,7 +108,7 @@ TEST_P(ExploreJumps, noFrameJumps) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Walks, ExploreJumps, testing::ValuesIn(kWalks),
-                         [](const auto& info) { return std::string(info.param.name); });
+                         [](const auto& walk) { return std::string(walk.param.name); });
 
 }  // namespace
 }  // namespace ocelli

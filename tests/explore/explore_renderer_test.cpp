@@ -11,20 +11,13 @@
 namespace ocelli {
 namespace {
 
-ExplorerOptions smallOptions() {
-  ExplorerOptions options;
-  options.width = 160;
-  options.height = 90;
-  return options;
-}
-
 TEST(ExploreRenderer, drawsWhatRenderDraws) {
   GuidedScene made = test::twoRooms();
   for (size_t i = 0; i < made.mesh.colors.size(); ++i) {  // colours that change across triangles, too
     made.mesh.colors[i] *= i % 3 == 0 ? 1.0f : 0.5f;
   }
   ExploreScene scene(std::move(made));
-  Explorer explorer(scene, smallOptions());
+  Explorer explorer(scene, test::smallPictures());
   explorer.walker().jump({{3, 1.6, 2}, -30, 0});
   explorer.choose("portal");
   for (int i = 0; i < 60; ++i) {
@@ -53,7 +46,7 @@ TEST(ExploreRenderer, drawsWhatRenderDraws) {
 
 TEST(ExploreRenderer, dissolvesFromThePictureBefore) {
   ExploreScene scene(test::twoRooms());
-  Explorer explorer(scene, smallOptions());
+  Explorer explorer(scene, test::smallPictures());
   ExploreRenderer renderer(scene);
   const Image<Rgb8> before = renderer.draw(explorer.frame()).image;
   ExploreFrame frame = explorer.frame();
@@ -71,7 +64,7 @@ TEST(ExploreRenderer, dissolvesFromThePictureBefore) {
 
 TEST(ExploreDrawing, drawsTheNewestFrame) {
   ExploreScene scene(test::twoRooms());
-  Explorer explorer(scene, smallOptions());
+  Explorer explorer(scene, test::smallPictures());
   ExploreDrawing drawing(scene);
   EXPECT_FALSE(drawing.take());
   for (int i = 0; i < 5; ++i) {

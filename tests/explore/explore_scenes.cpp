@@ -23,6 +23,13 @@ void addFace(GuidedScene& scene, const glm::vec3& corner, const glm::vec3& a, co
 
 }  // namespace
 
+ExplorerOptions smallPictures() {
+  ExplorerOptions options;
+  options.width = 160;
+  options.height = 90;
+  return options;
+}
+
 void addBox(GuidedScene& scene, const Box& box, uint32_t object, const glm::vec3& color) {
   const glm::vec3 size = box.size();
   const glm::vec3 x(size.x, 0, 0);

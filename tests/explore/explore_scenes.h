@@ -1,9 +1,15 @@
 // Small scenes to walk in, in metres, made by hand.
 #pragma once
 
-#include "oc_core/explore/explore_scene.h"
+#include "oc_core/explore/explorer.h"
 
 namespace ocelli::test {
+
+/// Seconds from frame to frame.
+inline constexpr double kExploreFrame = 1.0 / 30;
+
+/// Pictures of 160 x 90 pixels.
+ExplorerOptions smallPictures();
 
 /// An axis-aligned box of that object and colour.
 void addBox(GuidedScene& scene, const Box& box, uint32_t object, const glm::vec3& color);

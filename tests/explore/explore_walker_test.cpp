@@ -9,8 +9,6 @@
 namespace ocelli {
 namespace {
 
-constexpr double kFrame = 1.0 / 30;
-
 WalkInput forwards(double share = 1) {
   WalkInput input;
   input.forward = share;
@@ -18,8 +16,8 @@ WalkInput forwards(double share = 1) {
 }
 
 void walk(ExploreWalker& walker, const WalkInput& input, double seconds) {
-  for (int i = 0; i < static_cast<int>(std::lround(seconds / kFrame)); ++i) {
-    walker.step(input, kFrame);
+  for (int i = 0; i < static_cast<int>(std::lround(seconds / test::kExploreFrame)); ++i) {
+    walker.step(input, test::kExploreFrame);
   }
 }
 
@@ -146,7 +144,7 @@ TEST(ExploreWalker, looksNoHigherThanItCan) {
   ExploreWalker walker(scene, {});
   WalkInput up;
   up.pointerDegrees = {10, 500};
-  walker.step(up, kFrame);
+  walker.step(up, test::kExploreFrame);
   EXPECT_EQ(walker.view().pitchDegrees, walker.options().maxPitch);
 }
 
