@@ -51,18 +51,12 @@ void chooseNeighbour(ExploreKeyTarget& target, int step) {
 void pickInTheMiddle(ExploreKeyTarget& target, int) {
   if (target.picture != nullptr) {
     const glm::dvec2 middle(target.picture->view.width() / 2.0, target.picture->view.height() / 2.0);
-    target.work.tell([middle](ExploreWindowModel& model) {
-      model.pick(middle);
-      return std::string();
-    });
+    target.work.tell([middle](ExploreWindowModel& model) { return model.pick(middle); });
   }
 }
 
 void pickNeighbour(ExploreKeyTarget& target, int step) {
-  target.work.tell([step](ExploreWindowModel& model) {
-    model.pickNext(step);
-    return std::string();
-  });
+  target.work.tell([step](ExploreWindowModel& model) { return model.pickNext(step); });
 }
 
 void goToStart(ExploreKeyTarget& target, int) {

@@ -4,6 +4,7 @@
 
 #include "oc_core/explore_window/explore_image_fit.h"
 #include "oc_core/explore_window/explore_plan_sight.h"
+#include "oc_core/explore_window/explore_tints.h"
 
 namespace ocelli {
 namespace {
@@ -65,6 +66,18 @@ TEST(ExplorePlanSight, theWalkerIsInTheMiddleUnlessThePlanEndsThere) {
   const ExplorePlanSight edge = explorePlanSight(rect, {0, 0}, {100, 100}, {1, 99}, 4);
   EXPECT_NEAR(edge.middle.x, 12.5f, 1e-4f);  // half of a quarter
   EXPECT_NEAR(edge.middle.y, 87.5f, 1e-4f);
+}
+
+TEST(ExploreTints, onlyBendsThatANumberFitsInto) {
+  const auto box = [](float width, float height, int color) {
+    return WindowTint{{{10, 10}, {10 + width, 10}, {10 + width, 10 + height}}, color};
+  };
+  EXPECT_TRUE(showsTint(box(40, 40, 1), 1));
+  EXPECT_FALSE(showsTint(box(40, 40, 0), 1));  // it does not bend
+  EXPECT_FALSE(showsTint(box(40, 40, 1), 0.5f));
+  EXPECT_FALSE(showsTint(box(400, 10, 1), 1));
+  EXPECT_FALSE(showsTint({{{10, 10}, {60, 60}}, 1}, 1));
+  EXPECT_EQ(extentOf(box(40, 30, 1)).upper, glm::vec2(50, 40));
 }
 
 TEST(ExplorePlanSight, lengthsAreRound) {
