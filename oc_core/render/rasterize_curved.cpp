@@ -1,9 +1,11 @@
 #include "oc_core/render/rasterize_curved.h"
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/bend_rasterizer.h"
 #include "oc_core/render/camera_segments.h"
-#include "oc_core/render/draw_tasks.h"
+#include "oc_core/render/draw_pieces.h"
 #include "oc_core/render/pixel_ray.h"
+#include "oc_core/render/segment_rasterizer.h"
 
 namespace ocelli {
 namespace {
@@ -29,51 +31,54 @@ double depthOf(const CurvedRayCamera& camera, PixelRay ray, size_t order, const 
   return begin + (end - begin) * share;
 }
 
+/// A curved ray camera, ready to draw.
+struct CurvedDrawing {
+  CurvedDrawing(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks)
+      : leaves(camera.width(), camera.height(), 0), segments(segmentsOf(camera)), pieces(2 * segments.size() - 1) {
+    parallelFor(pieces.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        if (i % 2 == 0) {
+          pieces[i] = std::make_unique<SegmentRasterizer>(segments[i / 2], mesh, blocks, camera.width(),
+                                                          camera.height());
+        } else {
+          pieces[i] = std::make_unique<BendRasterizer>(camera, i / 2, static_cast<uint8_t>(i), mesh, blocks);
+        }
+      }
+    });
+  }
+
+  PixelLeaves leaves;
+  std::vector<StraightSegment> segments;
+  RayPieces pieces;
+};
+
+class CurvedDepths {
+ public:
+  explicit CurvedDepths(const CurvedRayCamera& camera) : camera_(camera), rays_(camera.root()) {}
+
+  double operator()(int x, int y, uint8_t order, const glm::dvec3& point) const {
+    return depthOf(camera_, PixelRay(rays_, {x + 0.5, y + 0.5}), order, point);
+  }
+
+ private:
+  const CurvedRayCamera& camera_;
+  PixelRays rays_;
+};
+
 }  // namespace
 
 OrderedBuffer drawOrdered(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
-  const PixelLeaves leaves(camera.width(), camera.height(), 0);
-  const std::vector<StraightSegment> segments = segmentsOf(camera);
-  std::vector<SegmentRasterizer> straight;
-  std::vector<BendRasterizer> bends;
-  std::vector<BlockTask> tasks;
-  for (size_t i = 0; i < segments.size(); ++i) {
-    straight.emplace_back(segments[i], mesh, blocks, leaves);
-    straight.back().bounds().findBlocks(blocks, static_cast<uint32_t>(2 * i), tasks);
-    if (i < camera.bends().size()) {
-      const size_t order = 2 * i + 1;
-      bends.emplace_back(camera, i, static_cast<uint8_t>(order), mesh, blocks);
-      bends.back().bounds().findBlocks(blocks, static_cast<uint32_t>(order), tasks);
-    }
-  }
-  struct Scratch {
-    SegmentRasterizer::Scratch straight;
-    BendRasterizer::Scratch bend;
-  };
-  return drawTasks(
-      leaves.size(), tasks, [] { return Scratch(); },
-      [&](OrderedBuffer& drawn, const BlockTask& task, Scratch& scratch) {
-        if (task.piece % 2 == 0) {
-          straight[task.piece / 2].draw(drawn, task, scratch.straight);
-        } else {
-          bends[task.piece / 2].draw(drawn, task, scratch.bend);
-        }
-      });
+  const CurvedDrawing drawing(camera, mesh, blocks);
+  return orderedBufferOf(drawing.pieces, drawing.leaves, blocks);
 }
 
 FragmentImage fragmentsOf(const CurvedRayCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh) {
-  const PixelRays rays(camera.root());
-  const auto width = static_cast<size_t>(camera.width());
-  return fragmentsOf(buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
-                     [&](size_t pixel, size_t order, const glm::dvec3& point) {
-                       const glm::dvec2 centre(static_cast<double>(pixel % width) + 0.5,
-                                               static_cast<double>(pixel / width) + 0.5);
-                       return depthOf(camera, PixelRay(rays, centre), order, point);
-                     });
+  return fragmentsOf(buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar), CurvedDepths(camera));
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
-  return fragmentsOf(camera, drawOrdered(camera, mesh, blocks), mesh);
+  const CurvedDrawing drawing(camera, mesh, blocks);
+  return drawFragments(drawing.pieces, drawing.leaves, mesh, blocks, static_cast<double>(camera.root().view().zFar), CurvedDepths(camera));
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh) {

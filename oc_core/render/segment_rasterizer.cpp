@@ -1,0 +1,304 @@
+#include "oc_core/render/segment_rasterizer.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace ocelli {
+namespace {
+
+/// Vertices farther beyond the borders are clipped first, pixels.
+constexpr float kGuardPixels = 4096;
+/// Vertices are snapped to 1/256 pixel: cut edges of neighbouring segments come as far apart.
+constexpr float kOverlapPixels = 1.0f / 64;
+/// What surfaces in a plane may be off by, relative to their coordinates: they come in single precision.
+constexpr double kRounding = 1e-6;
+
+// Flags of vertices.
+constexpr uint8_t kBefore = 1;  // the first plane
+constexpr uint8_t kBeyond = 2;  // one of the planes where rays end
+constexpr uint8_t kClip = 4;    // has no image near the part
+constexpr uint8_t kHidden = 8;  // farther before the first plane than triangles are drawn
+
+/// The height over a plane of what a pixel sees of a triangle, and whether it is within rounding of the image.
+class HeightOver {
+ public:
+  HeightOver(const Plane& plane, const std::array<RasterVertex, 3>& v, const std::array<glm::dvec3, 3>& points)
+      : rounding_(static_cast<float>(kRounding * (1 + glm::length(points[0])))) {
+    // Height times inverse weight is linear over the image.
+    std::array<float, 3> slopes{};
+    for (size_t i = 0; i < 3; ++i) {
+      at_[i] = static_cast<float>(plane.height(points[i]));
+      slopes[i] = at_[i] * v[i].inverseZ;
+    }
+    const glm::vec2 e1(v[1].u - v[0].u, v[1].v - v[0].v);
+    const glm::vec2 e2(v[2].u - v[0].u, v[2].v - v[0].v);
+    const float s1 = slopes[1] - slopes[0];
+    const float s2 = slopes[2] - slopes[0];
+    const float area = e1.x * e2.y - e1.y * e2.x;
+    const glm::vec2 gradient = glm::vec2(s1 * e2.y - s2 * e1.y, s2 * e1.x - s1 * e2.x) / area;
+    overlap_ = area != 0 ? glm::length(gradient) * kOverlapPixels : 0;
+    most_ = static_cast<float>(pixelOnTriangle(v, points));
+  }
+
+  /// Whether all pixels that see the triangle are before the plane, or beyond it.
+  bool isBeforeAll() const { return std::max({at_[0], at_[1], at_[2]}) < -mostTolerance(); }
+  bool isBeyondAll() const { return std::min({at_[0], at_[1], at_[2]}) > mostTolerance(); }
+  bool isBefore(const PixelWeights& weights) const { return height(weights) < -tolerance(weights); }
+  bool isBeyond(const PixelWeights& weights) const { return height(weights) > tolerance(weights); }
+
+ private:
+  float height(const PixelWeights& weights) const { return weights.of(at_[0], at_[1], at_[2]); }
+  /// More than what any pixel tolerates, and what rounding takes from heights in between.
+  float mostTolerance() const {
+    return std::isnan(overlap_) ? std::numeric_limits<float>::infinity() : 1.001f * (most_ + rounding_);
+  }
+  float tolerance(const PixelWeights& weights) const { return std::min(overlap_ * weights.z(), most_) + rounding_; }
+
+  /// How long a pixel is on the triangle, along its longest edge in the image: across a triangle that is seen nearly
+  /// edge on, what a share of a pixel is on it means nothing.
+  static double pixelOnTriangle(const std::array<RasterVertex, 3>& v, const std::array<glm::dvec3, 3>& points) {
+    double longest = 0;
+    double size = 0;
+    for (size_t i = 0; i < 3; ++i) {
+      const size_t k = (i + 1) % 3;
+      const double pixels = glm::length(glm::dvec2(v[k].u - v[i].u, v[k].v - v[i].v));
+      if (pixels > longest) {
+        longest = pixels;
+        size = glm::distance(points[i], points[k]) / pixels;
+      }
+    }
+    return size;
+  }
+
+  std::array<float, 3> at_{};
+  float overlap_ = 0;
+  float most_ = 0;
+  float rounding_;
+};
+
+struct SegmentScratch final : PieceRasterizer::Scratch {
+  struct Vertex {
+    uint64_t tag = ~uint64_t{0};
+    RasterVertex image;
+    uint8_t flags = 0;
+  };
+  static constexpr size_t kVertices = 64;
+
+  uint64_t serial = 0;
+  std::array<Vertex, kVertices> cache;
+  Clipper clipper;
+  std::vector<RasterVertex> corners;
+  std::vector<HeightOver> heights;
+};
+
+}  // namespace
+
+/// A block as it is drawn to a region.
+class SegmentRasterizer::Drawing {
+ public:
+  Drawing(const SegmentRasterizer& of, RegionBuffer& region, uint64_t kinds, const BlockTask& task,
+          SegmentScratch& scratch)
+      : of_(of),
+        segment_(of.segment_),
+        region_(region),
+        kinds_(kinds),
+        rect_{std::max(task.rect.x0, region.rect().x0), std::max(task.rect.y0, region.rect().y0),
+              std::min(task.rect.x1, region.rect().x1), std::min(task.rect.y1, region.rect().y1)},
+        inside_(task.within && (kinds & ~task.clear) == 0),
+        scratch_(scratch) {}
+
+  void draw(uint32_t triangle);
+
+ private:
+  /// Calls `visit(kind, planes)` for the kinds of rays that the region has.
+  template <class Visit>
+  void forEachKind(const Visit& visit) const {
+    for (size_t kind = 0; kind < segment_.ends.size(); ++kind) {
+      if ((kinds_ & RegionBuffer::kindBit(kind)) != 0) {
+        visit(kind, segment_.ends[kind]);
+      }
+    }
+  }
+  bool isBeyondEnds(const glm::dvec3& p) const;
+  const SegmentScratch::Vertex& vertex(uint32_t index);
+  void drawCut(uint32_t triangle, bool clips);
+  void fill(uint32_t triangle, const std::array<RasterVertex, 3>& vertices);
+  void fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
+                  const std::array<glm::dvec3, 3>& points);
+
+  const SegmentRasterizer& of_;
+  const StraightSegment& segment_;
+  RegionBuffer& region_;
+  uint64_t kinds_;
+  PixelBounds rect_;
+  bool inside_;  ///< nothing is to be clipped or tested
+  SegmentScratch& scratch_;
+};
+
+SegmentRasterizer::SegmentRasterizer(const StraightSegment& segment, const Mesh& mesh, const MeshBlocks& blocks,
+                                     int width, int height)
+    : segment_(segment),
+      mesh_(mesh),
+      blocks_(blocks),
+      width_(width),
+      height_(height),
+      bounds_(segment),
+      rect_(bounds_.rectIn(width, height)) {
+  const glm::dmat4 rows = glm::transpose(segment.pixelFromWorld);
+  uRow_ = rows[0];
+  vRow_ = rows[1];
+  weightRow_ = rows[3];
+}
+
+void SegmentRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& /*grid*/,
+                                   std::vector<BlockTask>& tasks) const {
+  bounds_.findBlocks(blocks_, runs, piece, rect_, tasks);
+}
+
+std::unique_ptr<PieceRasterizer::Scratch> SegmentRasterizer::makeScratch() const {
+  return std::make_unique<SegmentScratch>();
+}
+
+void SegmentRasterizer::draw(RegionBuffer& region, uint64_t kinds, const BlockTask& task, Scratch& scratch) const {
+  auto& own = static_cast<SegmentScratch&>(scratch);
+  ++own.serial;
+  Drawing drawing(*this, region, kinds, task, own);
+  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) { drawing.draw(triangle); });
+  region.touch(task.rect);
+}
+
+RasterVertex SegmentRasterizer::project(const glm::dvec3& p) const {
+  const auto row = [&](const glm::dvec4& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
+  const double inverse = 1 / row(weightRow_);
+  return {static_cast<float>(row(uRow_) * inverse), static_cast<float>(row(vRow_) * inverse),
+          static_cast<float>(inverse), 0, 0};
+}
+
+/// Whether rays of some kind end before a point.
+bool SegmentRasterizer::Drawing::isBeyondEnds(const glm::dvec3& p) const {
+  bool isBeyond = false;
+  forEachKind([&](size_t, const std::vector<Plane>& planes) {
+    isBeyond = isBeyond ||
+               std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+  });
+  return isBeyond;
+}
+
+const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index) {
+  SegmentScratch::Vertex& held = scratch_.cache[index % SegmentScratch::kVertices];
+  const uint64_t tag = scratch_.serial << 32 | index;
+  if (held.tag == tag) {
+    return held;
+  }
+  const glm::dvec3 p(of_.mesh_.positions[index]);
+  held = {tag, of_.project(p), 0};
+  if (!inside_) {
+    const double height = segment_.begin.height(p);
+    const double margin = of_.bounds_.margin();
+    const RasterVertex& v = held.image;
+    const bool imaged = height >= -margin && v.inverseZ > 0 && v.u > -kGuardPixels && v.v > -kGuardPixels &&
+                        v.u < static_cast<float>(of_.width_) + kGuardPixels &&
+                        v.v < static_cast<float>(of_.height_) + kGuardPixels;
+    held.flags = static_cast<uint8_t>((height < 0 ? kBefore : 0) | (isBeyondEnds(p) ? kBeyond : 0) |
+                                      (imaged ? 0 : kClip) | (height < -margin ? kHidden : 0));
+  }
+  return held;
+}
+
+void SegmentRasterizer::Drawing::draw(uint32_t triangle) {
+  const glm::uvec3& t = of_.mesh_.triangles[triangle];
+  const SegmentScratch::Vertex a = vertex(t.x);
+  SegmentScratch::Vertex b = vertex(t.y);
+  SegmentScratch::Vertex c = vertex(t.z);
+  const uint8_t flags = a.flags | b.flags | c.flags;
+  if (flags != 0) {
+    if ((a.flags & b.flags & c.flags & kHidden) == 0) {
+      drawCut(triangle, (flags & kClip) != 0);
+    }
+    return;
+  }
+  b.image.b1 = 1;
+  c.image.b2 = 1;
+  fill(triangle, {a.image, b.image, c.image});
+}
+
+/// Of triangles that lie between the planes of the segment.
+void SegmentRasterizer::Drawing::fill(uint32_t triangle, const std::array<RasterVertex, 3>& vertices) {
+  region_.scan(rect_, vertices[0], vertices[1], vertices[2],
+               [&](size_t pixel, float weight, const PixelWeights& weights) {
+                 if (region_.isNearest(pixel, weight, triangle)) {
+                   region_.put(pixel, weight, triangle, weights());
+                 }
+               });
+}
+
+void SegmentRasterizer::Drawing::drawCut(uint32_t triangle, bool clips) {
+  const glm::uvec3& t = of_.mesh_.triangles[triangle];
+  const std::vector<glm::vec3>& positions = of_.mesh_.positions;
+  const std::vector<ClipCorner>& polygon = scratch_.clipper.clip(
+      positions[t.x], positions[t.y], positions[t.z],
+      clips ? std::span<const HalfSpace>(of_.bounds_.spaces()) : std::span<const HalfSpace>());
+  std::vector<RasterVertex>& corners = scratch_.corners;
+  corners.clear();
+  for (const ClipCorner& corner : polygon) {
+    corners.push_back(of_.project(corner.p));
+    corners.back().b1 = static_cast<float>(corner.b.x);
+    corners.back().b2 = static_cast<float>(corner.b.y);
+  }
+  const bool within = std::none_of(polygon.begin(), polygon.end(), [&](const ClipCorner& corner) {
+    return segment_.begin.height(corner.p) < 0 || isBeyondEnds(corner.p);
+  });
+  for (size_t i = 2; i < corners.size(); ++i) {
+    const std::array<RasterVertex, 3> vertices{corners[0], corners[i - 1], corners[i]};
+    if (within) {
+      fill(triangle, vertices);
+    } else {
+      fillTested(triangle, vertices, {polygon[0].p, polygon[i - 1].p, polygon[i].p});
+    }
+  }
+}
+
+void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
+                                            const std::array<glm::dvec3, 3>& points) {
+  const HeightOver begin(segment_.begin, vertices, points);
+  if (begin.isBeforeAll()) {
+    return;
+  }
+  int held = -1;  // the kind of rays whose ends these are
+  std::vector<HeightOver>& ends = scratch_.heights;
+  const auto hold = [&](size_t kind) {
+    held = static_cast<int>(kind);
+    ends.clear();
+    for (const Plane& plane : segment_.ends[kind]) {
+      ends.emplace_back(plane, vertices, points);
+    }
+  };
+  bool endsBefore = true;
+  forEachKind([&](size_t kind, const std::vector<Plane>&) {
+    if (endsBefore) {
+      hold(kind);
+      endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
+    }
+  });
+  if (endsBefore) {
+    return;
+  }
+  region_.scan(rect_, vertices[0], vertices[1], vertices[2],
+               [&](size_t pixel, float weight, const PixelWeights& weights) {
+                 if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
+                   return;
+                 }
+                 const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
+                 if (kind != held) {
+                   hold(static_cast<size_t>(kind));
+                 }
+                 if (std::none_of(ends.begin(), ends.end(),
+                                  [&](const HeightOver& end) { return end.isBeyond(weights); })) {
+                   region_.put(pixel, weight, triangle, weights());
+                 }
+               });
+}
+
+}  // namespace ocelli
