@@ -88,7 +88,9 @@ const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, OwnScra
   return held.vertex;
 }
 
-void BendRasterizer::draw(RegionBuffer& region, uint64_t /*kinds*/, const BlockTask& task, Scratch& scratch) const {
+void BendRasterizer::begin(const RegionBuffer& /*region*/, uint64_t /*kinds*/, Scratch& /*scratch*/) const {}
+
+void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const {
   auto& own = static_cast<OwnScratch&>(scratch);
   const HalfSpaces& slab = bounds().slab();
   blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {

@@ -69,9 +69,10 @@ class RegionWorker {
         if (!scratch_[piece]) {
           scratch_[piece] = rasterizer.makeScratch();
         }
+        rasterizer.begin(buffer_, kinds, *scratch_[piece]);
         for (auto task = first; task != last; ++task) {
           if (buffer_.mayShow(tasks_[*task].rect, tasks_[*task].nearest)) {
-            rasterizer.draw(buffer_, kinds, tasks_[*task], *scratch_[piece]);
+            rasterizer.draw(buffer_, tasks_[*task], *scratch_[piece]);
           }
         }
       }

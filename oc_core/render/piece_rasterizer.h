@@ -68,8 +68,10 @@ class PieceRasterizer {
   virtual void findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
                           std::vector<BlockTask>& tasks) const = 0;
   virtual std::unique_ptr<Scratch> makeScratch() const = 0;
-  /// Draws a block to a region that is open for this piece, with rays of these kinds; `scratch` is one of its own.
-  virtual void draw(RegionBuffer& region, uint64_t kinds, const BlockTask& task, Scratch& scratch) const = 0;
+  /// Begins a region that is open for this piece, with rays of these kinds; `scratch` is one of its own.
+  virtual void begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const = 0;
+  /// Draws a block to the region that was begun last.
+  virtual void draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const = 0;
 };
 
 }  // namespace ocelli

@@ -19,7 +19,15 @@ constexpr double kRounding = 1e-6;
 constexpr uint8_t kBefore = 1;  // the first plane
 constexpr uint8_t kBeyond = 2;  // one of the planes where rays end
 constexpr uint8_t kClip = 4;    // has no image near the part
-constexpr uint8_t kHidden = 8;  // farther before the first plane than triangles are drawn
+constexpr uint8_t kLeft = 8;    // outside of the region, beyond each of its borders
+constexpr uint8_t kRight = 16;
+constexpr uint8_t kAbove = 32;
+constexpr uint8_t kBelow = 64;
+constexpr uint8_t kHidden = 128;  // farther before the first plane than triangles are drawn
+/// Nothing is seen of a triangle all of whose corners have one of these.
+constexpr uint8_t kUnseen = kLeft | kRight | kAbove | kBelow | kHidden;
+/// As far outside of a region, in pixels, snapping and cut edges do not matter.
+constexpr double kRegionMargin = 2;
 
 /// The height over a plane of what a pixel sees of a triangle, and whether it is within rounding of the image.
 class HeightOver {
@@ -42,6 +50,11 @@ class HeightOver {
     most_ = static_cast<float>(pixelOnTriangle(v, points));
   }
 
+  /// More than what any pixel tolerates of a triangle, and what rounding takes from heights in between.
+  static float mostTolerance(const std::array<RasterVertex, 3>& v, const std::array<glm::dvec3, 3>& points) {
+    const double rounding = kRounding * (1 + glm::length(points[0]));
+    return static_cast<float>(1.001 * (pixelOnTriangle(v, points) + rounding));
+  }
   /// Whether all pixels that see the triangle are before the plane, or beyond it.
   bool isBeforeAll() const { return std::max({at_[0], at_[1], at_[2]}) < -mostTolerance(); }
   bool isBeyondAll() const { return std::min({at_[0], at_[1], at_[2]}) > mostTolerance(); }
@@ -78,13 +91,27 @@ class HeightOver {
   float rounding_;
 };
 
+RasterVertex rasterVertex(const glm::dvec3& image) {
+  const double inverse = 1 / image.z;
+  return {static_cast<float>(image.x * inverse), static_cast<float>(image.y * inverse), static_cast<float>(inverse), 0,
+          0};
+}
+
 struct SegmentScratch final : PieceRasterizer::Scratch {
   struct Vertex {
     uint64_t tag = ~uint64_t{0};
     RasterVertex image;
     uint8_t flags = 0;
+    float beyond = 0;  ///< least height over where rays of some kind end
   };
   static constexpr size_t kVertices = 64;
+
+  // Of a region.
+  uint64_t kinds = 0;
+  std::vector<std::pair<size_t, const std::vector<Plane>*>> ends;  ///< the kinds, and where each ends
+  bool endsAreSingle = false;                                      ///< each kind ends at one plane
+  glm::dvec2 lower{0};                                             ///< its borders, with a margin
+  glm::dvec2 upper{0};
 
   uint64_t serial = 0;
   std::array<Vertex, kVertices> cache;
@@ -93,37 +120,36 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
   std::vector<HeightOver> heights;
 };
 
+/// Whether rays of some kind end before a point.
+bool isBeyondEnds(const SegmentScratch& scratch, const glm::dvec3& p) {
+  return std::any_of(scratch.ends.begin(), scratch.ends.end(), [&](const auto& kind) {
+    return std::any_of(kind.second->begin(), kind.second->end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+  });
+}
+
 }  // namespace
 
 /// A block as it is drawn to a region.
 class SegmentRasterizer::Drawing {
  public:
-  Drawing(const SegmentRasterizer& of, RegionBuffer& region, uint64_t kinds, const BlockTask& task,
-          SegmentScratch& scratch)
+  Drawing(const SegmentRasterizer& of, RegionBuffer& region, const BlockTask& task, SegmentScratch& scratch)
       : of_(of),
         segment_(of.segment_),
         region_(region),
-        kinds_(kinds),
         rect_{std::max(task.rect.x0, region.rect().x0), std::max(task.rect.y0, region.rect().y0),
               std::min(task.rect.x1, region.rect().x1), std::min(task.rect.y1, region.rect().y1)},
-        inside_(task.within && (kinds & ~task.clear) == 0),
+        inside_(task.within && (scratch.kinds & ~task.clear) == 0),
         scratch_(scratch) {}
 
   void draw(uint32_t triangle);
 
  private:
-  /// Calls `visit(kind, planes)` for the kinds of rays that the region has.
-  template <class Visit>
-  void forEachKind(const Visit& visit) const {
-    for (size_t kind = 0; kind < segment_.ends.size(); ++kind) {
-      if ((kinds_ & RegionBuffer::kindBit(kind)) != 0) {
-        visit(kind, segment_.ends[kind]);
-      }
-    }
-  }
-  bool isBeyondEnds(const glm::dvec3& p) const;
-  const SegmentScratch::Vertex& vertex(uint32_t index);
-  void drawCut(uint32_t triangle, bool clips);
+  using Vertex = SegmentScratch::Vertex;
+
+  const Vertex& vertex(uint32_t index);
+  void place(const glm::dvec3& p, const glm::dvec3& image, Vertex& vertex) const;
+  bool endsBefore(const Vertex& a, const Vertex& b, const Vertex& c, const std::array<glm::dvec3, 3>& points) const;
+  void drawClipped(uint32_t triangle);
   void fill(uint32_t triangle, const std::array<RasterVertex, 3>& vertices);
   void fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
                   const std::array<glm::dvec3, 3>& points);
@@ -131,7 +157,6 @@ class SegmentRasterizer::Drawing {
   const SegmentRasterizer& of_;
   const StraightSegment& segment_;
   RegionBuffer& region_;
-  uint64_t kinds_;
   PixelBounds rect_;
   bool inside_;  ///< nothing is to be clipped or tested
   SegmentScratch& scratch_;
@@ -161,67 +186,111 @@ std::unique_ptr<PieceRasterizer::Scratch> SegmentRasterizer::makeScratch() const
   return std::make_unique<SegmentScratch>();
 }
 
-void SegmentRasterizer::draw(RegionBuffer& region, uint64_t kinds, const BlockTask& task, Scratch& scratch) const {
+void SegmentRasterizer::begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const {
+  auto& own = static_cast<SegmentScratch&>(scratch);
+  own.kinds = kinds;
+  own.ends.clear();
+  own.endsAreSingle = true;
+  for (size_t kind = 0; kind < segment_.ends.size(); ++kind) {
+    if ((kinds & RegionBuffer::kindBit(kind)) != 0) {
+      own.ends.emplace_back(kind, &segment_.ends[kind]);
+      own.endsAreSingle = own.endsAreSingle && segment_.ends[kind].size() == 1;
+    }
+  }
+  own.lower = glm::dvec2(region.rect().x0, region.rect().y0) - kRegionMargin;
+  own.upper = glm::dvec2(region.rect().x1, region.rect().y1) + kRegionMargin;
+}
+
+void SegmentRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const {
   auto& own = static_cast<SegmentScratch&>(scratch);
   ++own.serial;
-  Drawing drawing(*this, region, kinds, task, own);
+  Drawing drawing(*this, region, task, own);
   blocks_.forEachTriangle(task.block, [&](uint32_t triangle) { drawing.draw(triangle); });
   region.touch(task.rect);
 }
 
-RasterVertex SegmentRasterizer::project(const glm::dvec3& p) const {
+glm::dvec3 SegmentRasterizer::image(const glm::dvec3& p) const {
   const auto row = [&](const glm::dvec4& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
-  const double inverse = 1 / row(weightRow_);
-  return {static_cast<float>(row(uRow_) * inverse), static_cast<float>(row(vRow_) * inverse),
-          static_cast<float>(inverse), 0, 0};
-}
-
-/// Whether rays of some kind end before a point.
-bool SegmentRasterizer::Drawing::isBeyondEnds(const glm::dvec3& p) const {
-  bool isBeyond = false;
-  forEachKind([&](size_t, const std::vector<Plane>& planes) {
-    isBeyond = isBeyond ||
-               std::any_of(planes.begin(), planes.end(), [&](const Plane& plane) { return plane.height(p) > 0; });
-  });
-  return isBeyond;
+  return {row(uRow_), row(vRow_), row(weightRow_)};
 }
 
 const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index) {
-  SegmentScratch::Vertex& held = scratch_.cache[index % SegmentScratch::kVertices];
+  Vertex& held = scratch_.cache[index % SegmentScratch::kVertices];
   const uint64_t tag = scratch_.serial << 32 | index;
-  if (held.tag == tag) {
-    return held;
-  }
-  const glm::dvec3 p(of_.mesh_.positions[index]);
-  held = {tag, of_.project(p), 0};
-  if (!inside_) {
-    const double height = segment_.begin.height(p);
-    const double margin = of_.bounds_.margin();
-    const RasterVertex& v = held.image;
-    const bool imaged = height >= -margin && v.inverseZ > 0 && v.u > -kGuardPixels && v.v > -kGuardPixels &&
-                        v.u < static_cast<float>(of_.width_) + kGuardPixels &&
-                        v.v < static_cast<float>(of_.height_) + kGuardPixels;
-    held.flags = static_cast<uint8_t>((height < 0 ? kBefore : 0) | (isBeyondEnds(p) ? kBeyond : 0) |
-                                      (imaged ? 0 : kClip) | (height < -margin ? kHidden : 0));
+  if (held.tag != tag) {
+    const glm::dvec3 p(of_.mesh_.positions[index]);
+    const glm::dvec3 image = of_.image(p);
+    held = {tag, rasterVertex(image), 0, 0};
+    if (!inside_) {
+      place(p, image, held);
+    }
   }
   return held;
 }
 
+/// Finds out where a vertex lies.
+void SegmentRasterizer::Drawing::place(const glm::dvec3& p, const glm::dvec3& image, Vertex& vertex) const {
+  const double height = segment_.begin.height(p);
+  const double margin = of_.bounds_.margin();
+  const RasterVertex& v = vertex.image;
+  const bool imaged = height >= -margin && v.inverseZ > 0 && v.u > -kGuardPixels && v.v > -kGuardPixels &&
+                      v.u < static_cast<float>(of_.width_) + kGuardPixels &&
+                      v.v < static_cast<float>(of_.height_) + kGuardPixels;
+  unsigned flags = (height < 0 ? kBefore : 0u) | (imaged ? 0u : kClip) | (height < -margin ? kHidden : 0u);
+  // The borders are planes through the viewpoint: that holds behind it too.
+  flags |= (image.x < scratch_.lower.x * image.z ? kLeft : 0u) | (image.x > scratch_.upper.x * image.z ? kRight : 0u) |
+           (image.y < scratch_.lower.y * image.z ? kAbove : 0u) | (image.y > scratch_.upper.y * image.z ? kBelow : 0u);
+  if (scratch_.endsAreSingle) {
+    double beyond = std::numeric_limits<double>::infinity();
+    bool isBeyond = false;
+    for (const auto& [kind, planes] : scratch_.ends) {
+      const double over = planes->front().height(p);
+      beyond = std::min(beyond, over);
+      isBeyond = isBeyond || over > 0;
+    }
+    vertex.beyond = static_cast<float>(beyond);
+    flags |= isBeyond ? kBeyond : 0u;
+  } else {
+    flags |= isBeyondEnds(scratch_, p) ? kBeyond : 0u;
+  }
+  vertex.flags = static_cast<uint8_t>(flags);
+}
+
 void SegmentRasterizer::Drawing::draw(uint32_t triangle) {
   const glm::uvec3& t = of_.mesh_.triangles[triangle];
-  const SegmentScratch::Vertex a = vertex(t.x);
-  SegmentScratch::Vertex b = vertex(t.y);
-  SegmentScratch::Vertex c = vertex(t.z);
+  const Vertex a = vertex(t.x);
+  Vertex b = vertex(t.y);
+  Vertex c = vertex(t.z);
+  if ((a.flags & b.flags & c.flags & kUnseen) != 0) {
+    return;
+  }
   const uint8_t flags = a.flags | b.flags | c.flags;
-  if (flags != 0) {
-    if ((a.flags & b.flags & c.flags & kHidden) == 0) {
-      drawCut(triangle, (flags & kClip) != 0);
-    }
+  if ((flags & kClip) != 0) {
+    drawClipped(triangle);
     return;
   }
   b.image.b1 = 1;
   c.image.b2 = 1;
-  fill(triangle, {a.image, b.image, c.image});
+  if ((flags & (kBefore | kBeyond)) == 0) {
+    fill(triangle, {a.image, b.image, c.image});
+    return;
+  }
+  const std::vector<glm::vec3>& positions = of_.mesh_.positions;
+  const std::array<glm::dvec3, 3> points{glm::dvec3(positions[t.x]), glm::dvec3(positions[t.y]),
+                                         glm::dvec3(positions[t.z])};
+  if (!endsBefore(a, b, c, points)) {
+    fillTested(triangle, {a.image, b.image, c.image}, points);
+  }
+}
+
+/// Whether all rays end before a triangle, as HeightOver::isBeyondAll() would have it: a quick look that finds most.
+bool SegmentRasterizer::Drawing::endsBefore(const Vertex& a, const Vertex& b, const Vertex& c,
+                                            const std::array<glm::dvec3, 3>& points) const {
+  const float beyond = std::min({a.beyond, b.beyond, c.beyond});
+  if (!scratch_.endsAreSingle || !(beyond > 0)) {
+    return false;
+  }
+  return HeightOver::mostTolerance({a.image, b.image, c.image}, points) < beyond;
 }
 
 /// Of triangles that lie between the planes of the segment.
@@ -234,21 +303,20 @@ void SegmentRasterizer::Drawing::fill(uint32_t triangle, const std::array<Raster
                });
 }
 
-void SegmentRasterizer::Drawing::drawCut(uint32_t triangle, bool clips) {
+void SegmentRasterizer::Drawing::drawClipped(uint32_t triangle) {
   const glm::uvec3& t = of_.mesh_.triangles[triangle];
   const std::vector<glm::vec3>& positions = of_.mesh_.positions;
-  const std::vector<ClipCorner>& polygon = scratch_.clipper.clip(
-      positions[t.x], positions[t.y], positions[t.z],
-      clips ? std::span<const HalfSpace>(of_.bounds_.spaces()) : std::span<const HalfSpace>());
+  const std::vector<ClipCorner>& polygon =
+      scratch_.clipper.clip(positions[t.x], positions[t.y], positions[t.z], of_.bounds_.spaces());
   std::vector<RasterVertex>& corners = scratch_.corners;
   corners.clear();
   for (const ClipCorner& corner : polygon) {
-    corners.push_back(of_.project(corner.p));
+    corners.push_back(rasterVertex(of_.image(corner.p)));
     corners.back().b1 = static_cast<float>(corner.b.x);
     corners.back().b2 = static_cast<float>(corner.b.y);
   }
   const bool within = std::none_of(polygon.begin(), polygon.end(), [&](const ClipCorner& corner) {
-    return segment_.begin.height(corner.p) < 0 || isBeyondEnds(corner.p);
+    return segment_.begin.height(corner.p) < 0 || isBeyondEnds(scratch_, corner.p);
   });
   for (size_t i = 2; i < corners.size(); ++i) {
     const std::array<RasterVertex, 3> vertices{corners[0], corners[i - 1], corners[i]};
@@ -276,12 +344,10 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
     }
   };
   bool endsBefore = true;
-  forEachKind([&](size_t kind, const std::vector<Plane>&) {
-    if (endsBefore) {
-      hold(kind);
-      endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
-    }
-  });
+  for (auto kind = scratch_.ends.begin(); kind != scratch_.ends.end() && endsBefore; ++kind) {
+    hold(kind->first);
+    endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
+  }
   if (endsBefore) {
     return;
   }

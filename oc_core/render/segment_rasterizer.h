@@ -22,12 +22,14 @@ class SegmentRasterizer final : public PieceRasterizer {
   void findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
                   std::vector<BlockTask>& tasks) const override;
   std::unique_ptr<Scratch> makeScratch() const override;
-  void draw(RegionBuffer& region, uint64_t kinds, const BlockTask& task, Scratch& scratch) const override;
+  void begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const override;
+  void draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const override;
 
  private:
   class Drawing;
 
-  RasterVertex project(const glm::dvec3& point) const;
+  /// u and v times their weight, and the weight.
+  glm::dvec3 image(const glm::dvec3& point) const;
 
   const StraightSegment& segment_;
   const Mesh& mesh_;
