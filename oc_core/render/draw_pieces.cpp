@@ -109,8 +109,12 @@ void drawPieces(const RayPieces& pieces, const PixelLeaves& leaves, const MeshBl
 OrderedBuffer orderedBufferOf(const RayPieces& pieces, const PixelLeaves& leaves, const MeshBlocks& blocks) {
   OrderedBuffer buffer(leaves.size());
   drawPieces(pieces, leaves, blocks, [&](const RegionBuffer& region) {
-    region.forEachSample([&](int x, int y, uint8_t order, const KeyedSample& sample) {
-      buffer.put(leaves.index(x, y), order, sample.fragment().t, sample.fragment().triangle, {sample.b1, sample.b2});
+    region.forEachRun(leaves.size(), [&](const RegionBuffer::SampleRun& run) {
+      size_t pixel = leaves.index(run.x, run.y);
+      for (const KeyedSample& sample : run.samples) {
+        const Fragment fragment = sample.fragment();
+        buffer.put(pixel++, run.order, fragment.t, fragment.triangle, {sample.b1, sample.b2});
+      }
     });
   });
   return buffer;

@@ -7,7 +7,9 @@
 #include <memory>
 #include <vector>
 
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/piece_rasterizer.h"
+#include "oc_core/render/ray_batch.h"
 
 namespace ocelli {
 
@@ -20,12 +22,25 @@ void drawPieces(const RayPieces& pieces, const PixelLeaves& leaves, const MeshBl
 /// The same as a buffer.
 OrderedBuffer orderedBufferOf(const RayPieces& pieces, const PixelLeaves& leaves, const MeshBlocks& blocks);
 
-/// The sample of a pixel as a fragment, whose z is `zOf(x, y, order, point)`; behind `zFar` nothing is seen.
+/// The fragments of a run of samples. `zOf(x, y, order, leaf, points, z)` gives z of what rays side by side meet at
+/// points of a piece; behind `zFar` nothing is seen.
 template <class ZOf>
-Fragment fragmentAlong(const Fragment& sample, int x, int y, uint8_t order, const Mesh& mesh, double zFar,
-                       const ZOf& zOf) {
-  const double z = zOf(x, y, order, glm::dvec3(positionOf(sample, mesh)));
-  return z <= zFar ? Fragment{static_cast<float>(z), sample.triangle, sample.b1, sample.b2} : Fragment();
+void putFragments(const RegionBuffer::SampleRun& run, const Mesh& mesh, double zFar, const ZOf& zOf,
+                  std::span<Fragment> fragments) {
+  RayBatch::Points points;
+  RayBatch::Lanes z;
+  for (size_t i = 0; i < run.samples.size(); ++i) {
+    fragments[i] = run.samples[i].fragment();
+    points.set(static_cast<int>(i), glm::dvec3(positionOf(fragments[i], mesh)));
+  }
+  zOf(run.x, run.y, run.order, run.leaf, points, z);
+  for (size_t i = 0; i < run.samples.size(); ++i) {
+    if (z[i] <= zFar) {
+      fragments[i].t = static_cast<float>(z[i]);
+    } else {
+      fragments[i] = Fragment();
+    }
+  }
 }
 
 /// The image of pieces.
@@ -34,8 +49,8 @@ FragmentImage drawFragments(const RayPieces& pieces, const PixelLeaves& leaves, 
                             const MeshBlocks& blocks, double zFar, const ZOf& zOf) {
   FragmentImage fragments(leaves.width(), leaves.height());
   drawPieces(pieces, leaves, blocks, [&](const RegionBuffer& region) {
-    region.forEachSample([&](int x, int y, uint8_t order, const KeyedSample& sample) {
-      fragments(x, y) = fragmentAlong(sample.fragment(), x, y, order, mesh, zFar, zOf);
+    region.forEachRun(RayBatch::kLanes, [&](const RegionBuffer::SampleRun& run) {
+      putFragments(run, mesh, zFar, zOf, {&fragments(run.x, run.y), run.samples.size()});
     });
   });
   return fragments;
@@ -43,15 +58,16 @@ FragmentImage drawFragments(const RayPieces& pieces, const PixelLeaves& leaves, 
 
 /// The image of what was drawn to a buffer.
 template <class ZOf>
-FragmentImage fragmentsOf(const OrderedBuffer& buffer, const Mesh& mesh, int width, int height, double zFar,
+FragmentImage fragmentsOf(const OrderedBuffer& buffer, const PixelLeaves& leaves, const Mesh& mesh, double zFar,
                           const ZOf& zOf) {
-  FragmentImage fragments(width, height);
-  parallelFor(static_cast<size_t>(height), 8, [&](size_t begin, size_t end) {
+  FragmentImage fragments(leaves.width(), leaves.height());
+  parallelFor(static_cast<size_t>(leaves.height()), 8, [&](size_t begin, size_t end) {
     for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-      for (int x = 0; x < width; ++x) {
+      for (int x = 0; x < leaves.width(); ++x) {
         const size_t pixel = fragments.index(x, y);
         if (buffer.order(pixel) != OrderedBuffer::kNone) {
-          fragments[pixel] = fragmentAlong(buffer.fragment(pixel), x, y, buffer.order(pixel), mesh, zFar, zOf);
+          putFragments({x, y, buffer.order(pixel), leaves[pixel], {&buffer.sample(pixel), 1}}, mesh, zFar, zOf,
+                       {&fragments[pixel], 1});
         }
       }
     }

@@ -55,11 +55,23 @@ class RegionBuffer {
     orders_[pixel] = order_;
     samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
   }
+  /// Draws a triangle to the pixels of `rect`, as scan(), isNearest() and put() would: its depths are those of
+  /// scanTriangle(). Many pixels at once.
+  void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+            const RasterVertex& c);
   uint16_t leaf(size_t pixel) const { return leaves_[pixel]; }
 
-  /// Calls `visit(x, y, order, sample)` for the pixels of the image that hold a sample.
+  /// A row of samples of one order, whose rays belong to one leaf.
+  struct SampleRun {
+    int x = 0;  ///< of the first pixel
+    int y = 0;
+    uint8_t order = 0;
+    uint16_t leaf = 0;
+    std::span<const KeyedSample> samples;
+  };
+  /// Calls `visit(run)` for all pixels that hold a sample, in runs of up to `most` pixels.
   template <class Visit>
-  void forEachSample(const Visit& visit) const;
+  void forEachRun(size_t most, const Visit& visit) const;
 
  private:
   static constexpr uint32_t kClosed = 0;
@@ -79,6 +91,7 @@ class RegionBuffer {
     bool stale = true;          ///< it may be nearer by now
   };
   uint32_t farthestOf(int tileX, int tileY) const;
+  class Filling;
 
   PixelBounds rect_;
   int width_ = 0;
@@ -94,13 +107,21 @@ class RegionBuffer {
 };
 
 template <class Visit>
-void RegionBuffer::forEachSample(const Visit& visit) const {
-  size_t pixel = 0;
+void RegionBuffer::forEachRun(size_t most, const Visit& visit) const {
   for (int y = rect_.y0; y < rect_.y1; ++y) {
-    for (int x = rect_.x0; x < rect_.x1; ++x, ++pixel) {
-      if (orders_[pixel] != OrderedBuffer::kNone) {
-        visit(x, y, orders_[pixel], samples_[pixel]);
+    const size_t row = static_cast<size_t>(y - rect_.y0) * static_cast<size_t>(width_);
+    const size_t rowEnd = row + static_cast<size_t>(width_);
+    for (size_t first = row; first < rowEnd;) {
+      size_t last = first + 1;
+      if (orders_[first] != OrderedBuffer::kNone) {
+        const size_t limit = std::min(first + most, rowEnd);
+        while (last < limit && orders_[last] == orders_[first] && leaves_[last] == leaves_[first]) {
+          ++last;
+        }
+        visit(SampleRun{rect_.x0 + static_cast<int>(first - row), y, orders_[first], leaves_[first],
+                        std::span(samples_).subspan(first, last - first)});
       }
+      first = last;
     }
   }
 }

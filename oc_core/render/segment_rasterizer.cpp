@@ -295,12 +295,7 @@ bool SegmentRasterizer::Drawing::endsBefore(const Vertex& a, const Vertex& b, co
 
 /// Of triangles that lie between the planes of the segment.
 void SegmentRasterizer::Drawing::fill(uint32_t triangle, const std::array<RasterVertex, 3>& vertices) {
-  region_.scan(rect_, vertices[0], vertices[1], vertices[2],
-               [&](size_t pixel, float weight, const PixelWeights& weights) {
-                 if (region_.isNearest(pixel, weight, triangle)) {
-                   region_.put(pixel, weight, triangle, weights());
-                 }
-               });
+  region_.fill(rect_, triangle, vertices[0], vertices[1], vertices[2]);
 }
 
 void SegmentRasterizer::Drawing::drawClipped(uint32_t triangle) {
