@@ -86,7 +86,9 @@ std::string surveyAsJson(const std::string& source, const WalkSurvey& survey, co
 void writeWalk(const std::string& path, const WalkChoice& choice, const WalkSurvey& survey, const Mesh& mesh,
                double metre) {
   if (path.ends_with(".json")) {
-    writeOutput(path, jsonText(survey.map));
+    OutputFile file(path);
+    file.write(jsonText(survey.map));
+    file.commit();
     return;
   }
   WalkPlanOptions options;
