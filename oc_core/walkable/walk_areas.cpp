@@ -51,10 +51,7 @@ WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidth
     rawWidth[raw.of[i]] = widest[labels[i]];
   }
   const std::vector<uint16_t> thickness = thicknesses(field, raw);
-  std::vector<size_t> sizes(raw.count, 0);  // of the floor that one can stand on
-  for (size_t i = 0; i < labels.size(); ++i) {
-    sizes[raw.of[i]] += field.squares[i].isObstacle ? 0 : 1;
-  }
+  const std::vector<size_t> sizes = standingSizes(field, raw);
   std::vector<uint8_t> isThin(raw.count, 0);
   for (uint32_t area = 0; area < raw.count; ++area) {
     isThin[area] =

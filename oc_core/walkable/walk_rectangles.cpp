@@ -119,10 +119,14 @@ WalkLayout rectangularLayout(const WalkField& field, const WalkLayout& layout, i
       widestBeside[border.b] = std::max(widestBeside[border.b], thickness[border.a]);
     }
   }
+  const std::vector<size_t> standing = standingSizes(field, raw);
   std::vector<uint8_t> isThin(raw.count, 0);
   for (uint32_t piece = 0; piece < raw.count; ++piece) {
-    isThin[piece] = isDivided[oldPiece[piece]] != 0 && widestBeside[piece] > 0 &&
-                    thickness[piece] <= std::max<double>(radius, kThinLeftOver * widestBeside[piece]);
+    const bool hasNoPlace =
+        standing[piece] < static_cast<size_t>(2 * radius + 1) * (2 * radius + 1) && !shapeOf[labelOf[piece]].isTunnel;
+    const bool isLeftOver = isDivided[oldPiece[piece]] != 0 && widestBeside[piece] > 0 &&
+                            thickness[piece] <= std::max<double>(radius, kThinLeftOver * widestBeside[piece]);
+    isThin[piece] = hasNoPlace || isLeftOver;
   }
   WalkLayout result;
   result.pieces = absorbed(field, raw, isThin);
