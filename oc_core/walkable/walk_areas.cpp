@@ -13,7 +13,7 @@ constexpr double kThinShare = 0.5;
 
 }  // namespace
 
-WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidths, int radius) {
+WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidths, int radius, size_t smallest) {
   const WalkPieces levels = connectedPieces(field, std::vector<uint32_t>(halfWidths.begin(), halfWidths.end()));
   std::vector<uint16_t> width(levels.count, 0);
   for (size_t i = 0; i < halfWidths.size(); ++i) {
@@ -51,9 +51,11 @@ WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidth
     rawWidth[raw.of[i]] = widest[labels[i]];
   }
   const std::vector<uint16_t> thickness = thicknesses(field, raw);
+  const std::vector<size_t> sizes = standingSizes(field, raw);
   std::vector<uint8_t> isThin(raw.count, 0);
   for (uint32_t area = 0; area < raw.count; ++area) {
-    isThin[area] = thickness[area] <= radius || thickness[area] <= kThinShare * rawWidth[area];
+    isThin[area] =
+        sizes[area] < smallest || thickness[area] <= radius || thickness[area] <= kThinShare * rawWidth[area];
   }
   WalkAreas result;
   result.pieces = absorbed(field, raw, isThin);

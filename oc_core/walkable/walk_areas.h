@@ -15,7 +15,8 @@ struct WalkAreas {
 
 /// From the widest place down, floor joins an area that it touches where it is four fifths as wide as that at least,
 /// and begins one otherwise. Areas that are much thinner than the space they stand in, such as the floor of a door
-/// within its wall, and niches of facades, are given to a neighbour. `radius` is that of the agent, in squares.
-WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidths, int radius);
+/// within its wall, and niches of facades, are given to a neighbour. So are
+/// areas of less than `smallest` squares, such as the floor below an arch. `radius` is that of the agent, in squares.
+WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidths, int radius, size_t smallest);
 
 }  // namespace ocelli

@@ -2,15 +2,18 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
-#include <tuple>
 #include <utility>
+
+#include "oc_core/walkable/walk_width.h"
 
 namespace ocelli {
 namespace {
 
+// How long an obstacle may be, for the width of the space, and for the agent's height.
 constexpr double kLowShare = 0.75;
-constexpr double kTallShare = 0.125;
+constexpr double kTallShare = 0.35;
+constexpr float kLowSize = 3;
+constexpr float kTallSize = 1;
 constexpr float kEyeShare = 0.9f;  // of the agent's height
 
 struct BorderEdge {
@@ -40,6 +43,8 @@ struct Hole {
   int width = 0;                              ///< in squares
   int depth = 0;
   bool isInner = false;  ///< else it is the outer border of a part
+
+  int size() const { return std::max(width, depth); }
 };
 
 Hole holeOf(const WalkField& field, const std::vector<BorderEdge>& border) {
@@ -58,27 +63,25 @@ Hole holeOf(const WalkField& field, const std::vector<BorderEdge>& border) {
       highX = std::max(highX, x);
     }
   }
+  for (auto& [z, xs] : hole.crossings) {
+    std::sort(xs.begin(), xs.end());
+  }
   hole.isInner = doubleArea > 0;
   hole.width = highX - lowX;
   hole.depth = hole.crossings.empty() ? 0 : hole.crossings.rbegin()->first - hole.crossings.begin()->first + 1;
   return hole;
 }
 
-bool isOverlooked(const WalkField& field, const std::vector<BorderEdge>& border, const Hole& hole,
-                  const std::vector<uint16_t>& halfWidths, float agentHeight) {
+bool standsHigh(const WalkField& field, const std::vector<BorderEdge>& border, float agentHeight) {
   float top = 0;
-  int half = 0;
   for (const BorderEdge& edge : border) {
-    const WalkSquare& square = field.squares[edge.square];
-    top = std::max(top, square.wallTop - square.floor);
-    half = std::max<int>(half, halfWidths[edge.square]);
+    top = std::max(top, field.squares[edge.square].wallTop - field.squares[edge.square].floor);
   }
-  const double share = top > 0 && top < kEyeShare * agentHeight ? kLowShare : kTallShare;
-  return std::max(hole.width, hole.depth) <= share * (2 * half - 1);
+  return top == 0 || top >= kEyeShare * agentHeight;  // where nothing stands it is a pit
 }
 
 /// Adds squares in the hole, and joins them with each other and with its border.
-void closeHole(WalkField& field, const std::vector<BorderEdge>& border, Hole& hole) {
+void closeHole(WalkField& field, const std::vector<BorderEdge>& border, const Hole& hole) {
   double floor = 0;
   float ceiling = kNoCeiling;
   for (const BorderEdge& edge : border) {
@@ -87,8 +90,7 @@ void closeHole(WalkField& field, const std::vector<BorderEdge>& border, Hole& ho
   }
   floor /= static_cast<double>(border.size());
   std::map<std::pair<int, int>, uint32_t> added;
-  for (auto& [z, xs] : hole.crossings) {
-    std::sort(xs.begin(), xs.end());
+  for (const auto& [z, xs] : hole.crossings) {
     for (size_t k = 0; k + 1 < xs.size(); k += 2) {
       for (int x = xs[k]; x < xs[k + 1]; ++x) {
         added[{x, z}] = static_cast<uint32_t>(field.squares.size());
@@ -119,49 +121,52 @@ void closeHole(WalkField& field, const std::vector<BorderEdge>& border, Hole& ho
   }
 }
 
-/// Back in order of z, then x, then height.
-WalkField sorted(const WalkField& field) {
-  std::vector<uint32_t> order(field.squares.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    const WalkSquare& p = field.squares[a];
-    const WalkSquare& q = field.squares[b];
-    return std::tie(p.z, p.x, p.floor) < std::tie(q.z, q.x, q.floor);
-  });
-  std::vector<uint32_t> numbers(order.size());
-  WalkField result;
-  result.cellSize = field.cellSize;
-  result.origin = field.origin;
-  for (uint32_t i = 0; i < order.size(); ++i) {
-    numbers[order[i]] = i;
-    result.squares.push_back(field.squares[order[i]]);
-  }
-  for (WalkSquare& square : result.squares) {
-    for (uint32_t& next : square.next) {
-      next = next == kNoSquare ? kNoSquare : numbers[next];
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
-WalkField overlookObstacles(const WalkField& field, const std::vector<uint16_t>& halfWidths, float agentHeight) {
-  WalkField result = field;
+WalkField overlookObstacles(const WalkField& field, float agentHeight, uint16_t widest) {
+  struct Candidate {
+    std::vector<BorderEdge> border;
+    Hole hole;
+    double share;
+  };
+  std::vector<Candidate> candidates;
   std::vector<uint8_t> seen(field.squares.size(), 0);  // a bit for each side
   for (uint32_t i = 0; i < field.squares.size(); ++i) {
     for (int side = 0; side < 4; ++side) {
       if (field.squares[i].next[side] != kNoSquare || (seen[i] >> side & 1) != 0) {
         continue;
       }
-      const std::vector<BorderEdge> border = borderFrom(field, {i, side}, seen);
-      Hole hole = holeOf(field, border);
-      if (hole.isInner && isOverlooked(field, border, hole, halfWidths, agentHeight)) {
-        closeHole(result, border, hole);
+      std::vector<BorderEdge> border = borderFrom(field, {i, side}, seen);
+      const Hole hole = holeOf(field, border);
+      const bool isHigh = standsHigh(field, border, agentHeight);
+      if (hole.isInner &&
+          static_cast<float>(hole.size()) * field.cellSize <= (isHigh ? kTallSize : kLowSize) * agentHeight) {
+        candidates.push_back({std::move(border), hole, isHigh ? kTallShare : kLowShare});
       }
     }
   }
-  return sorted(result);
+  if (candidates.empty()) {
+    return field;
+  }
+  // How wide the space would be without any of them.
+  WalkField closed = field;
+  for (const Candidate& candidate : candidates) {
+    closeHole(closed, candidate.border, candidate.hole);
+  }
+  std::vector<uint32_t> numbers;
+  closed = inOrder(closed, numbers);
+  const std::vector<uint16_t> half = halfWidths(closed, stepsToBorder(closed), widest);
+  WalkField result = field;
+  for (const Candidate& candidate : candidates) {
+    int width = 0;
+    for (const BorderEdge& edge : candidate.border) {
+      width = std::max(width, 2 * half[numbers[edge.square]] - 1);
+    }
+    if (candidate.hole.size() <= candidate.share * width) {
+      closeHole(result, candidate.border, candidate.hole);
+    }
+  }
+  return inOrder(result, numbers);
 }
 
 }  // namespace ocelli

@@ -8,8 +8,9 @@
 
 namespace ocelli {
 
-/// Closes the holes that stand free and are small for the space around them. Lower ones than the agent's eyes may be
-/// three quarters as long as the space is wide, others an eighth. `halfWidths` are those of the field (walk_width.h).
-WalkField overlookObstacles(const WalkField& field, const std::vector<uint16_t>& halfWidths, float agentHeight);
+/// Closes the holes that stand free and are small for the space that there is without them: lower ones than the agent's
+/// eyes may be three quarters as long as the space is wide, and three times as long as the agent is high; others a
+/// third and as long as that. `widest` is the limit of halfWidths() (walk_width.h).
+WalkField overlookObstacles(const WalkField& field, float agentHeight, uint16_t widest);
 
 }  // namespace ocelli

@@ -14,8 +14,8 @@ struct WalkOptions {
   double agentRadius = 0.25;
   double stepHeight = 0.35;
   double slopeDegrees = 40;
-  double cellSize = 0.1;    ///< of the height field, level; its heights are in halves of it
-  double partShare = 0.05;  ///< smaller parts that cannot be reached are left out: a share of the largest part's area
+  double cellSize = 0.1;   ///< of the height field, level; its heights are in halves of it
+  double partShare = 0.5;  ///< of the largest part's area: smaller parts, and roofs, are left out; 0: none is
 };
 
 /// One option as users see it.

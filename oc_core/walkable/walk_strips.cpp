@@ -2,54 +2,23 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
 #include <utility>
+
+#include "oc_core/base/disjoint_sets.h"
+#include "oc_core/walkable/walk_crossings.h"
+#include "oc_core/walkable/walk_extent.h"
 
 namespace ocelli {
 namespace {
 
-constexpr double kCrossingReach = 1.5;  // in widths
 constexpr double kTunnelLength = 2.5;   // in widths, of an area without crossings
 constexpr double kMouthOfTunnel = 0.4;  // the least width of what crosses, in widths of the tunnel
 constexpr double kWidestMouth = 2.5;
-constexpr double kMouthIsWhole = 0.8;   // of the width of what opens there: else it is a door
-constexpr double kThinCrossing = 0.35;  // in widths
-
-double widthOf(uint16_t half) {
-  return 2.0 * half - 1;
-}
-
-/// How many squares of the same piece stand in a row with each square, itself included, along x or z.
-std::vector<uint32_t> runs(const WalkField& field, const std::vector<uint32_t>& labels, bool alongX) {
-  const int back = alongX ? 0 : 3;
-  const int ahead = alongX ? 2 : 1;
-  const auto count = static_cast<uint32_t>(labels.size());
-  const auto follows = [&](uint32_t i, int side) {
-    const uint32_t k = field.squares[i].next[side];
-    return k != kNoSquare && labels[k] == labels[i] ? k : kNoSquare;
-  };
-  std::vector<uint32_t> result(count, 0);
-  std::vector<uint32_t> row;
-  for (uint32_t i = 0; i < count; ++i) {
-    if (result[i] != 0 || follows(i, back) != kNoSquare) {
-      continue;
-    }
-    row.assign(1, i);
-    for (uint32_t k = follows(i, ahead); k != kNoSquare; k = follows(k, ahead)) {
-      row.push_back(k);
-    }
-    for (const uint32_t k : row) {
-      result[k] = static_cast<uint32_t>(row.size());
-    }
-  }
-  return result;
-}
-
-/// A part of a tunnel's length, in squares; `last` belongs to it.
-struct Interval {
-  int first = 0;
-  int last = -1;
-  int length() const { return last - first + 1; }
-};
+constexpr double kMouthIsWhole = 0.8;    // of the width of what opens there: else it is a door
+constexpr double kGoesOnThrough = 0.35;  // of the width of tunnels that are one: the least opening between them
+constexpr double kGoesOnWidth = 0.6;     // the narrower of the wider
+constexpr double kGoesOnBeside = 0.3;    // of their width: how far their middle lines may be apart
 
 /// The pieces as they are divided step by step.
 struct Division {
@@ -57,49 +26,18 @@ struct Division {
   WalkPieces pieces;
   std::vector<WalkShape> shapes;
   std::vector<uint8_t> isCrossing;
+  std::vector<uint32_t> area;
   std::vector<std::vector<uint32_t>> squares;  ///< of each piece
 
-  int along(uint32_t square, bool alongX) const { return alongX ? field.squares[square].x : field.squares[square].z; }
+  int along(uint32_t square, bool alongX) const { return coordinateOf(field, square, alongX); }
 
-  void gather() {
-    squares.assign(pieces.count, {});
-    for (uint32_t i = 0; i < pieces.of.size(); ++i) {
-      squares[pieces.of[i]].push_back(i);
-    }
-  }
-
-  /// Where a piece is at least half as wide as it mostly is.
-  Interval extent(uint32_t piece, bool alongX) const {
-    int low = along(squares[piece].front(), alongX);
-    int high = low;
-    for (const uint32_t i : squares[piece]) {
-      low = std::min(low, along(i, alongX));
-      high = std::max(high, along(i, alongX));
-    }
-    std::vector<int> counts(high - low + 1, 0);
-    for (const uint32_t i : squares[piece]) {
-      ++counts[along(i, alongX) - low];
-    }
-    std::vector<int> ordered = counts;
-    std::nth_element(ordered.begin(), ordered.begin() + static_cast<long>(ordered.size() / 2), ordered.end());
-    const int least = (ordered[ordered.size() / 2] + 1) / 2;
-    Interval interval{low, high};
-    while (counts[interval.first - low] < least) {
-      ++interval.first;
-    }
-    while (counts[interval.last - low] < least) {
-      --interval.last;
-    }
-    return interval;
-  }
-
-  /// Makes a piece of the squares of another one whose coordinate along an axis lies in the interval.
-  uint32_t cut(uint32_t piece, bool alongX, const Interval& interval, const WalkShape& shape) {
+  /// Makes a piece of the squares of another one whose coordinate along an axis lies in the range.
+  uint32_t cut(uint32_t piece, bool alongX, const SquareRange& range, const WalkShape& shape) {
     std::vector<uint32_t> kept;
     std::vector<uint32_t> taken;
     for (const uint32_t i : squares[piece]) {
       const int at = along(i, alongX);
-      (at >= interval.first && at <= interval.last ? taken : kept).push_back(i);
+      (at >= range.first && at <= range.last ? taken : kept).push_back(i);
     }
     const uint32_t made = pieces.count++;
     for (const uint32_t i : taken) {
@@ -109,86 +47,105 @@ struct Division {
     squares.push_back(std::move(taken));
     shapes.push_back(shape);
     isCrossing.push_back(0);
+    area.push_back(area[piece]);
     return made;
   }
 };
 
-/// Crossings and what is between them, by label: two labels of each area.
-WalkPieces crossingsAndArms(const WalkField& field, const WalkAreas& areas, int radius, std::vector<uint8_t>& isCross) {
-  const std::vector<uint32_t> alongX = runs(field, areas.pieces.of, true);
-  const std::vector<uint32_t> alongZ = runs(field, areas.pieces.of, false);
-  std::vector<uint32_t> labels(areas.pieces.of.size());
-  for (size_t i = 0; i < labels.size(); ++i) {
-    const uint32_t area = areas.pieces.of[i];
-    const double reach = kCrossingReach * widthOf(areas.halfWidth[area]);
-    labels[i] = 2 * area + (alongX[i] >= reach && alongZ[i] >= reach ? 1 : 0);
-  }
-  for (int pass = 0; pass < 2; ++pass) {
-    const WalkPieces raw = connectedPieces(field, labels);
-    std::vector<uint32_t> labelOf(raw.count);
-    for (size_t i = 0; i < labels.size(); ++i) {
-      labelOf[raw.of[i]] = labels[i];
-    }
-    std::vector<int> crossingsBeside(raw.count, 0);
-    std::vector<int> armsBeside(raw.count, 0);
-    for (const PieceBorder& border : bordersOf(field, raw.of)) {
-      if (labelOf[border.a] / 2 == labelOf[border.b] / 2) {
-        ++crossingsBeside[labelOf[border.b] % 2 == 1 ? border.a : border.b];
-        ++armsBeside[labelOf[border.b] % 2 == 1 ? border.b : border.a];
-      }
-    }
-    // First thin crossings, then what is left over beside crossings.
-    const std::vector<uint16_t> thickness = thicknesses(field, raw);
-    std::vector<uint8_t> isMarked(raw.count, 0);
-    for (uint32_t piece = 0; piece < raw.count; ++piece) {
-      const uint16_t half = areas.halfWidth[labelOf[piece] / 2];
-      const bool isThin = thickness[piece] <= std::max<double>(1, kThinCrossing * half);
-      isMarked[piece] = labelOf[piece] % 2 == 1
-                            ? pass == 0 && isThin && armsBeside[piece] > 0
-                            : pass == 1 && thickness[piece] <= radius && crossingsBeside[piece] == 1;
-    }
-    const WalkPieces left = absorbed(field, raw, isMarked);
-    std::vector<uint32_t> ownLabel(left.count, kNoSquare);
-    for (size_t i = 0; i < labels.size(); ++i) {
-      if (isMarked[raw.of[i]] == 0) {
-        ownLabel[left.of[i]] = labelOf[raw.of[i]];
-      }
-    }
-    for (size_t i = 0; i < labels.size(); ++i) {
-      labels[i] = ownLabel[left.of[i]] == kNoSquare ? labels[i] : ownLabel[left.of[i]];
-    }
-  }
-  const WalkPieces pieces = connectedPieces(field, labels);
-  isCross.assign(pieces.count, 0);
-  for (size_t i = 0; i < labels.size(); ++i) {
-    isCross[pieces.of[i]] = labels[i] % 2;
-  }
-  return pieces;
-}
+/// An arm as a strip.
+struct Strip {
+  bool touchesCrossing = false;
+  bool alongX = false;
+  SquareRange length;
+  SquareRange across;
+};
 
-/// Along which axis an arm leaves its crossings; the longer one where it has none. `touches` tells whether it has.
-bool armIsAlongX(const Division& d, uint32_t piece, bool& touches) {
+/// Along the axis by which it leaves crossings of its area; along the longer one where it has none.
+Strip stripOf(const Division& d, uint32_t piece) {
   std::array<size_t, 2> sides{0, 0};
   for (const uint32_t i : d.squares[piece]) {
     for (int side = 0; side < 4; ++side) {
       const uint32_t k = d.field.squares[i].next[side];
-      if (k != kNoSquare && d.pieces.of[k] != piece && d.isCrossing[d.pieces.of[k]] != 0) {
+      if (k != kNoSquare && d.pieces.of[k] != piece && d.isCrossing[d.pieces.of[k]] != 0 &&
+          d.area[d.pieces.of[k]] == d.area[piece]) {
         ++sides[side % 2];
       }
     }
   }
-  touches = sides[0] + sides[1] > 0;
-  return touches ? sides[0] > sides[1] : d.extent(piece, true).length() > d.extent(piece, false).length();
+  const SquareRange x = extentOf(d.field, d.squares[piece], true);
+  const SquareRange z = extentOf(d.field, d.squares[piece], false);
+  Strip strip;
+  strip.touchesCrossing = sides[0] + sides[1] > 0;
+  strip.alongX = strip.touchesCrossing ? sides[0] > sides[1] : x.length() > z.length();
+  strip.length = strip.alongX ? x : z;
+  strip.across = strip.alongX ? z : x;
+  return strip;
+}
+
+/// How much of the border of two pieces lies across an axis.
+size_t borderAcross(const Division& d, uint32_t a, uint32_t b, bool alongX) {
+  size_t length = 0;
+  for (const uint32_t i : d.squares[a]) {
+    for (int side = alongX ? 0 : 1; side < 4; side += 2) {
+      const uint32_t k = d.field.squares[i].next[side];
+      length += k != kNoSquare && d.pieces.of[k] == b ? 1 : 0;
+    }
+  }
+  return length;
+}
+
+/// Joins the arms that go on in each other.
+void joinStrips(Division& d) {
+  std::vector<Strip> strips;
+  std::vector<uint8_t> isLong;
+  for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
+    strips.push_back(stripOf(d, piece));
+    isLong.push_back(d.isCrossing[piece] == 0 &&
+                     (strips[piece].touchesCrossing ||
+                      strips[piece].length.length() >= kTunnelLength * widthOf(d.shapes[piece].halfWidth)));
+  }
+  DisjointSets sets(d.pieces.count);
+  for (const PieceBorder& border : bordersOf(d.field, d.pieces.of)) {
+    const Strip& a = strips[border.a];
+    const Strip& b = strips[border.b];
+    const double widthA = widthOf(d.shapes[border.a].halfWidth);
+    const double widthB = widthOf(d.shapes[border.b].halfWidth);
+    const double narrower = std::min(widthA, widthB);
+    const double apart = std::abs(a.across.first + a.across.last - b.across.first - b.across.last) / 2.0;
+    if (isLong[border.a] != 0 && isLong[border.b] != 0 && a.alongX == b.alongX &&
+        narrower >= kGoesOnWidth * std::max(widthA, widthB) && apart <= kGoesOnBeside * narrower &&
+        static_cast<double>(borderAcross(d, border.a, border.b, a.alongX)) >= kGoesOnThrough * narrower) {
+      sets.join(border.a, border.b);
+    }
+  }
+  for (uint32_t& piece : d.pieces.of) {
+    piece = sets.least(piece);
+  }
+  const WalkPieces joined = connectedPieces(d.field, d.pieces.of);
+  std::vector<WalkShape> shapes(joined.count);
+  std::vector<uint8_t> isCrossing(joined.count, 0);
+  std::vector<uint32_t> area(joined.count, 0);
+  for (size_t i = 0; i < joined.of.size(); ++i) {
+    const uint32_t old = d.pieces.of[i];
+    shapes[joined.of[i]].halfWidth = std::max(shapes[joined.of[i]].halfWidth, d.shapes[old].halfWidth);
+    isCrossing[joined.of[i]] = d.isCrossing[old];
+    area[joined.of[i]] = d.area[old];
+  }
+  d.pieces = joined;
+  d.shapes = std::move(shapes);
+  d.isCrossing = std::move(isCrossing);
+  d.area = std::move(area);
+  d.squares = squaresOf(d.pieces);
 }
 
 /// Whether one gets out at an end of a strip, through a side that looks that way.
-bool isOpenAt(const Division& d, uint32_t piece, bool alongX, bool atLast, const Interval& extent, double slack) {
-  const int side = alongX ? (atLast ? 2 : 0) : (atLast ? 1 : 3);
+bool isOpenAt(const Division& d, uint32_t piece, const Strip& strip, bool atLast, double slack) {
+  const int side = strip.alongX ? (atLast ? 2 : 0) : (atLast ? 1 : 3);
   for (const uint32_t i : d.squares[piece]) {
-    const int at = d.along(i, alongX);
+    const int at = d.along(i, strip.alongX);
     const uint32_t k = d.field.squares[i].next[side];
     if (k != kNoSquare && d.pieces.of[k] != piece &&
-        (atLast ? at >= extent.last - slack : at <= extent.first + slack)) {
+        (atLast ? at >= strip.length.last - slack : at <= strip.length.first + slack)) {
       return true;
     }
   }
@@ -196,37 +153,35 @@ bool isOpenAt(const Division& d, uint32_t piece, bool alongX, bool atLast, const
 }
 
 void divideArm(Division& d, uint32_t piece) {
-  bool touches = false;
-  WalkShape& shape = d.shapes[piece];
-  const bool alongX = armIsAlongX(d, piece, touches);
-  shape.isAlongX = alongX;
+  const Strip strip = stripOf(d, piece);
+  WalkShape shape = d.shapes[piece];
+  shape.isAlongX = strip.alongX;
   const double width = widthOf(shape.halfWidth);
-  const Interval extent = d.extent(piece, alongX);
-  if (!touches && extent.length() < kTunnelLength * width) {
+  if (!strip.touchesCrossing && strip.length.length() < kTunnelLength * width) {
     return;
   }
-  const bool firstOpen = isOpenAt(d, piece, alongX, false, extent, width / 2);
-  const bool lastOpen = isOpenAt(d, piece, alongX, true, extent, width / 2);
+  const bool firstOpen = isOpenAt(d, piece, strip, false, width / 2);
+  const bool lastOpen = isOpenAt(d, piece, strip, true, width / 2);
   const auto end = static_cast<int>(width);
-  const int rest = extent.length() - (firstOpen ? 0 : end) - (lastOpen ? 0 : end);
+  const int rest = strip.length.length() - (firstOpen ? 0 : end) - (lastOpen ? 0 : end);
   constexpr int kShortestTunnel = 2;  // squares
   if (rest < kShortestTunnel) {
     return;
   }
+  const WalkShape room = shape;
   shape.isTunnel = true;
-  WalkShape room = shape;
-  room.isTunnel = false;
+  d.shapes[piece] = shape;
   constexpr int kFar = 1 << 30;
   if (!firstOpen) {
-    d.cut(piece, alongX, {-kFar, extent.first + end - 1}, room);
+    d.cut(piece, strip.alongX, {-kFar, strip.length.first + end - 1}, room);
   }
   if (!lastOpen) {
-    d.cut(piece, alongX, {extent.last - end + 1, kFar}, room);
+    d.cut(piece, strip.alongX, {strip.length.last - end + 1, kFar}, room);
   }
 }
 
 /// Where other tunnels open into the sides of a tunnel.
-std::vector<Interval> mouthsOf(const Division& d, uint32_t piece) {
+std::vector<SquareRange> mouthsOf(const Division& d, uint32_t piece) {
   const bool alongX = d.shapes[piece].isAlongX;
   const double width = widthOf(d.shapes[piece].halfWidth);
   std::vector<std::pair<uint32_t, int>> edges;  // the other piece, and where along the tunnel
@@ -242,23 +197,23 @@ std::vector<Interval> mouthsOf(const Division& d, uint32_t piece) {
     }
   }
   std::sort(edges.begin(), edges.end());
-  std::vector<Interval> mouths;
+  std::vector<SquareRange> mouths;
   for (size_t begin = 0; begin < edges.size();) {
     size_t end = begin + 1;
     while (end < edges.size() && edges[end].first == edges[begin].first &&
            edges[end].second <= edges[end - 1].second + 1) {
       ++end;
     }
-    const Interval mouth{edges[begin].second, edges[end - 1].second};
+    const SquareRange mouth{edges[begin].second, edges[end - 1].second};
     if (mouth.length() >= kMouthOfTunnel * width && mouth.length() <= kWidestMouth * width &&
         mouth.length() >= kMouthIsWhole * widthOf(d.shapes[edges[begin].first].halfWidth)) {
       mouths.push_back(mouth);
     }
     begin = end;
   }
-  std::sort(mouths.begin(), mouths.end(), [](const Interval& a, const Interval& b) { return a.first < b.first; });
-  std::vector<Interval> joined;
-  for (const Interval& mouth : mouths) {
+  std::sort(mouths.begin(), mouths.end(), [](const SquareRange& a, const SquareRange& b) { return a.first < b.first; });
+  std::vector<SquareRange> joined;
+  for (const SquareRange& mouth : mouths) {
     if (!joined.empty() && mouth.first <= joined.back().last) {
       joined.back().last = std::max(joined.back().last, mouth.last);
     } else {
@@ -300,13 +255,14 @@ WalkLayout settled(const Division& d) {
 }  // namespace
 
 WalkLayout layoutOf(const WalkField& field, const WalkAreas& areas, int radius) {
-  Division d{field, {}, {}, {}, {}};
-  d.pieces = crossingsAndArms(field, areas, radius, d.isCrossing);
-  d.gather();
+  WalkCrossings crossings = crossingsOf(field, areas, radius);
+  Division d{field, std::move(crossings.pieces), {}, std::move(crossings.isCrossing), std::move(crossings.area), {}};
+  d.squares = squaresOf(d.pieces);
   d.shapes.resize(d.pieces.count);
   for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
-    d.shapes[piece].halfWidth = areas.halfWidth[areas.pieces.of[d.squares[piece].front()]];
+    d.shapes[piece].halfWidth = areas.halfWidth[d.area[piece]];
   }
+  joinStrips(d);
   const uint32_t arms = d.pieces.count;
   for (uint32_t piece = 0; piece < arms; ++piece) {
     if (d.isCrossing[piece] == 0) {
@@ -314,14 +270,14 @@ WalkLayout layoutOf(const WalkField& field, const WalkAreas& areas, int radius) 
     }
   }
   const uint32_t tunnels = d.pieces.count;
-  std::vector<std::vector<Interval>> mouths(tunnels);
+  std::vector<std::vector<SquareRange>> mouths(tunnels);
   for (uint32_t piece = 0; piece < tunnels; ++piece) {
     if (d.shapes[piece].isTunnel) {
       mouths[piece] = mouthsOf(d, piece);
     }
   }
   for (uint32_t piece = 0; piece < tunnels; ++piece) {
-    for (const Interval& mouth : mouths[piece]) {
+    for (const SquareRange& mouth : mouths[piece]) {
       WalkShape room = d.shapes[piece];
       room.isTunnel = false;
       d.cut(piece, d.shapes[piece].isAlongX, mouth, room);

@@ -19,9 +19,9 @@ struct WalkLayout {
   std::vector<WalkShape> shapes;  ///< of each piece
 };
 
-/// Floor is a crossing where free floor of its area reaches further than 1.5 widths along both axes; what is between
-/// crossings are tunnels. An area without crossings is a tunnel where it is 2.5 times as long as wide. The last square
-/// of a tunnel with a closed end is a room, the dead end. A tunnel is divided again where another one opens into its
+/// What is between crossings (walk_crossings.h) are tunnels; an area without crossings is one where it is 2.5 times as
+/// long as wide. Tunnels that go on in each other are one: what parts them, such as an arch, becomes rings. The last
+/// square of a tunnel with a closed end is a room, the dead end. A tunnel is divided where another one opens into its
 /// side. `radius` is that of the agent, in squares.
 WalkLayout layoutOf(const WalkField& field, const WalkAreas& areas, int radius);
 

@@ -199,7 +199,7 @@ BuiltinScene cityScene() {
   return {"city",
           "streets of different widths, squares and alleys between houses, within a wall with a gate; in metres",
           {{"seed", "of the random numbers", BuiltinParameter::Kind::kInteger, "1", 0, 4294967295.0},
-           {"size", "of the city along each side, metres", BuiltinParameter::Kind::kNumber, "168", kMinCitySize,
+           {"size", "of the city along each side, metres", BuiltinParameter::Kind::kNumber, "152", kMinCitySize,
             kMaxCitySize},
            trianglesParameter()},
           buildCity};

@@ -21,7 +21,7 @@ namespace ocelli {
 
 struct CityOptions {
   uint64_t seed = 1;
-  float size = 168;  ///< of the inside of its wall along each side, kMinCitySize to kMaxCitySize
+  float size = 152;  ///< of the inside of its wall along each side, kMinCitySize to kMaxCitySize
 };
 
 inline constexpr float kMinCitySize = 60;
