@@ -6,6 +6,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/comprehensive_objects.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
@@ -71,8 +72,11 @@ const std::vector<CameraConstructor>& cameraConstructors() {
        }},
       {"comprehensive", "a whole maze in one image, each place once",
        [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
-         const ComprehensiveOptions options = readComprehensiveOptions(fields);
+         ComprehensiveOptions options = readComprehensiveOptions(fields);
          const Maze& maze = mazeOf(scene, "comprehensive camera");
+         if (fields.boolean("show_objects", true)) {
+           options = chooseComprehensive(scene, options, reference.width(), reference.height()).options;
+         }
          return MultiperspectiveCamera(makeComprehensiveCamera(maze, options, reference.width(), reference.height()));
        }},
       {"portal", "graph camera that looks straight into every portal in view",
