@@ -14,8 +14,10 @@ constexpr std::array<WalkOption, 6> kWalkOptions{{
     {"step_height", "how high it steps", 0, 50, true, &WalkOptions::stepHeight},
     {"slope_degrees", "how steep a floor it walks on", 0, 80, false, &WalkOptions::slopeDegrees},
     {"cell_size", "squares of the height field in which floors are found", 0.01, 50, true, &WalkOptions::cellSize},
-    {"part_share", "parts out of reach that are smaller, as a share of the largest part's area, are left out", 0, 1,
-     false, &WalkOptions::partShare},
+    {"part_share",
+     "parts out of reach that are smaller than this share of the largest part are left out, and so are roofs; 0: "
+     "none is",
+     0, 1, false, &WalkOptions::partShare},
 }};
 
 }  // namespace

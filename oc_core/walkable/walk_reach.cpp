@@ -64,6 +64,30 @@ void spread(const WalkField& field, int radius, std::vector<uint32_t>& labels) {
   }
 }
 
+/// Which parts lie under the open sky, and for more than half of them over the floor of other parts.
+std::vector<uint8_t> roofs(const WalkField& field, const std::vector<uint32_t>& labels,
+                           const std::vector<size_t>& sizes) {
+  std::vector<size_t> above(sizes.size(), 0);
+  for (uint32_t i = 0; i < labels.size(); ++i) {
+    const WalkSquare& square = field.squares[i];
+    if (labels[i] == kNoSquare || square.ceiling != kNoCeiling) {
+      continue;
+    }
+    // Squares of one column stand in a row, from the lowest up.
+    for (uint32_t k = i; k-- > 0 && field.squares[k].x == square.x && field.squares[k].z == square.z;) {
+      if (labels[k] != kNoSquare && labels[k] != labels[i]) {
+        ++above[labels[i]];
+        break;
+      }
+    }
+  }
+  std::vector<uint8_t> isRoof(sizes.size(), 0);
+  for (size_t part = 0; part < sizes.size(); ++part) {
+    isRoof[part] = 2 * above[part] > sizes[part];
+  }
+  return isRoof;
+}
+
 }  // namespace
 
 WalkReach reachOf(const WalkField& field, int radius, double partShare) {
@@ -82,11 +106,15 @@ WalkReach reachOf(const WalkField& field, int radius, double partShare) {
       ++sizes[label];
     }
   }
-  const size_t largest = parts == 0 ? 0 : *std::max_element(sizes.begin(), sizes.end());
+  const std::vector<uint8_t> isRoof = partShare > 0 ? roofs(field, labels, sizes) : std::vector<uint8_t>(parts, 0);
+  size_t largest = 0;
+  for (uint32_t part = 0; part < parts; ++part) {
+    largest = std::max(largest, isRoof[part] != 0 ? 0 : sizes[part]);
+  }
   size_t small = 0;
   std::vector<uint8_t> isKept(parts, 1);
   for (uint32_t part = 0; part < parts; ++part) {
-    if (static_cast<double>(sizes[part]) < partShare * static_cast<double>(largest)) {
+    if (isRoof[part] != 0 || static_cast<double>(sizes[part]) < partShare * static_cast<double>(largest)) {
       isKept[part] = 0;
       small += sizes[part];
       ++reach.smallParts;
