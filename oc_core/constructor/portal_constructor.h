@@ -24,16 +24,32 @@ namespace ocelli {
 class JsonFields;
 
 /// Distances are from the eye to the nearest point of the portal, in lengths of its shorter side; angles are those
-/// between the direction to its middle, without the height, and its normal.
+/// between the direction to its middle, without the height, and its normal. The numbers here are those of the first
+/// of portalCurves().
 struct PortalOptions {
   std::vector<Portal> portals;  ///< where empty, those of the scene, or else the openings of its maze
-  double straightWithin = 0.1;  ///< nearer than that rays go straight through
-  double bentBeyond = 3;        ///< from there on nearness does not matter
-  double farthest = 12;  ///< rays go straight through portals that are farther away; from 3/4 of it they bend less
-  double straightDegrees = 5;  ///< rays go straight where the eye faces the portal
-  double bentDegrees = 65;     ///< from there on facing it does not matter
-  double edgeDegrees = 87;     ///< rays go straight again where the portal is nearly edge on; bent 4 degrees before
+  double straightWithin = 0.8;  ///< nearer than that rays go straight through
+  double bentBeyond = 2;        ///< from there on nearness does not matter
+  double farthest = 1e6;  ///< rays go straight through portals that are farther away; from 3/4 of it they bend less
+  double straightDegrees = 20;   ///< rays go straight where the eye faces the portal
+  double bentDegrees = 40;       ///< from there on facing it does not matter
+  double edgeDegrees = 89.9;     ///< rays go straight again where the portal is nearly edge on
+  double edgeFadeDegrees = 0.4;  ///< so much before that they are bent
+  double handOver = 0.2;         ///< the presence from which on a portal has the rays, and those behind it do not
 };
+
+/// How much a portal bends rays from where, by a name.
+struct PortalCurve {
+  const char* name;
+  const char* description;
+  PortalOptions options;  ///< its list of portals is empty
+};
+
+/// The first is the usual one.
+const std::vector<PortalCurve>& portalCurves();
+
+/// Throws InputError where there is none of that name.
+const PortalOptions& portalCurve(const std::string& name);
 
 /// How much of the camera a portal is, from 0 to 1. In the lower half it only holds back those behind it; over the
 /// upper half its rays turn. 0 where the eye is behind it.
@@ -48,5 +64,8 @@ GraphCamera buildPortalCamera(const PortalOptions& options, const SceneGuides& g
 
 /// Throws InputError naming the field.
 PortalOptions readPortalOptions(JsonFields& fields);
+
+/// The same on a given curve: the fields "curve", "edge_fade_degrees" and "hand_over" are not taken.
+PortalOptions readPortalOptions(JsonFields& fields, const PortalOptions& curve);
 
 }  // namespace ocelli

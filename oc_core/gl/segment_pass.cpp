@@ -78,7 +78,7 @@ void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, const GlO
                        const MeshBlocks& blocks) const {
   const SegmentBounds bounds(segment);
   std::vector<BlockTask> tasks;
-  bounds.findBlocks(blocks, piece, tasks);
+  bounds.findBlocks(blocks, {0, blocks.runCount()}, piece, bounds.rectIn(PinholeCamera::kMaxPixelsASide, PinholeCamera::kMaxPixelsASide), tasks);
   VertexRanges ranges;
   for (const BlockTask& task : tasks) {
     blocks.forEachTriangle(task.block, [&](uint32_t triangle) { ranges.add(triangle); });

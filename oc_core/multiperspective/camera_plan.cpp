@@ -9,6 +9,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/multiperspective/plan_ground.h"
+#include "oc_core/multiperspective/plan_shapes.h"
 #include "oc_core/multiperspective/ray_pieces.h"
 #include "oc_core/render/raycast.h"
 
@@ -18,23 +19,6 @@ namespace {
 constexpr int kRowsTried = 24;        // of a column
 constexpr int kOutlineSamples = 160;  // along each side of the image
 constexpr float kMargin = 0.04f;      // around what is shown
-
-/// The piece within the box, which it enters at most once.
-RayPiece clipped(const RayPiece& piece, const Box& box) {
-  RayPiece kept{piece.part, {}};
-  for (size_t i = 0; i + 1 < piece.points.size(); ++i) {
-    const glm::vec3& a = piece.points[i];
-    const glm::vec3& b = piece.points[i + 1];
-    const std::optional<SegmentPart> part = partWithin(box, glm::dvec3(a), glm::dvec3(b));
-    if (part && part->first < part->last) {
-      if (kept.points.empty()) {
-        kept.points.push_back(a + (b - a) * static_cast<float>(part->first));
-      }
-      kept.points.push_back(a + (b - a) * static_cast<float>(part->last));
-    }
-  }
-  return kept;
-}
 
 /// Ends a ray at a point on it.
 void endAt(std::vector<RayPiece>& pieces, const glm::vec3& hit) {
@@ -67,27 +51,6 @@ float lengthOf(const std::vector<RayPiece>& pieces) {
     }
   }
   return length;
-}
-
-std::vector<glm::vec2> convexHull(std::vector<glm::vec2> points) {
-  const auto cross = [](const glm::vec2& o, const glm::vec2& a, const glm::vec2& b) {
-    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-  };
-  std::sort(points.begin(), points.end(),
-            [](const auto& a, const auto& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
-  std::vector<glm::vec2> hull;
-  for (int side = 0; side < 2; ++side) {
-    const size_t start = hull.size();
-    for (const glm::vec2& point : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
 }
 
 template <class Camera>

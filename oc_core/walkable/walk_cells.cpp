@@ -93,7 +93,7 @@ void moveOffObstacle(const WalkField& field, const WalkSquare& place, WalkBox& b
 WalkCell cellOf(const WalkField& field, const std::vector<uint32_t>& squares, const WalkShape& shape,
                 float agentHeight) {
   const glm::dvec2 given = !shape.isTunnel ? glm::dvec2(0) : shape.isAlongX ? glm::dvec2(1, 0) : glm::dvec2(0, 1);
-  WalkBox box = boxAround(field, squares, given);
+  WalkBox box = boxAround(field, squares, given).box;
   const WalkSquare& place = nearestPlace(field, squares, box);
   if (!shape.isTunnel) {
     moveOffObstacle(field, place, box);

@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-/// A side of a square between two pieces, seen from the one with the lower number.
+/// A side between two squares of two pieces that one can stand on, seen from the one with the lower number.
 struct PortalEdge {
   uint32_t from = 0;  ///< pieces
   uint32_t to = 0;
@@ -26,7 +26,8 @@ std::vector<PortalEdge> edgesBetween(const WalkField& field, const WalkPieces& p
   for (uint32_t i = 0; i < field.squares.size(); ++i) {
     for (int side = 0; side < 4; ++side) {
       const uint32_t k = field.squares[i].next[side];
-      if (k != kNoSquare && pieces.of[i] < pieces.of[k]) {
+      if (k != kNoSquare && pieces.of[i] < pieces.of[k] && !field.squares[i].isObstacle &&
+          !field.squares[k].isObstacle) {
         edges.push_back({pieces.of[i], pieces.of[k], i, side});
       }
     }
