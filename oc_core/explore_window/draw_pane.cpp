@@ -59,8 +59,8 @@ class DrawBackdrop {
       return;
     }
     const auto at = [&](const glm::vec2& paper) {
-      const glm::dvec2 point = plan.corner + plan.window.pixelFromPaper(glm::dvec2(paper)) * static_cast<double>(scale);
-      return ImVec2(static_cast<float>(point.x), static_cast<float>(point.y));
+      const glm::vec2 point(plan.corner + plan.window.pixelFromPaper(glm::dvec2(paper)));
+      return ImVec2(point.x * scale, point.y * scale);
     };
     list.AddImage(GuiLayer::imageOf(texture_.texture()), at(backdrop_->lower), at(backdrop_->upper));
   }
@@ -87,10 +87,11 @@ class DrawPane : public ExplorePane {
     if (!input_) {
       return;
     }
-    const float words = 2 * kDrawLineHeight * frame.scale;
-    input_->layOut({frame.rect.x, frame.rect.y},
-                   {std::max(1, static_cast<int>(frame.rect.width)),
-                    std::max(1, static_cast<int>(frame.rect.height - words))});
+    // The editor draws and points in lengths at 96 dots an inch.
+    const float scale = frame.scale;
+    input_->layOut(glm::dvec2(frame.rect.x, frame.rect.y) / static_cast<double>(scale),
+                   {std::max(1, static_cast<int>(frame.rect.width / scale)),
+                    std::max(1, static_cast<int>(frame.rect.height / scale - 2 * kDrawLineHeight))});
     for (size_t i = 0; i < input_->plans().size(); ++i) {
       drawPlan(frame, list, i);
     }
@@ -99,7 +100,7 @@ class DrawPane : public ExplorePane {
   }
 
   bool handlePointer(const ExplorePaneFrame& frame, const InputEvent& event, const glm::vec2& pointer) override {
-    const bool used = input_ && input_->handle(event, glm::dvec2(pointer));
+    const bool used = input_ && input_->handle(event, glm::dvec2(pointer / frame.scale));
     if (used) {
       show(frame);
     }
@@ -107,8 +108,7 @@ class DrawPane : public ExplorePane {
   }
 
   bool handleKey(const ExplorePaneFrame& frame, const KeyEvent& event) override {
-    const bool isIdleEscape =
-        event.key == Key::kEscape && input_ && !input_->entry() && !input_->editor().isDragging();
+    const bool isIdleEscape = event.key == Key::kEscape && input_ && !input_->entry() && !input_->editor().isDragging();
     if (!input_ || isIdleEscape || !input_->handle(event)) {
       return false;
     }
@@ -155,16 +155,16 @@ class DrawPane : public ExplorePane {
 
   void drawPlan(const ExplorePaneFrame& frame, ImDrawList& list, size_t index) {
     const EditorInput::Plan& plan = input_->plans()[index];
-    const glm::vec2 corner(plan.corner);
-    const glm::vec2 size(plan.window.size);
+    const glm::vec2 corner = glm::vec2(plan.corner) * frame.scale;
+    const glm::vec2 size = glm::vec2(plan.window.size) * frame.scale;
     const ImVec2 from(corner.x, corner.y);
     const ImVec2 to(corner.x + size.x, corner.y + size.y);
     list.PushClipRect(from, to, true);
     list.AddRectFilled(from, to, kDrawPaper.packed());
     DrawBackdrop& backdrop = backdrops_[static_cast<size_t>(plan.window.side)];
     const PlanBackdrop* const lines = backdrop.of(plan.window.side, eye_, scene_, frame.work);
-    backdrop.draw(list, plan, 1);
-    paintExploreDrawing(list, planDrawing(*editor_, plan.window, lines), corner, 1);
+    backdrop.draw(list, plan, frame.scale);
+    paintExploreDrawing(list, planDrawing(*editor_, plan.window, lines), corner, frame.scale);
     const bool isActive = index == input_->active();
     if (isActive && frame.state.active == "draw") {
       list.AddRect({from.x + 1, from.y + 1}, {to.x - 1, to.y - 1}, kGuiAccent.packed(), 0, 0, 2 * frame.scale);
@@ -185,8 +185,12 @@ class DrawPane : public ExplorePane {
     list.AddText({left, y}, kGuiText.packed(), fittedExploreText(first, width).c_str());
     y += kDrawLineHeight * scale;
     const bool isMessage = !editor_->message().empty();
+    std::string tools;
+    for (const EditorTool& each : editorTools()) {
+      tools += std::string(1, each.key) + " ";
+    }
     const std::string second =
-        isMessage ? "!  " + editor_->message() : "Tools: V B A S M L T I X    undo: Ctrl + Z    all keys: F1";
+        isMessage ? "!  " + editor_->message() : "Tools: " + tools + "   undo: Ctrl + Z   all keys: F1   back: Escape";
     list.AddText({left, y}, (isMessage ? kExploreAttention : kGuiTextDim).packed(),
                  fittedExploreText(second, width).c_str());
   }

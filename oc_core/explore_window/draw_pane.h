@@ -1,5 +1,5 @@
-// A camera drawn by hand (section 4.3.2.1): two plans of the scene in which frusta are added, aimed, bent, split, merged
-// and limited, while the view shows the image.
+// A camera drawn by hand (section 4.3.2.1): two plans of the scene in which frusta are added, aimed, bent, split,
+// merged and limited, while the view shows the image.
 #pragma once
 
 #include <memory>
