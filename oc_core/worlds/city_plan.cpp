@@ -133,30 +133,34 @@ class CityPlanner {
     cut(behind, depth + 1);
   }
 
-  /// The block nearest to the middle, and in a larger city the one farthest from that, of those that have streets on
-  /// most sides.
+  /// The block nearest to the middle, and in a larger city the one farthest from that which shares no street with it,
+  /// of those that have streets on most sides.
   void chooseSquares() {
-    const auto sidesOf = [](const CityBlock& block) {
-      return std::count_if(block.streetWidth.begin(), block.streetWidth.end(), [](float w) { return w > 0; });
-    };
-    const auto choose = [&](const glm::vec2& from, float sign) {
-      CityBlock* best = nullptr;
-      const auto rank = [&](const CityBlock& block) {
-        // Each side more or less on a street counts as much as 40 m of distance.
-        return 40.0f * static_cast<float>(sidesOf(block)) - sign * glm::length(block.area.center() - from);
-      };
-      for (CityBlock& block : plan_.blocks) {
-        if (!block.isSquare && (best == nullptr || rank(block) > rank(*best))) {
-          best = &block;
-        }
-      }
-      best->isSquare = true;
-      return best->area.center();
-    };
-    const glm::vec2 first = choose(plan_.inside.center(), 1);
+    const CityBlock* first = chooseSquare(plan_.inside.center(), 1, nullptr);
     if (plan_.blocks.size() >= 10) {
-      choose(first, -1);
+      chooseSquare(first->area.center(), -1, first);
     }
+  }
+
+  /// Near to `from` where `sign` is 1, far from it where that is -1.
+  const CityBlock* chooseSquare(const glm::vec2& from, float sign, const CityBlock* other) {
+    const auto rank = [&](const CityBlock& block) {
+      const auto sides =
+          std::count_if(block.streetWidth.begin(), block.streetWidth.end(), [](float w) { return w > 0; });
+      // A side more on a street counts as much as 40 m of distance.
+      return 40.0f * static_cast<float>(sides) - sign * glm::length(block.area.center() - from);
+    };
+    CityBlock* best = nullptr;
+    for (CityBlock& block : plan_.blocks) {
+      const bool isApart = other == nullptr || !block.withStreets().meets(other->withStreets());
+      if (isApart && (best == nullptr || rank(block) > rank(*best))) {
+        best = &block;
+      }
+    }
+    if (best != nullptr) {
+      best->isSquare = true;
+    }
+    return best;
   }
 
   /// An alley from a street into about half of the blocks that are large enough; it leaves three blocks of one.
@@ -381,6 +385,15 @@ class CityPlanner {
 };
 
 }  // namespace
+
+CityRectangle CityBlock::withStreets() const {
+  CityRectangle all = area;
+  all.lower.x -= streetWidth[at(CitySide::kWest)];
+  all.upper.x += streetWidth[at(CitySide::kEast)];
+  all.lower.y -= streetWidth[at(CitySide::kNorth)];
+  all.upper.y += streetWidth[at(CitySide::kSouth)];
+  return all;
+}
 
 float cityPavementWidth(float streetWidth, bool isAlley) {
   if (isAlley) {

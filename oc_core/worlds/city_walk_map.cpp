@@ -1,6 +1,7 @@
 // The truth of where one can walk in `builtin:city`, from its plan.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -13,22 +14,13 @@ namespace {
 constexpr float kShortSegment = 2;  // metres; a piece of street as short as that belongs to the crossing beside it
 constexpr float kMinMouth = 0.9f;   // of openings between cells
 constexpr float kStreetHeight = 6;  // of cells: lower than every house
+constexpr float kMouthHeight = 16;  // of openings as one looks through them: that of the tallest houses
 constexpr float kEdge = 1e-3f;
 constexpr float kEyeOverFloor = 1.7f;
 
 struct Interval {
   float from, to;
 };
-
-/// A square with the streets around it, which nothing parts from it.
-CityRectangle openArea(const CityBlock& square) {
-  CityRectangle area = square.area;
-  area.lower.x -= square.streetWidth[static_cast<size_t>(CitySide::kWest)];
-  area.upper.x += square.streetWidth[static_cast<size_t>(CitySide::kEast)];
-  area.lower.y -= square.streetWidth[static_cast<size_t>(CitySide::kNorth)];
-  area.upper.y += square.streetWidth[static_cast<size_t>(CitySide::kSouth)];
-  return area;
-}
 
 class CityWalks {
  public:
@@ -46,7 +38,7 @@ class CityWalks {
                        {length, kCityGateHalfWidth, kCityGateHalfWidth, kCityGateHeight}};
     for (const CityBlock& block : plan_.blocks) {
       if (block.isSquare) {
-        squares_.push_back(openArea(block));
+        squares_.push_back(block.withStreets());
         addCell(WalkCellKind::kRoom, squares_.back());
       }
     }
@@ -229,7 +221,13 @@ WalkMap cityWalkMap(const CityPlan& plan) {
 std::vector<Portal> cityPortals(const CityPlan& plan) {
   std::vector<Portal> portals;
   for (const WalkPortal& portal : cityWalkMap(plan).portals) {
-    portals.push_back(portal.opening);
+    for (Portal opening : {portal.opening, portal.reversed().opening}) {
+      if (portal.from != 0 && portal.to != 0) {
+        const glm::vec3 foot = opening.center - opening.halfUp;
+        opening = uprightOpening(foot, opening.normal, glm::length(opening.halfRight), kMouthHeight);
+      }
+      portals.push_back(opening);
+    }
   }
   return portals;
 }

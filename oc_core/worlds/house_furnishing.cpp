@@ -240,6 +240,12 @@ void furnishRoom(HousePlan& plan, size_t room, Random& random) {
   static const std::array colors{palette::vermilion(), palette::blue(),   palette::green(),
                                  palette::yellow(),    palette::purple(), palette::orange()};
   const HouseRoom& where = plan.rooms[room];
+  // Open leaves that stand in one another's way are taken off.
+  for (HouseDoor& door : plan.doors) {
+    if (door.from == room && door.hasLeaf && !isRoomWalkable(plan, room)) {
+      door.hasLeaf = false;
+    }
+  }
   const std::vector<RoomDoor> doors = doorsOf(plan, room);
   for (const FurnitureKind kind : piecesOf(where.kind)) {
     for (int attempt = 0; attempt < kTries; ++attempt) {

@@ -94,6 +94,7 @@ void buildChair(PieceBuilder& piece, const glm::vec3& color) {
 void buildSofa(PieceBuilder& piece, const glm::vec3& color) {
   const float x = piece.halfX();
   const float z = piece.halfZ();
+  piece.legs(0.1f, 0.06f, furnitureWood());
   piece.box({-x, 0.08f, -z}, {x, 0.3f, z}, color * 0.8f);
   piece.box({-x, 0.3f, -z}, {x, 0.85f, -z + 0.2f}, color);
   for (const float side : {-1.0f, 1.0f}) {
