@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the images of docs/graph_cameras.md anew, in docs/images. Build the program first.
+# Makes the images of docs/graph_cameras.md and docs/drawing_cameras.md anew, in docs/images. Build the program first.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -45,3 +45,11 @@ $ocelli render builtin:canyon --no-fit --view $examples/path_view.json --camera 
 images maze_forward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
 images maze_backward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
 images comprehensive builtin:maze 1200x750 ""
+
+# What is drawn by hand (docs/drawing_cameras.md): the scripts write the images beside the camera.
+drawn=$(mktemp -d)
+trap 'rm -r "$drawn"' EXIT
+for name in town street; do
+  $ocelli camera draw builtin:town --no-fit --script "$examples/draw_$name.json" -o "$drawn/$name.json"
+done
+cp "$drawn"/draw-*.png "$images"

@@ -30,6 +30,7 @@ struct PathOptions {
   int turns = 4;                ///< control points within the preview; of fewer than 4 none is ever bent in full
   double eyeHeight = 0;         ///< over the path, along "up" of the reference view; in the world
   double rounding = 1;  ///< a point of the path is its mean over so many distances of control points; 0 keeps corners
+  double deployed = 1;  ///< share by which its turns are unfolded: 0 is the pinhole
 };
 
 /// What travels: the pinhole at the position, which looks along the path, as wide as the reference and with its "up".
