@@ -174,7 +174,8 @@ void drawExploreStatus(const ExploreOverlayFrame& frame) {
 
 void drawExploreHint(const ExploreOverlayFrame& frame) {
   const float opacity = exploreHintOpacity(frame.target.state.hintSeconds);
-  if (frame.target.picture == nullptr || opacity <= 0 || frame.target.state.help) {
+  if (frame.target.picture == nullptr || opacity <= 0 || frame.target.state.help ||
+      !frame.target.state.message.empty()) {
     return;
   }
   const auto strength = static_cast<uint8_t>(std::lround(opacity * 235));
@@ -199,7 +200,10 @@ void drawExploreHint(const ExploreOverlayFrame& frame) {
 void drawExploreProgress(const ExploreOverlayFrame& frame) {
   const WindowPicture* picture = frame.target.picture;
   const bool isBeside = frame.status.stage.empty() && picture != nullptr;
-  const std::string& stage = isBeside ? picture->stage : frame.status.stage;
+  std::string stage = isBeside ? picture->stage : frame.status.stage;
+  if (stage.empty() && picture == nullptr) {
+    stage = "opening the scene";
+  }
   const double fraction = isBeside ? picture->fraction : frame.status.fraction;
   if (stage.empty()) {
     return;

@@ -140,10 +140,10 @@ class ExploreWindowModel {
   virtual void setField(const std::string& name, double value) = 0;
   /// By so many of its steps, within its range; one of names goes round.
   virtual void changeField(const std::string& name, double steps) = 0;
-  /// What the pixel of the view shows.
-  virtual void pick(const glm::dvec2& viewPixel) = 0;
+  /// What the pixel of the view shows. Returns what there is to say: what to click instead, where it is of no use.
+  virtual std::string pick(const glm::dvec2& viewPixel) = 0;
   /// The next thing that can be picked for this constructor, from near to far: 1, or -1 for the one before.
-  virtual void pickNext(int step) = 0;
+  virtual std::string pickNext(int step) = 0;
   /// Shows a camera as it is, drawn by hand or from a file; `name` is for people.
   virtual void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) = 0;
   /// The same of a file, or of a camera by its name, as --camera of other commands takes it.

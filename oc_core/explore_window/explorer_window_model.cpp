@@ -77,6 +77,11 @@ std::vector<PickCandidate> candidatesFrom(const Explorer& explorer) {
   return candidates;
 }
 
+std::string whatToPick(const LiveConstructorRow& row) {
+  return *row.clickMeans == '\0' ? fmt::format("The {} camera takes no clicks: choose another one first.", row.name)
+                                 : fmt::format("Nothing to pick: click {}.", row.clickMeans);
+}
+
 bool isSamePick(const ExplorePick& a, const ExplorePick& b) {
   return a.object == b.object && a.portal.has_value() == b.portal.has_value() && a.position == b.position;
 }
@@ -235,16 +240,11 @@ void ExplorerWindowModel::changeField(const std::string& name, double steps) {
   setField(name, value - std::floor(value / count) * count);
 }
 
-void ExplorerWindowModel::pick(const glm::dvec2& viewPixel) {
-  if (!state_->explorer.pick(viewPixel)) {
-    const char* const means = state_->explorer.chosen().clickMeans;
-    throw InputError(*means == '\0' ? "this camera picks nothing" : "this is nothing that the camera can pick",
-                     state_->explorer.chosen().name,
-                     *means == '\0' ? "choose another camera first" : "click " + std::string(means));
-  }
+std::string ExplorerWindowModel::pick(const glm::dvec2& viewPixel) {
+  return state_->explorer.pick(viewPixel) ? "" : whatToPick(state_->explorer.chosen());
 }
 
-void ExplorerWindowModel::pickNext(int step) {
+std::string ExplorerWindowModel::pickNext(int step) {
   const std::vector<PickCandidate> candidates = candidatesFrom(state_->explorer);
   const auto count = static_cast<int>(candidates.size());
   int at = step > 0 ? -1 : count;
@@ -258,11 +258,10 @@ void ExplorerWindowModel::pickNext(int step) {
     const ExplorePick& pick = candidates[static_cast<size_t>(at)].pick;
     if (state_->explorer.pick(pick)) {
       state_->lastPick = pick;
-      return;
+      return "";
     }
   }
-  throw InputError("there is nothing here that this camera can pick", state_->explorer.chosen().name,
-                   "choose another camera");
+  return whatToPick(state_->explorer.chosen());
 }
 
 void ExplorerWindowModel::showDrawn(const MultiperspectiveCamera& camera, const std::string& name) {

@@ -31,8 +31,8 @@ class ExplorerWindowModel : public ExploreWindowModel {
   void choose(size_t choice) override;
   void setField(const std::string& name, double value) override;
   void changeField(const std::string& name, double steps) override;
-  void pick(const glm::dvec2& viewPixel) override;
-  void pickNext(int step) override;
+  std::string pick(const glm::dvec2& viewPixel) override;
+  std::string pickNext(int step) override;
   void showDrawn(const MultiperspectiveCamera& camera, const std::string& name) override;
   void openCamera(const std::string& nameOrFile) override;
   void toggleFlying() override;

@@ -6,11 +6,13 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <set>
 
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_plan_sight.h"
 #include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/explore_window/explore_tints.h"
 #include "oc_core/window/gui_layer.h"
 
 namespace ocelli {
@@ -82,7 +84,7 @@ class PlanPane : public ExplorePane {
                     planPoint(sight.onScreen(ground_->upper)));
     }
     drawCells(plan, sight, list, frame.scale);
-    drawFrusta(plan, sight, list, frame.scale);
+    drawFrusta(frame, sight, list);
     drawPath(plan, sight, list, frame.scale);
     drawOpenings(plan, sight, list, frame.scale);
     drawPicked(plan, sight, list, frame.scale);
@@ -134,23 +136,36 @@ class PlanPane : public ExplorePane {
     }
   }
 
-  void drawFrusta(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {
-    for (const WindowPlan::Frustum& frustum : plan.frusta) {
-      const GuiColor color = exploreSeriesColor(frustum.color);
-      onScreen(frustum.outline, sight);
-      if (points_.size() >= 3) {
-        list.AddConvexPolyFilled(points_.data(), count(), color.packed(frustum.color > 0 ? 64 : 22));
-        list.AddPolyline(points_.data(), count(), color.packed(235), ImDrawFlags_Closed, 1.5f * scale);
+  /// Those whose bends are marked in the view stand out; what straight rays see is one light.
+  void drawFrusta(const ExplorePaneFrame& frame, const ExplorePlanSight& sight, ImDrawList& list) {
+    const WindowPicture& picture = *frame.picture;
+    std::set<int> marked;
+    for (const WindowTint& tint : picture.tints) {
+      if (showsTint(tint, 1 / frame.scale)) {
+        marked.insert(tint.color);
       }
     }
-    for (const WindowPlan::Frustum& frustum : plan.frusta) {
-      if (frustum.color > 0 && frustum.outline.size() >= 3) {
+    const auto straight = std::ranges::count(picture.plan.frusta, 0, &WindowPlan::Frustum::color);
+    for (const WindowPlan::Frustum& frustum : picture.plan.frusta) {
+      if (frustum.outline.size() < 3) {
+        continue;
+      }
+      const GuiColor color = exploreSeriesColor(frustum.color);
+      onScreen(frustum.outline, sight);
+      const bool isMarked = marked.contains(frustum.color);
+      list.AddConvexPolyFilled(points_.data(), count(), color.packed(isMarked ? 72 : 24));
+      if (isMarked || (frustum.color == 0 && straight == 1)) {
+        list.AddPolyline(points_.data(), count(), color.packed(235), ImDrawFlags_Closed, 1.5f * frame.scale);
+      }
+    }
+    for (const WindowPlan::Frustum& frustum : picture.plan.frusta) {
+      if (marked.contains(frustum.color) && frustum.outline.size() >= 3) {
         glm::vec2 middle(0);
         for (const glm::vec2& point : frustum.outline) {
           middle += point / static_cast<float>(frustum.outline.size());
         }
         drawExploreBadge(list, sight.onScreen(middle), fmt::format("{}", frustum.color),
-                         exploreSeriesColor(frustum.color), scale);
+                         exploreSeriesColor(frustum.color), frame.scale);
       }
     }
   }

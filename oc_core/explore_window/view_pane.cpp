@@ -10,6 +10,7 @@
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_image_fit.h"
 #include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/explore_window/explore_tints.h"
 
 namespace ocelli {
 namespace {
@@ -84,24 +85,18 @@ class ViewPane : public ExplorePane {
   static void drawTints(const ExplorePaneFrame& frame, const ExploreImageFit& fit, ImDrawList& list) {
     std::vector<glm::vec2> points;
     for (const WindowTint& tint : frame.picture->tints) {
-      if (tint.color <= 0) {
-        continue;
+      if (showsTint(tint, fit.scale / frame.scale)) {
+        points.clear();
+        for (const glm::vec2& pixel : tint.outline) {
+          points.push_back(fit.onScreen(pixel));
+        }
+        drawExploreOutline(list, points, exploreSeriesColor(tint.color), frame.scale);
       }
-      points.clear();
-      for (const glm::vec2& pixel : tint.outline) {
-        points.push_back(fit.onScreen(pixel));
-      }
-      drawExploreOutline(list, points, exploreSeriesColor(tint.color), frame.scale);
     }
     for (const WindowTint& tint : frame.picture->tints) {
-      if (tint.color > 0 && !tint.outline.empty()) {
-        glm::vec2 sum(0);
-        float top = tint.outline.front().y;
-        for (const glm::vec2& pixel : tint.outline) {
-          sum += pixel;
-          top = std::min(top, pixel.y);
-        }
-        const glm::vec2 at = fit.onScreen({sum.x / static_cast<float>(tint.outline.size()), top});
+      if (showsTint(tint, fit.scale / frame.scale)) {
+        const TintExtent extent = extentOf(tint);
+        const glm::vec2 at = fit.onScreen({(extent.lower.x + extent.upper.x) / 2, extent.lower.y});
         drawExploreBadge(list, {at.x, std::max(at.y, frame.rect.y) + 14 * frame.scale}, fmt::format("{}", tint.color),
                          exploreSeriesColor(tint.color), frame.scale);
       }
@@ -142,10 +137,7 @@ class ViewPane : public ExplorePane {
     }
     const glm::vec2 size(frame.picture->view.width(), frame.picture->view.height());
     const glm::dvec2 pixel = pointer ? fitOf(frame).inImage(*pointer) : size * 0.5f;
-    frame.work.tell([pixel](ExploreWindowModel& model) {
-      model.pick(pixel);
-      return std::string();
-    });
+    frame.work.tell([pixel](ExploreWindowModel& model) { return model.pick(pixel); });
   }
 
   static void turn(const ExplorePaneFrame& frame, const glm::vec2& degrees) {

@@ -104,7 +104,7 @@ StrokeEdit mergeStroke(const DrawnCamera& camera, const PlanStroke& stroke) {
 
 /// What lies on the side of the stroke away from where the frustum begins is not seen.
 StrokeEdit limitStroke(const DrawnCamera& camera, const PlanStroke& stroke) {
-  const DrawnFrustum& frustum = frustumUnder(camera, stroke.side, (stroke.from + stroke.to) * 0.5, stroke.selected);
+  const DrawnFrustum& frustum = frustumOfStroke(camera, stroke, stroke.selected);
   DrawnEditPlane plane = planeOfStroke(camera, frustum, stroke);
   if (Plane::through(plane.point, plane.normal).height(frustum.begins.middle) > 0) {
     plane.normal = -plane.normal;

@@ -3,6 +3,7 @@
 // it.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "oc_core/base/error.h"
 #include "oc_core/frustum_editor/drawn_edits.h"
@@ -50,11 +51,31 @@ std::vector<FrustumHandle> bordersOf(const DrawnCamera& camera, const DrawnFrust
   return handles;
 }
 
-/// The border of the frustum, and of those beside it that share it.
+/// What a part has of a border: from where to where along it, and whether the part lies beyond it, to the right or
+/// below.
+struct BorderPiece {
+  double first = 0;
+  double last = 0;
+  bool isBeyond = false;
+};
+
+std::optional<BorderPiece> pieceOfBorder(const GraphCamera::Part& part, int axis, double at) {
+  BorderPiece piece{1, 0, GraphCamera::middleOf(part)[axis] > at};
+  for (const glm::dvec2& corner : part) {
+    if (std::abs(corner[axis] - at) < kSameShare) {
+      piece.first = std::min(piece.first, corner[1 - axis]);
+      piece.last = std::max(piece.last, corner[1 - axis]);
+    }
+  }
+  return piece.last - piece.first >= kSameShare ? std::optional(piece) : std::nullopt;
+}
+
+/// The border of the frustum, and of those on its other side that share a piece of it.
 std::string moveBorder(const DrawnCamera& camera, const FrustumHandle& handle, double to) {
   const DrawnFrustum& frustum = *camera.find(handle.frustum);
   const int axis = borderAxis(handle.side);
   const double from = frustum.part.at(static_cast<size_t>(handle.index))[axis];
+  const std::optional<BorderPiece> own = pieceOfBorder(frustum.part, axis, from);
   if (!(to >= 0 && to <= 1)) {
     throw InputError("the border would be outside of the image", "\"" + frustum.name + "\"",
                      "keep it between 0 and 100 %");
@@ -64,15 +85,19 @@ std::string moveBorder(const DrawnCamera& camera, const FrustumHandle& handle, d
     if (!isBentPart(each) || each.of != frustum.of) {
       continue;
     }
+    const std::optional<BorderPiece> piece = pieceOfBorder(each.part, axis, from);
+    const bool isShared = own && piece && piece->isBeyond != own->isBeyond &&
+                          std::min(piece->last, own->last) - std::max(piece->first, own->first) >= kSameShare;
+    if (each.name != frustum.name && !isShared) {
+      continue;
+    }
     GraphCamera::Part part = each.part;
     for (glm::dvec2& corner : part) {
       corner[axis] = std::abs(corner[axis] - from) < kSameShare ? to : corner[axis];
     }
-    if (part != each.part) {
-      edits.push_back(DrawnEdits(camera).part(each.name, part));
-    }
+    edits.push_back(DrawnEdits(camera).part(each.name, part));
   }
-  return edits.empty() ? DrawnEdits(camera).part(frustum.name, frustum.part) : DrawnEdits::several(edits);
+  return DrawnEdits::several(edits);
 }
 
 std::string dragBorder(const DrawnCamera& camera, const FrustumHandle& handle, const glm::dvec3& to) {

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/image_parts.h"
 
 namespace ocelli {
 namespace {
+
+constexpr int kStrokeSamples = 32;
 
 const GraphCamera::Frustum& insideOf(const DrawnCamera& camera, const DrawnFrustum& frustum) {
   if (frustum.indices.size() != 1) {
@@ -67,8 +70,17 @@ const DrawnFrustum& frustumUnder(const DrawnCamera& camera, PlanSide side, const
   return *found;
 }
 
-const DrawnFrustum& frustumOfStroke(const DrawnCamera& camera, const PlanStroke& stroke) {
-  return frustumUnder(camera, stroke.side, (stroke.from + stroke.to) * 0.5);
+const DrawnFrustum& frustumOfStroke(const DrawnCamera& camera, const PlanStroke& stroke, const std::string& selected) {
+  std::map<const DrawnFrustum*, int> crossed;
+  for (int i = 0; i <= kStrokeSamples; ++i) {
+    const glm::dvec2 paper = stroke.from + (stroke.to - stroke.from) * (static_cast<double>(i) / kStrokeSamples);
+    if (const DrawnFrustum* frustum = frustumAt(camera, stroke.side, paper, selected)) {
+      ++crossed[frustum];
+    }
+  }
+  const auto most = std::max_element(crossed.begin(), crossed.end(),
+                                     [](const auto& a, const auto& b) { return a.second < b.second; });
+  return most == crossed.end() ? frustumUnder(camera, stroke.side, stroke.from) : *most->first;
 }
 
 glm::dvec3 onMiddleRays(const DrawnFrustum& frustum, PlanSide side, const glm::dvec2& paper) {

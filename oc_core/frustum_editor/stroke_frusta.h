@@ -8,8 +8,9 @@ namespace ocelli {
 /// The frustum under a point of the plan, the selected one before others. Throws InputError where there is none.
 const DrawnFrustum& frustumUnder(const DrawnCamera& camera, PlanSide side, const glm::dvec2& paper,
                                  const std::string& selected = "");
-/// That under the middle of the stroke.
-const DrawnFrustum& frustumOfStroke(const DrawnCamera& camera, const PlanStroke& stroke);
+/// That which most of the stroke crosses.
+const DrawnFrustum& frustumOfStroke(const DrawnCamera& camera, const PlanStroke& stroke,
+                                    const std::string& selected = "");
 
 /// Where a point of the paper is: as deep as the middle rays of the frustum are there.
 glm::dvec3 onMiddleRays(const DrawnFrustum& frustum, PlanSide side, const glm::dvec2& paper);

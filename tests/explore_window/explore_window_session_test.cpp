@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 #include "oc_core/base/error.h"
 #include "oc_core/worlds/scene_source.h"
 #include "tests/base/temporary_folder.h"

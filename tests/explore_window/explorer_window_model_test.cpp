@@ -91,9 +91,9 @@ TEST(ExplorerWindowModel, everyRowCanBeChosenAndSaysItsOptions) {
 TEST(ExplorerWindowModel, thingsArePickedWithoutThePointer) {
   ExplorerWindowModel model = modelOf("builtin:boxes");
   const WindowPicture first = model.draw(kSmall);
-  EXPECT_THROW(model.pickNext(1), InputError);  // the pinhole picks nothing
+  EXPECT_NE(model.pickNext(1), "");  // the pinhole picks nothing
   model.choose(indexOf(first, "occluder"));
-  model.pickNext(1);
+  EXPECT_EQ(model.pickNext(1), "");
   for (int i = 0; i < 5; ++i) {
     model.advance(0.1, {});
   }
@@ -116,12 +116,7 @@ TEST(ExplorerWindowModel, aClickThatMeetsNothingSaysWhatToClick) {
   ExplorerWindowModel model = modelOf(kSmallMaze);
   const WindowPicture picture = model.draw(kSmall);
   model.choose(indexOf(picture, "target"));
-  try {
-    model.pick({-5, -5});
-    FAIL();
-  } catch (const InputError& error) {
-    EXPECT_NE(std::string(error.what()).find("object"), std::string::npos) << error.what();
-  }
+  EXPECT_NE(model.pick({-5, -5}).find("object"), std::string::npos);
 }
 
 TEST(ExplorerWindowModel, placesOfThePlanAreReachedAndTheStartAgain) {
@@ -165,7 +160,12 @@ TEST(ExplorerPlan, tunnelsFollowTheirRings) {
                        .halfLength = 2,
                        .halfWidth = 1,
                        .rings = {{0, 1, 1, 2}, {2, 0.5f, 1, 2}, {4, 1, 1, 2}}});
-  map.cells.push_back({.center = {5, 0, 0}, .axis = {1, 0, 0}, .halfLength = 3, .halfWidth = 1});
+  WalkCell room;
+  room.center = {5, 0, 0};
+  room.axis = {1, 0, 0};
+  room.halfLength = 3;
+  room.halfWidth = 1;
+  map.cells.push_back(room);
   const std::vector<WindowPlan::Cell> cells = planCells(map);
   EXPECT_TRUE(cells[0].isTunnel);
   // To the right of who walks to -z is +x; up the right wall, back along the left one.

@@ -85,13 +85,15 @@ class RecordingModel : public ExploreWindowModel {
     amount_ = std::clamp(amount_ + 5 * steps, 0.0, 100.0);
     call("change " + name + " " + std::to_string(std::lround(steps)));
   }
-  void pick(const glm::dvec2& viewPixel) override {
+  std::string pick(const glm::dvec2& viewPixel) override {
     picked_ = true;
     call("pick " + std::to_string(std::lround(viewPixel.x)) + " " + std::to_string(std::lround(viewPixel.y)));
+    return "";
   }
-  void pickNext(int step) override {
+  std::string pickNext(int step) override {
     picked_ = true;
     call("pick next " + std::to_string(step));
+    return "";
   }
   void showDrawn(const MultiperspectiveCamera&, const std::string& name) override { call("show " + name); }
   void openCamera(const std::string& nameOrFile) override { call("open " + nameOrFile); }

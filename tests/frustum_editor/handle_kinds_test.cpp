@@ -177,6 +177,29 @@ TEST_F(HandleKinds, aBorderMovesWithThatOfTheNeighbour) {
   EXPECT_NEAR(uRange("frustum 2").first, 0.6, kHandleRounding);
 }
 
+TEST_F(HandleKinds, theBorderOfTheImageIsSharedByNone) {
+  const double half = 6 * test::editorHalfWidth();
+  fixture.stroke("add", {-half, 2}, {0, 2});
+  fixture.stroke("add", {0, 2}, {half, 2});
+  // Both reach to the top of the image; that of one moves down.
+  for (const FrustumHandle& handle : handlesOf(fixture.editor.drawn(), PlanSide::kFront)) {
+    if (handle.kind->name == "part border" && handle.frustum == "frustum 1" &&
+        fixture.frustum("frustum 1").part[static_cast<size_t>(handle.index)].y < 0.01) {
+      fixture.editor.selectHandle(PlanSide::kFront, "frustum 1", "part border", handle.index);
+    }
+  }
+  EXPECT_TRUE(fixture.editor.typeNumber(PlanSide::kFront, "from the top", 40)) << fixture.editor.message();
+  const auto top = [&](const std::string& name) {
+    double least = 1;
+    for (const glm::dvec2& corner : fixture.frustum(name).part) {
+      least = std::min(least, corner.y);
+    }
+    return least;
+  };
+  EXPECT_NEAR(top("frustum 1"), 0.4, kHandleRounding);
+  EXPECT_EQ(top("frustum 2"), 0);
+}
+
 TEST_F(HandleKinds, limitsMoveAndTurn) {
   fixture.stroke("limit", {-5, -6}, {5, -6});
   fixture.stroke("limit", {-5, -4}, {5, -4});
