@@ -27,6 +27,13 @@ pinhole() {
 
 images portal builtin:maze 800x450 "" --no-fit --view $examples/portal_maze_view.json
 pinhole portal builtin:maze 800x450 --no-fit --view $examples/portal_maze_view.json
+corridor="builtin:maze,file=$examples/corridor_maze.json"
+pinhole portal_beyond "$corridor" 800x450 --no-fit --view $examples/corridor_view.json
+for curve in beyond band; do
+  # shellcheck disable=SC2086  # the program and an option
+  $ocelli render "$corridor" --no-fit --view $examples/corridor_view.json --camera "$examples/portal_$curve.json" \
+    --size 800x450 -o "$images/graph-portal_$curve.png"
+done
 images occluder builtin:town 800x450 "" --no-fit --view $examples/occluder_view.json
 pinhole occluder builtin:town 800x450 --no-fit --view $examples/occluder_view.json
 images target builtin:boxes,count=700,floor=1 800x450 "" --view $examples/target_view.json

@@ -1,5 +1,5 @@
-// Draws what one piece of rays shows: a straight segment (straight_segment.h) or a bend (bend_rasterizer.h). A camera is
-// a list of them (draw_pieces.h).
+// Draws what one piece of rays shows: a straight segment (straight_segment.h) or a bend (bend_rasterizer.h). A camera
+// is a list of them (draw_pieces.h).
 #pragma once
 
 #include <memory>
@@ -28,7 +28,10 @@ class RegionGrid {
   static constexpr int kHeight = 96;
 
   RegionGrid(int width, int height)
-      : width_(width), height_(height), across_((width + kWidth - 1) / kWidth), down_((height + kHeight - 1) / kHeight) {}
+      : width_(width),
+        height_(height),
+        across_((width + kWidth - 1) / kWidth),
+        down_((height + kHeight - 1) / kHeight) {}
 
   int across() const { return across_; }
   int down() const { return down_; }

@@ -134,8 +134,8 @@ void RegionBuffer::touch(const PixelBounds& rect) {
 }
 
 /// A triangle on its way into the pixels: scanTriangle() in lanes. Edge functions are held in double precision, in
-/// which they are as exact as in 64 bits, and all else is rounded by the same steps: so the samples are the same, bit by
-/// bit.
+/// which they are as exact as in 64 bits, and all else is rounded by the same steps: so the samples are the same, bit
+/// by bit.
 class RegionBuffer::Filling {
  public:
   Filling(RegionBuffer& region, uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,

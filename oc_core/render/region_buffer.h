@@ -41,9 +41,8 @@ class RegionBuffer {
   template <class Emit>
   void scan(const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
             const Emit& emit) const {
-    scanTriangle(width_, rect, a, b, c, [&](size_t pixel, float z, const PixelWeights& weights) {
-      emit(pixel - first_, z, weights);
-    });
+    scanTriangle(width_, rect, a, b, c,
+                 [&](size_t pixel, float z, const PixelWeights& weights) { emit(pixel - first_, z, weights); });
   }
   /// Pixels are numbered within the region. `depth` is positive and grows along the piece; so do the fronts.
   bool isNearest(size_t pixel, float depth, uint32_t triangle) const {

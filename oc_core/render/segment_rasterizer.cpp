@@ -123,7 +123,8 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
 /// Whether rays of some kind end before a point.
 bool isBeyondEnds(const SegmentScratch& scratch, const glm::dvec3& p) {
   return std::any_of(scratch.ends.begin(), scratch.ends.end(), [&](const auto& kind) {
-    return std::any_of(kind.second->begin(), kind.second->end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+    return std::any_of(kind.second->begin(), kind.second->end(),
+                       [&](const Plane& plane) { return plane.height(p) > 0; });
   });
 }
 
@@ -346,20 +347,19 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
   if (endsBefore) {
     return;
   }
-  region_.scan(rect_, vertices[0], vertices[1], vertices[2],
-               [&](size_t pixel, float weight, const PixelWeights& weights) {
-                 if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
-                   return;
-                 }
-                 const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
-                 if (kind != held) {
-                   hold(static_cast<size_t>(kind));
-                 }
-                 if (std::none_of(ends.begin(), ends.end(),
-                                  [&](const HeightOver& end) { return end.isBeyond(weights); })) {
-                   region_.put(pixel, weight, triangle, weights());
-                 }
-               });
+  region_.scan(
+      rect_, vertices[0], vertices[1], vertices[2], [&](size_t pixel, float weight, const PixelWeights& weights) {
+        if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
+          return;
+        }
+        const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
+        if (kind != held) {
+          hold(static_cast<size_t>(kind));
+        }
+        if (std::none_of(ends.begin(), ends.end(), [&](const HeightOver& end) { return end.isBeyond(weights); })) {
+          region_.put(pixel, weight, triangle, weights());
+        }
+      });
 }
 
 }  // namespace ocelli

@@ -99,8 +99,8 @@ void SegmentBounds::findBlocks(const MeshBlocks& blocks, MeshBlocks::Runs runs, 
     const Box& box = blocks[block].box;
     const Ends ends = endsOf(box);
     if (!ends.before) {
-      BlockTask task{piece, block, placement == Placement::kInside && heights(segment_.begin, box).first >= 0,
-                     ends.clear, 0, rect};
+      BlockTask task{piece,      block, placement == Placement::kInside && heights(segment_.begin, box).first >= 0,
+                     ends.clear, 0,     rect};
       placeInImage(box, task);
       tasks.push_back(task);
     }

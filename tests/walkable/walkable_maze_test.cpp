@@ -65,8 +65,13 @@ size_t passagesBetweenRooms(const Maze& maze) {
   return count;
 }
 
-/// Walls take a square of the height field on either side at most, and the gap of the entrance is floor, too.
-constexpr float kTolerance = 0.25f;
+/// Without the gap of the entrance, which is floor, too.
+Mesh closedMesh(const Maze& maze) {
+  return flatten(makeMazeScene(maze, {.closedEntrance = true}));
+}
+
+/// The floor in the thickness of a wall, 0.3 m, may belong to the cell on either side.
+constexpr float kTolerance = 0.31f;
 
 /// One found cell for each of the plan, and none is left over.
 void expectCellsOfPlan(const WalkMap& map, const Maze& maze, double angle, const std::string& what) {
@@ -110,7 +115,7 @@ Maze mazeOf(uint64_t seed) {
 TEST(WalkableMaze, CellsAreThoseOfThePlan) {
   for (uint64_t seed = 1; seed <= 5; ++seed) {
     const Maze maze = mazeOf(seed);
-    const WalkMap map = findWalkMap(flatten(makeMazeScene(maze)), {});
+    const WalkMap map = findWalkMap(closedMesh(maze), {});
     expectCellsOfPlan(map, maze, 0, "seed " + std::to_string(seed));
   }
 }
@@ -119,7 +124,7 @@ TEST(WalkableMaze, TurnedMazesHaveTheSameCells) {
   for (const double degrees : {27.0, 45.0, 80.0}) {
     const Maze maze = mazeOf(2);
     const double angle = radiansFromDegrees(degrees);
-    const WalkSurvey survey = surveyWalkable(turnedAboutVertical(flatten(makeMazeScene(maze)), angle), {});
+    const WalkSurvey survey = surveyWalkable(turnedAboutVertical(closedMesh(maze), angle), {});
     EXPECT_NEAR(survey.directionDegrees, degrees, 1e-3);
     expectCellsOfPlan(survey.map, maze, angle, std::to_string(degrees) + " degrees");
   }
@@ -127,7 +132,7 @@ TEST(WalkableMaze, TurnedMazesHaveTheSameCells) {
 
 TEST(WalkableMaze, OtherUnitsGiveTheSameCells) {
   const Maze maze = mazeOf(3);
-  Mesh mesh = flatten(makeMazeScene(maze));
+  Mesh mesh = closedMesh(maze);
   for (glm::vec3& p : mesh.positions) {
     p *= 100.0f;  // centimetres
   }
@@ -138,7 +143,7 @@ TEST(WalkableMaze, OtherUnitsGiveTheSameCells) {
 }
 
 TEST(WalkableMaze, PortalsLookIntoTheCellThatTheyAreSeenFrom) {
-  const WalkMap map = findWalkMap(flatten(makeMazeScene(mazeOf(1))), {});
+  const WalkMap map = findWalkMap(closedMesh(mazeOf(1)), {});
   for (const WalkPortal& portal : map.portals) {
     const Portal& opening = portal.opening;
     EXPECT_GT(glm::dot(opening.normal, map.cells[portal.from].center - opening.center), 0);
@@ -158,12 +163,12 @@ TEST(WalkableMaze, LandmarksDivideNoCorridor) {
   // Arches leave too little room beside them.
   std::erase_if(maze.landmarks, [](const Landmark& landmark) { return landmark.shape == LandmarkShape::kArch; });
   ASSERT_GT(maze.landmarks.size(), 5U);
-  const WalkMap map = findWalkMap(flatten(makeMazeScene(maze)), {});
+  const WalkMap map = findWalkMap(closedMesh(maze), {});
   EXPECT_EQ(map.cells.size(), cellsOfPlan(maze).size());
 }
 
 TEST(WalkableMaze, TheSameMeshGivesTheSameBytes) {
-  const Mesh mesh = flatten(makeMazeScene(mazeOf(5)));
+  const Mesh mesh = closedMesh(mazeOf(5));
   EXPECT_EQ(jsonText(findWalkMap(mesh, {})), jsonText(findWalkMap(mesh, {})));
 }
 
