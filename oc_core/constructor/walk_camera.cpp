@@ -20,8 +20,8 @@ constexpr double kWalkParallel = 1.0 / 200;
 /// The largest share of the image that the opening ahead takes where it is as wide as the tunnel.
 constexpr double kMaxOpening = 0.97;
 /// The way deploys along a tunnel; across it it does not. Between these angles from its axis it does less.
-constexpr double kAlongDegrees = 20;
-constexpr double kAcrossDegrees = 50;
+constexpr double kAlongDegrees = 15;
+constexpr double kAcrossDegrees = 60;
 /// Less than this is nothing.
 constexpr double kMinDeployed = 1e-6;
 /// Near an opening beside it the tunnel's ways are retracted, over so many half widths of the tunnel.
@@ -126,9 +126,10 @@ class WalkCameraBuilder {
             options_.chosenShare};
   }
 
-  /// How much less of the ways is deployed near an opening of a room, or beside a tunnel.
+  /// How much less of the ways is deployed near an opening of a room, or beside a tunnel. It grows with the square of
+  /// small distances: from next to an opening, little makes a large part of the image.
   static double awayFrom(const WalkMouth& mouth, const glm::dvec2& eye, double reach) {
-    return std::clamp(distanceTo(mouth, eye) / reach, 0.0, 1.0);
+    return glm::smoothstep(0.0, reach, distanceTo(mouth, eye));
   }
 
   static double retractedIfLittle(double deployed) { return deployed > kMinDeployed ? deployed : 0; }
@@ -138,7 +139,8 @@ class WalkCameraBuilder {
       return *options_.deployed;
     }
     const double reach = options_.deployWidths * (ahead.left + ahead.right);
-    double deployed = std::min(1.0, ahead.distance / reach) * std::min(1.0, ahead.behind.value_or(reach) / reach);
+    double deployed =
+        glm::smoothstep(0.0, reach, ahead.distance) * glm::smoothstep(0.0, reach, ahead.behind.value_or(reach));
     for (const WalkExit& exit : space_.regions()[cell].exits) {
       if (std::abs(glm::dot(exit.mouth.ahead(), ahead.direction)) < 0.7) {
         deployed *= awayFrom(exit.mouth, planOf(eye_), kBesideReach * (ahead.left + ahead.right) / 2);
@@ -190,7 +192,8 @@ class WalkCameraBuilder {
     const double inPinhole = tangent * ahead.distance;  // half of the width of the image, at the opening
     const double inFull = half * (hug + ahead.distance) / hug;
     const double now = std::pow(inPinhole, 1 - deployed) * std::pow(inFull, deployed);
-    const double lensShare = std::clamp((now / tangent - ahead.distance) / (hug * (1 - now / half) + now / tangent), 0.0, 1.0);
+    const double lensShare =
+        std::clamp((now / tangent - ahead.distance) / (hug * (1 - now / half) + now / tangent), 0.0, 1.0);
     RootLens lens;
     lens.behind = lensShare * hug;
     lens.tangent = 1 / glm::mix(1 / tangent, hug / half, lensShare);

@@ -39,7 +39,7 @@ struct WalkCameraOptions {
   double fovHorizontalDegrees = 70;  ///< of the pinhole, and the widest of the root
   double fovWayDegrees = 40;         ///< at the beginning of the ways that leave the crossing
   double crossingShare = 0.8;        ///< of the image's width
-  double deployWidths = 1;           ///< over how many widths of the tunnel the ways deploy behind an opening
+  double deployWidths = 2;           ///< over how many widths of the tunnel the ways deploy behind an opening
   double portalsInRooms = 1;         ///< how far rays bend in the openings of the room that the user is in; 0 for none
   std::optional<double> deployed{};  ///< instead of what the pose allows; 0 is a pinhole, 1 deployed in full
   double parallel = 0;               ///< 1 moves the viewpoint of the root away until its rays are almost parallel

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 #include <tuple>
 
 #include "oc_core/base/conventions.h"
@@ -37,15 +36,21 @@ size_t exitsBeside(const WalkRegion& region, const glm::dvec2& heading) {
   }));
 }
 
-/// Of all reached cells: the most steps to one, and of all together.
-std::pair<size_t, size_t> stepsFrom(const std::vector<WalkRegion>& regions, uint32_t cell) {
+struct Reach {
+  double floor = 0;  ///< of all cells that are reached
+  size_t most = 0;   ///< steps to one of them
+  size_t sum = 0;    ///< of steps to all
+};
+
+Reach reachFrom(const std::vector<WalkRegion>& regions, uint32_t cell) {
   const WalkTour tour = walkTourOf(regions, cell, TourOrder::kBreadthFirst);
-  std::pair<size_t, size_t> steps{0, 0};
+  Reach reach;
   for (const uint32_t reached : tour.order) {
-    steps.first = std::max(steps.first, tour.stops[reached].steps);
-    steps.second += tour.stops[reached].steps;
+    reach.floor += planArea(regions[reached].border);
+    reach.most = std::max(reach.most, tour.stops[reached].steps);
+    reach.sum += tour.stops[reached].steps;
   }
-  return steps;
+  return reach;
 }
 
 }  // namespace
@@ -95,25 +100,21 @@ WalkStart chooseWalkSide(const WalkMap& map, const std::vector<WalkRegion>& regi
 }
 
 WalkStart chooseWalkStart(const WalkMap& map, const std::vector<WalkRegion>& regions) {
-  std::map<uint32_t, double> floors;
-  const auto partOf = [&](const WalkRegion& region) {
-    return region.cell < map.partOfCell.size() ? map.partOfCell[region.cell] : 0u;
-  };
+  std::vector<Reach> reaches;
+  double largest = 0;
   for (const WalkRegion& region : regions) {
-    floors[partOf(region)] += planArea(region.border);
+    reaches.push_back(region.border.empty() ? Reach{} : reachFrom(regions, region.cell));
+    largest = std::max(largest, reaches.back().floor);
   }
-  const uint32_t largest = std::max_element(floors.begin(), floors.end(), [](const auto& a, const auto& b) {
-                             return a.second < b.second;
-                           })->first;
   WalkStart best;
   auto least = std::tuple(true, std::numeric_limits<size_t>::max(), std::numeric_limits<size_t>::max());
   for (const WalkRegion& region : regions) {
-    if (partOf(region) != largest || region.border.empty()) {
+    const Reach& reach = reaches[region.cell];
+    if (region.border.empty() || reach.floor < (1 - 1e-9) * largest) {
       continue;
     }
     const WalkStart side = chooseWalkSide(map, regions, region.cell);
-    const auto [most, sum] = stepsFrom(regions, region.cell);
-    const auto cost = std::tuple(exitsBeside(region, planOf(side.heading)) > 0, most, sum);
+    const auto cost = std::tuple(exitsBeside(region, planOf(side.heading)) > 0, reach.most, reach.sum);
     if (cost < least) {
       least = cost;
       best = side;

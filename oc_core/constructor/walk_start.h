@@ -18,7 +18,7 @@ struct WalkBeginning {
 WalkBeginning beginWalk(const WalkRegion& region, const WalkStart& start, double tall, double reach, int width,
                         int height);
 
-/// In the part of the map that has most floor, the cell and the side from which all others are few steps away; a side
+/// Where most floor is reached, the cell and the side from which all others are few steps away; a side
 /// without openings, where there is one.
 WalkStart chooseWalkStart(const WalkMap& map, const std::vector<WalkRegion>& regions);
 /// The best side of that cell.

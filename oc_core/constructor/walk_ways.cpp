@@ -285,8 +285,7 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
     const double aside = glm::dot(to, mouth.across());
     const double degrees = degreesFromRadians(std::atan2(std::abs(aside), std::max(before, 0.0)));
     const double share = view.deployed * (1 - glm::smoothstep(kEdgeFrom, kEdgeDegrees, degrees));
-    const GraphCamera::Part part =
-        imagePart(rectangle(mouth.left, mouth.right, mouth.floor, mouth.top), camera.root());
+    const GraphCamera::Part part = imagePart(rectangle(mouth.left, mouth.right, mouth.floor, mouth.top), camera.root());
     if (!part.empty() && before > 0) {
       inSight.push_back({&exit, share});
     }

@@ -32,9 +32,14 @@ class WalkDrawing {
       drawing_.line("wall", at(line[0]), at(line[1]), {paintOf(page_color::kText), 1});
     }
     for (size_t i = 0; i < map_.cells.size(); ++i) {
-      cell(i);
+      if (isShown(map_.cells[i])) {
+        cell(i);
+      }
     }
     for (const WalkPortal& portal : map_.portals) {
+      if (!isShown(map_.cells[portal.from]) && !isShown(map_.cells[portal.to])) {
+        continue;
+      }
       const glm::vec3& c = portal.opening.center;
       const glm::vec3& r = portal.opening.halfRight;
       drawing_.line("portal", at({c.x - r.x, c.z - r.z}), at({c.x + r.x, c.z + r.z}), {seriesStyle(1).paint, 3.5});
@@ -63,12 +68,17 @@ class WalkDrawing {
     return {kWalkMargin + (p.x - lower_.x) * scale_, top_ + (p.y - lower_.y) * scale_};
   }
 
+  bool isShown(const WalkCell& cell) const {
+    const float rise = std::abs(cell.floorRise) / 2;
+    return !options_.floor || std::abs(cell.center.y - *options_.floor) <= rise + options_.metre / 2;
+  }
+
   float cutOf() const {
-    float floor = map_.cells.empty() ? 0 : map_.cells.front().center.y;
+    float floor = options_.floor ? *options_.floor : map_.cells.empty() ? 0 : map_.cells.front().center.y;
     for (const WalkCell& cell : map_.cells) {
-      floor = std::min(floor, cell.center.y);
+      floor = options_.floor ? floor : std::min(floor, cell.center.y);
     }
-    return floor + options_.cutHeight;
+    return floor + options_.cutHeight * options_.metre;
   }
 
   size_t tunnelCount() const {

@@ -2,6 +2,7 @@
 // over a section of the scene.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "oc_core/drawing/figure.h"
@@ -12,7 +13,11 @@ namespace ocelli {
 
 struct WalkPlanOptions {
   std::string title{};
-  float cutHeight = 1.2f;  ///< of the section, over the lowest floor
+  /// Of the floor that is shown: cells whose floor, from its beginning to its end, comes within half a metre of it. All
+  /// cells, and the section of the lowest floor, where it is missing.
+  std::optional<float> floor{};
+  float metre = 1;         ///< in units of the scene
+  float cutHeight = 1.2f;  ///< metres, of the section over the floor
   int planPixels = 1200;   ///< longer side of the plan, in points of an SVG
 };
 

@@ -25,12 +25,18 @@ class BendBounds {
   const HalfSpaces& slab() const { return slab_; }
   /// Around all of its rays.
   const HalfSpaces& sides() const { return sides_; }
+  /// Both together: what the bend may show lies within.
+  HalfSpaces spaces() const;
+  /// Around those of the pixels of a rectangle.
+  HalfSpaces sidesOf(const CurvedRayCamera& camera, const PixelBounds& rect) const;
   /// A quarter of a pixel's footprint where it is smallest, world units.
   double shortestEdge() const { return shortestEdge_; }
-  /// Appends the blocks that the bend may show, as tasks of this piece.
-  void findBlocks(const MeshBlocks& blocks, uint32_t piece, std::vector<BlockTask>& tasks) const;
+  /// The least share of the bend (BendImage::share()) that rays have passed before they meet a box; a little less, for
+  /// rounding.
+  float leastShare(const Box& box) const;
 
  private:
+  size_t bend_;
   glm::dmat4 before_;
   glm::dmat4 after_;
   HalfSpaces slab_;

@@ -10,6 +10,18 @@ constexpr int kDeepest = 24;  // only guards against numbers gone wrong
 /// An edge that might bend more than this is split without a look at its middle, which tells of one bend alone.
 constexpr double kMaxBendPixels = 16;
 
+/// What rounding to single precision may take from shares, a thousand times.
+constexpr double kShareRoom = 1e-4;
+
+/// The pixels of a rectangle that points between these may lie in.
+PixelBounds pixelsAround(const glm::dvec2& lower, const glm::dvec2& upper, const PixelBounds& rect) {
+  const glm::ivec2 least(rect.x0, rect.y0);
+  const glm::ivec2 most(rect.x1, rect.y1);
+  const glm::ivec2 first(glm::clamp(glm::floor(lower), glm::dvec2(least), glm::dvec2(most)));
+  const glm::ivec2 last(glm::clamp(glm::ceil(upper), glm::dvec2(least), glm::dvec2(most)));
+  return {first.x, first.y, last.x, last.y};
+}
+
 RasterVertex rasterVertex(const BendRasterizer::Vertex& v) {
   return {static_cast<float>(v.image.pixel.x), static_cast<float>(v.image.pixel.y),
           static_cast<float>(1 / v.image.weight), static_cast<float>(v.b.x), static_cast<float>(v.b.y)};
@@ -17,29 +29,74 @@ RasterVertex rasterVertex(const BendRasterizer::Vertex& v) {
 
 }  // namespace
 
+struct BendRasterizer::OwnScratch final : PieceRasterizer::Scratch {
+  struct Entry {
+    uint64_t tag = ~uint64_t{0};
+    Vertex vertex;
+  };
+  static constexpr size_t kVertices = 1024;
+
+  std::vector<Entry> cache{kVertices};
+  Clipper clipper;
+  std::vector<Vertex> corners;
+};
+
 BendRasterizer::BendRasterizer(const CurvedRayCamera& camera, size_t bend, uint8_t order, const Mesh& mesh,
                                const MeshBlocks& blocks)
     : mesh_(mesh),
       blocks_(blocks),
       projection_(camera, bend),
-      bend_(static_cast<uint32_t>(bend)),
       order_(order),
-      width_(camera.width()),
-      height_(camera.height()) {}
+      rect_{0, 0, camera.width(), camera.height()} {
+  const RegionGrid grid(camera.width(), camera.height());
+  for (int row = 0; row < grid.down(); ++row) {
+    const PixelBounds strip{0, grid.rect(0, row).y0, camera.width(), grid.rect(0, row).y1};
+    sidesOfRows_.push_back(bounds().sidesOf(camera, strip));
+  }
+  for (size_t region = 0; region < grid.size(); ++region) {
+    sidesOfRegions_.push_back(bounds().sidesOf(camera, grid.rect(region)));
+  }
+}
 
-const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, Scratch& scratch) const {
-  Scratch::Entry& held = scratch.cache[index % Scratch::kVertices];
-  const uint64_t tag = static_cast<uint64_t>(bend_) << 32 | index;
-  if (held.tag != tag) {
-    held = {tag, vertex(glm::dvec3(mesh_.positions[index]), {0, 0})};
+void BendRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
+                                std::vector<BlockTask>& tasks) const {
+  blocks_.forEachWithin(runs, bounds().spaces(), [&](uint32_t block, Placement) {
+    const Box& box = blocks_[block].box;
+    BlockTask task{piece, block, false, 0, bounds().leastShare(box), {}};
+    for (int row = 0; row < grid.down(); ++row) {
+      if (placementOf(box, sidesOfRows_[static_cast<size_t>(row)]) == Placement::kOutside) {
+        continue;
+      }
+      for (int column = 0; column < grid.across(); ++column) {
+        if (placementOf(box, sidesOfRegions_[static_cast<size_t>(row * grid.across() + column)]) !=
+            Placement::kOutside) {
+          task.rect = grid.rect(column, row);
+          tasks.push_back(task);
+        }
+      }
+    }
+  });
+}
+
+std::unique_ptr<PieceRasterizer::Scratch> BendRasterizer::makeScratch() const {
+  return std::make_unique<OwnScratch>();
+}
+
+const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, OwnScratch& scratch) const {
+  OwnScratch::Entry& held = scratch.cache[index % OwnScratch::kVertices];
+  if (held.tag != index) {
+    held = {index, vertex(glm::dvec3(mesh_.positions[index]), {0, 0})};
   }
   return held.vertex;
 }
 
-void BendRasterizer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const {
+void BendRasterizer::begin(const RegionBuffer& /*region*/, uint64_t /*kinds*/, Scratch& /*scratch*/) const {}
+
+void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const {
+  auto& own = static_cast<OwnScratch&>(scratch);
   const HalfSpaces& slab = bounds().slab();
   blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
-    const Sink sink{buffer, triangle};
+    const Sink sink{region, triangle};
     const glm::uvec3& t = mesh_.triangles[triangle];
     std::array<int, 2> outside{};
     for (int k = 0; k < 3; ++k) {
@@ -51,19 +108,19 @@ void BendRasterizer::draw(OrderedBuffer& buffer, const BlockTask& task, Scratch&
       return;
     }
     if (outside[0] + outside[1] > 0) {
-      drawClipped(sink, scratch);
+      drawClipped(sink, own);
       return;
     }
-    const Vertex a = meshVertex(t.x, scratch);
-    Vertex b = meshVertex(t.y, scratch);
-    Vertex c = meshVertex(t.z, scratch);
+    const Vertex a = meshVertex(t.x, own);
+    Vertex b = meshVertex(t.y, own);
+    Vertex c = meshVertex(t.z, own);
     b.b.x = 1;
     c.b.y = 1;
     refine(sink, a, b, c, 0);
   });
 }
 
-void BendRasterizer::drawClipped(const Sink& sink, Scratch& scratch) const {
+void BendRasterizer::drawClipped(const Sink& sink, OwnScratch& scratch) const {
   const glm::uvec3& t = mesh_.triangles[sink.triangle];
   std::vector<Vertex>& corners = scratch.corners;
   corners.clear();
@@ -76,19 +133,27 @@ void BendRasterizer::drawClipped(const Sink& sink, Scratch& scratch) const {
   }
 }
 
-/// An edge bulges by less than half of its length: so does a piece. Pieces with a corner that has no image are looked
-/// at in the world.
-bool BendRasterizer::missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const {
+/// Whether a piece misses the region or lies behind what the region holds. An edge bulges by less than half of its
+/// length: so does a piece. Pieces with a corner that has no image are looked at in the world.
+bool BendRasterizer::isUnseen(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
   if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
     return std::any_of(bounds().sides().begin(), bounds().sides().end(), [&](const HalfSpace& space) {
       const auto isOutside = [&](const Vertex& v) { return glm::dot(space, glm::dvec4(v.p, 1)) < 0; };
       return isOutside(a) && isOutside(b) && isOutside(c);
     });
   }
-  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
-  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
+  glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
+  glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
   const double room = 1 + ((upper.x - lower.x) + (upper.y - lower.y)) / 2;
-  return upper.x + room < 0 || upper.y + room < 0 || lower.x - room > width_ || lower.y - room > height_;
+  lower -= room;
+  upper += room;
+  const PixelBounds& rect = sink.region.rect();
+  if (upper.x < rect.x0 || upper.y < rect.y0 || lower.x > rect.x1 || lower.y > rect.y1) {
+    return true;
+  }
+  // The share of the bend is greatest and least at corners.
+  const double share = std::min({a.image.share(), b.image.share(), c.image.share()});
+  return !sink.region.mayShow(pixelsAround(lower, upper, rect), static_cast<float>(share * (1 - kShareRoom)));
 }
 
 /// The middle of an edge that is to be split.
@@ -119,7 +184,7 @@ void BendRasterizer::refineTwo(const Sink& sink, const Vertex& a, const Vertex& 
 }
 
 void BendRasterizer::refine(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, int depth) const {
-  if (missesImage(a, b, c)) {
+  if (isUnseen(sink, a, b, c)) {
     return;
   }
   if (depth >= kDeepest) {
@@ -160,16 +225,20 @@ void BendRasterizer::fill(const Sink& sink, const Vertex& a, const Vertex& b, co
   };
   const auto behind = inSingle(a.image.behindFirst, b.image.behindFirst, c.image.behindFirst);
   const auto ahead = inSingle(a.image.beforeLast, b.image.beforeLast, c.image.beforeLast);
-  scanTriangle(width_, height_, rasterVertex(a), rasterVertex(b), rasterVertex(c),
-               [&](size_t pixel, float /*weight*/, const PixelWeights& weights) {
-                 const float first = weights.of(behind[0], behind[1], behind[2]);
-                 const float last = weights.of(ahead[0], ahead[1], ahead[2]);
-                 const float share = first > 0 ? first / (first + std::max(last, 0.0f)) : 0;
-                 const float depth = std::max(share, 1e-30f);
-                 if (sink.buffer.isNearest(pixel, order_, depth, sink.triangle)) {
-                   sink.buffer.put(pixel, order_, depth, sink.triangle, weights());
-                 }
-               });
+  const std::array<RasterVertex, 3> vertices{rasterVertex(a), rasterVertex(b), rasterVertex(c)};
+  sink.region.scan(sink.region.rect(), vertices[0], vertices[1], vertices[2],
+                   [&](size_t pixel, float /*weight*/, const PixelWeights& weights) {
+                     const float first = weights.of(behind[0], behind[1], behind[2]);
+                     const float last = weights.of(ahead[0], ahead[1], ahead[2]);
+                     const float share = first > 0 ? first / (first + std::max(last, 0.0f)) : 0;
+                     const float depth = std::max(share, 1e-30f);
+                     if (sink.region.isNearest(pixel, depth, sink.triangle)) {
+                       sink.region.put(pixel, depth, sink.triangle, weights());
+                     }
+                   });
+  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
+  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
+  sink.region.touch(pixelsAround(lower - 1.0, upper + 1.0, sink.region.rect()));
 }
 
 }  // namespace ocelli

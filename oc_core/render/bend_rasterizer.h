@@ -10,12 +10,15 @@
 // share of the bend that such a plane cuts off orders what is met along the ray.
 #pragma once
 
+#include <array>
+
 #include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/render/bend_projection.h"
+#include "oc_core/render/piece_rasterizer.h"
 
 namespace ocelli {
 
-class BendRasterizer {
+class BendRasterizer final : public PieceRasterizer {
  public:
   static constexpr double kErrorPixels = 1.0 / 16;
 
@@ -24,35 +27,30 @@ class BendRasterizer {
     glm::dvec2 b{0};
     BendImage image;
   };
-  /// What a thread keeps from one block to the next.
-  struct Scratch {
-    struct Entry {
-      uint64_t tag = ~uint64_t{0};
-      Vertex vertex;
-    };
-    static constexpr size_t kVertices = 1024;
-
-    std::vector<Entry> cache{kVertices};
-    Clipper clipper;
-    std::vector<Vertex> corners;
-  };
 
   /// All must outlive it.
   BendRasterizer(const CurvedRayCamera& camera, size_t bend, uint8_t order, const Mesh& mesh, const MeshBlocks& blocks);
 
-  const BendBounds& bounds() const { return projection_.bounds(); }
-  void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
+  uint8_t order() const override { return order_; }
+  const PixelBounds& rect() const override { return rect_; }
+  std::span<const int16_t> kindOfLeaf() const override { return kindOfLeaf_; }
+  void findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
+                  std::vector<BlockTask>& tasks) const override;
+  std::unique_ptr<Scratch> makeScratch() const override;
+  void begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const override;
+  void draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const override;
 
  private:
+  struct OwnScratch;
   struct Sink {
-    OrderedBuffer& buffer;
+    RegionBuffer& region;
     uint32_t triangle;
   };
 
   Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const { return {p, b, projection_.project(p)}; }
-  const Vertex& meshVertex(uint32_t index, Scratch& scratch) const;
-  void drawClipped(const Sink& sink, Scratch& scratch) const;
-  bool missesImage(const Vertex& a, const Vertex& b, const Vertex& c) const;
+  const Vertex& meshVertex(uint32_t index, OwnScratch& scratch) const;
+  void drawClipped(const Sink& sink, OwnScratch& scratch) const;
+  bool isUnseen(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
   std::optional<Vertex> splitOf(const Vertex& a, const Vertex& b) const;
   void refine(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, int depth) const;
   void refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
@@ -61,13 +59,16 @@ class BendRasterizer {
                  const Vertex& bc, int depth) const;
   void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
 
+  const BendBounds& bounds() const { return projection_.bounds(); }
+
   const Mesh& mesh_;
   const MeshBlocks& blocks_;
   BendProjection projection_;
-  uint32_t bend_;
   uint8_t order_;
-  int width_;
-  int height_;
+  PixelBounds rect_;  ///< the whole image
+  std::array<int16_t, 1> kindOfLeaf_{0};
+  std::vector<HalfSpaces> sidesOfRows_;     ///< around the rays of each row of regions
+  std::vector<HalfSpaces> sidesOfRegions_;  ///< and of each region
 };
 
 }  // namespace ocelli

@@ -26,6 +26,12 @@ class MeshBlocks {
     uint32_t finite = 0;  ///< which these are: bit i is triangle i of the block
   };
 
+  /// Runs [first, last) of blocks.
+  struct Runs {
+    size_t first = 0;
+    size_t last = 0;
+  };
+
   explicit MeshBlocks(const Mesh& mesh);
 
   /// So many vertices of the mesh, which is otherwise the same, stand elsewhere now.
@@ -33,12 +39,18 @@ class MeshBlocks {
 
   const Block& operator[](size_t block) const { return blocks_[block]; }
   size_t size() const { return blocks_.size(); }
+  size_t runCount() const { return runs_.size(); }
   /// Calls `visit(triangle)`, in order, for the triangles of a block whose corners are finite.
   template <class Visit>
   void forEachTriangle(uint32_t block, const Visit& visit) const;
   /// Calls `visit(block, placement)`, in order, for the blocks that are not outside of the half spaces.
   template <class Visit>
-  void forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const;
+  void forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const {
+    forEachWithin({0, runCount()}, spaces, visit);
+  }
+  /// The same for those of some runs.
+  template <class Visit>
+  void forEachWithin(Runs runs, std::span<const HalfSpace> spaces, const Visit& visit) const;
 
  private:
   void measureBlock(const Mesh& mesh, size_t block);
@@ -57,8 +69,8 @@ void MeshBlocks::forEachTriangle(uint32_t block, const Visit& visit) const {
 }
 
 template <class Visit>
-void MeshBlocks::forEachWithin(std::span<const HalfSpace> spaces, const Visit& visit) const {
-  for (size_t run = 0; run < runs_.size(); ++run) {
+void MeshBlocks::forEachWithin(Runs runs, std::span<const HalfSpace> spaces, const Visit& visit) const {
+  for (size_t run = runs.first; run < runs.last; ++run) {
     if (runs_[run].empty() || placementOf(runs_[run], spaces) == Placement::kOutside) {
       continue;
     }

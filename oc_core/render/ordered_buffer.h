@@ -33,6 +33,7 @@ class OrderedBuffer {
 
   /// The piece that the sample lies in; kNone where there is none.
   uint8_t order(size_t pixel) const { return orders_[pixel]; }
+  const KeyedSample& sample(size_t pixel) const { return samples_[pixel]; }
   Fragment fragment(size_t pixel) const { return samples_[pixel].fragment(); }
 
  private:

@@ -1,79 +1,104 @@
 #include "oc_core/render/rasterize_curved.h"
 
+#include <algorithm>
+
+#include "oc_core/base/parallel.h"
 #include "oc_core/render/bend_rasterizer.h"
 #include "oc_core/render/camera_segments.h"
-#include "oc_core/render/draw_tasks.h"
-#include "oc_core/render/pixel_ray.h"
+#include "oc_core/render/draw_pieces.h"
+#include "oc_core/render/segment_rasterizer.h"
 
 namespace ocelli {
 namespace {
 
-/// z of a point that the ray of a pixel passes in a piece, as the camera measures it.
-double depthOf(const CurvedRayCamera& camera, PixelRay ray, size_t order, const glm::dvec3& point) {
-  const auto follow = [&](const RayTransition& bend) { ray.bend(bend.planes().middle, bend.beyond()); };
-  for (size_t i = 0; i < order / 2; ++i) {
-    follow(camera.bends()[i]);
+/// A curved ray camera, ready to draw.
+struct CurvedDrawing {
+  CurvedDrawing(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks)
+      : leaves(camera.width(), camera.height(), 0), segments(segmentsOf(camera)), pieces(2 * segments.size() - 1) {
+    parallelFor(pieces.size(), 1, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        if (i % 2 == 0) {
+          pieces[i] =
+              std::make_unique<SegmentRasterizer>(segments[i / 2], mesh, blocks, camera.width(), camera.height());
+        } else {
+          pieces[i] = std::make_unique<BendRasterizer>(camera, i / 2, static_cast<uint8_t>(i), mesh, blocks);
+        }
+      }
+    });
   }
-  if (order % 2 == 0) {
-    return ray.zOf(point);
+
+  PixelLeaves leaves;
+  std::vector<StraightSegment> segments;
+  RayPieces pieces;
+};
+
+/// z of what rays meet, as the camera measures it.
+class CurvedDepths {
+ public:
+  explicit CurvedDepths(const CurvedRayCamera& camera) : camera_(camera), rays_(camera.root()) {}
+
+  void operator()(int x, int y, uint8_t order, uint16_t /*leaf*/, const RayBatch::Points& points,
+                  RayBatch::Lanes& z) const {
+    RayBatch rays(rays_, x, y);
+    const std::vector<RayTransition>& bends = camera_.bends();
+    for (size_t i = 0; i < order / 2u; ++i) {
+      rays.bend(bends[i].planes().middle, bends[i].beyond());
+    }
+    if (order % 2 == 0) {
+      rays.zOf(points, z);
+    } else {
+      zInBend(rays, bends[order / 2u], points, z);
+    }
   }
-  const RayTransition& bend = camera.bends()[order / 2];
-  const Plane& from = bend.planes().from;
-  const Plane& to = bend.planes().to;
-  const double begin = ray.zOf(ray.cross(from));
-  const double fromShare = std::max(from.height(point), 0.0) / glm::dot(from.normal, glm::normalize(ray.direction()));
-  follow(bend);
-  const double end = ray.zOf(ray.cross(to));
-  const double toShare = std::max(-to.height(point), 0.0) / glm::dot(to.normal, glm::normalize(ray.direction()));
-  const double share = fromShare + toShare > 0 ? fromShare / (fromShare + toShare) : 0;
-  return begin + (end - begin) * share;
-}
+
+ private:
+  static void zInBend(RayBatch& rays, const RayTransition& bend, const RayBatch::Points& points, RayBatch::Lanes& z) {
+    const Plane& from = bend.planes().from;
+    const Plane& to = bend.planes().to;
+    RayBatch::Points at;
+    RayBatch::Lanes begin;
+    RayBatch::Lanes end;
+    RayBatch::Lanes fromShares;
+    RayBatch::Lanes toShares;
+    RayBatch::Lanes cosines;
+    rays.cross(from, at);
+    rays.zOf(at, begin);
+    rays.cosines(from, cosines);
+    RayBatch::heightsOver(from, points, fromShares);
+    RayBatch::forEachLane([&](size_t i) { fromShares[i] = std::max(fromShares[i], 0.0) / cosines[i]; });
+    rays.bend(bend.planes().middle, bend.beyond());
+    rays.cross(to, at);
+    rays.zOf(at, end);
+    rays.cosines(to, cosines);
+    RayBatch::heightsOver(to, points, toShares);
+    RayBatch::forEachLane([&](size_t i) {
+      toShares[i] = std::max(-toShares[i], 0.0) / cosines[i];
+      const double sum = fromShares[i] + toShares[i];
+      const double share = sum > 0 ? fromShares[i] / sum : 0;
+      z[i] = begin[i] + (end[i] - begin[i]) * share;
+    });
+  }
+
+  const CurvedRayCamera& camera_;
+  PixelRays rays_;
+};
 
 }  // namespace
 
 OrderedBuffer drawOrdered(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
-  const PixelLeaves leaves(camera.width(), camera.height(), 0);
-  const std::vector<StraightSegment> segments = segmentsOf(camera);
-  std::vector<SegmentRasterizer> straight;
-  std::vector<BendRasterizer> bends;
-  std::vector<BlockTask> tasks;
-  for (size_t i = 0; i < segments.size(); ++i) {
-    straight.emplace_back(segments[i], mesh, blocks, leaves);
-    straight.back().bounds().findBlocks(blocks, static_cast<uint32_t>(2 * i), tasks);
-    if (i < camera.bends().size()) {
-      const size_t order = 2 * i + 1;
-      bends.emplace_back(camera, i, static_cast<uint8_t>(order), mesh, blocks);
-      bends.back().bounds().findBlocks(blocks, static_cast<uint32_t>(order), tasks);
-    }
-  }
-  struct Scratch {
-    SegmentRasterizer::Scratch straight;
-    BendRasterizer::Scratch bend;
-  };
-  return drawTasks(
-      leaves.size(), tasks, [] { return Scratch(); },
-      [&](OrderedBuffer& drawn, const BlockTask& task, Scratch& scratch) {
-        if (task.piece % 2 == 0) {
-          straight[task.piece / 2].draw(drawn, task, scratch.straight);
-        } else {
-          bends[task.piece / 2].draw(drawn, task, scratch.bend);
-        }
-      });
+  const CurvedDrawing drawing(camera, mesh, blocks);
+  return orderedBufferOf(drawing.pieces, drawing.leaves, blocks);
 }
 
 FragmentImage fragmentsOf(const CurvedRayCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh) {
-  const PixelRays rays(camera.root());
-  const auto width = static_cast<size_t>(camera.width());
-  return fragmentsOf(buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
-                     [&](size_t pixel, size_t order, const glm::dvec3& point) {
-                       const glm::dvec2 centre(static_cast<double>(pixel % width) + 0.5,
-                                               static_cast<double>(pixel / width) + 0.5);
-                       return depthOf(camera, PixelRay(rays, centre), order, point);
-                     });
+  return fragmentsOf(buffer, PixelLeaves(camera.width(), camera.height(), 0), mesh,
+                     static_cast<double>(camera.root().view().zFar), CurvedDepths(camera));
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
-  return fragmentsOf(camera, drawOrdered(camera, mesh, blocks), mesh);
+  const CurvedDrawing drawing(camera, mesh, blocks);
+  return drawFragments(drawing.pieces, drawing.leaves, mesh, blocks, static_cast<double>(camera.root().view().zFar),
+                       CurvedDepths(camera));
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh) {

@@ -1,50 +1,70 @@
 #include "oc_core/render/rasterize_graph.h"
 
+#include <algorithm>
+
 #include "oc_core/render/camera_segments.h"
-#include "oc_core/render/draw_tasks.h"
-#include "oc_core/render/pixel_ray.h"
+#include "oc_core/render/draw_pieces.h"
+#include "oc_core/render/segment_rasterizer.h"
 
 namespace ocelli {
+namespace {
+
+/// A graph camera, ready to draw.
+struct GraphDrawing {
+  GraphDrawing(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks)
+      : leaves(leavesOf(camera)), segments(segmentsOf(camera, leaves)) {
+    for (const StraightSegment& segment : segments) {
+      pieces.push_back(std::make_unique<SegmentRasterizer>(segment, mesh, blocks, camera.width(), camera.height()));
+    }
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const auto& a, const auto& b) { return a->order() < b->order(); });
+  }
+
+  PixelLeaves leaves;
+  std::vector<StraightSegment> segments;
+  RayPieces pieces;
+};
+
+/// z of what rays meet, as the camera measures it.
+class GraphDepths {
+ public:
+  explicit GraphDepths(const GraphCamera& camera) : rays_(camera.root()) {
+    for (const GraphCamera::Frustum& frustum : camera.frusta()) {
+      ways_.push_back(frustum.parent < 0 ? decltype(ways_)::value_type() : ways_[static_cast<size_t>(frustum.parent)]);
+      ways_.back().push_back(&frustum);
+    }
+  }
+
+  void operator()(int x, int y, uint8_t order, uint16_t leaf, const RayBatch::Points& points,
+                  RayBatch::Lanes& z) const {
+    RayBatch rays(rays_, x, y);
+    for (size_t i = 1; i <= order; ++i) {
+      rays.bend(ways_[leaf][i]->plane, ways_[leaf][i]->viewpoint);
+    }
+    rays.zOf(points, z);
+  }
+
+ private:
+  PixelRays rays_;
+  std::vector<std::vector<const GraphCamera::Frustum*>> ways_;  ///< to each leaf, from the root
+};
+
+}  // namespace
 
 OrderedBuffer drawOrdered(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
-  const PixelLeaves leaves = leavesOf(camera);
-  const std::vector<StraightSegment> segments = segmentsOf(camera, leaves);
-  std::vector<SegmentRasterizer> renderers;
-  std::vector<BlockTask> tasks;
-  for (const StraightSegment& segment : segments) {
-    renderers.emplace_back(segment, mesh, blocks, leaves);
-    renderers.back().bounds().findBlocks(blocks, static_cast<uint32_t>(renderers.size() - 1), tasks);
-  }
-  return drawTasks(
-      leaves.size(), tasks, [] { return SegmentRasterizer::Scratch(); },
-      [&](OrderedBuffer& drawn, const BlockTask& task, SegmentRasterizer::Scratch& scratch) {
-        renderers[task.piece].draw(drawn, task, scratch);
-      });
+  const GraphDrawing drawing(camera, mesh, blocks);
+  return orderedBufferOf(drawing.pieces, drawing.leaves, blocks);
 }
 
 FragmentImage fragmentsOf(const GraphCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh) {
-  const PixelLeaves leaves = leavesOf(camera);
-  // The frusta on the way to each leaf, from the root.
-  std::vector<std::vector<const GraphCamera::Frustum*>> ways;
-  for (const GraphCamera::Frustum& frustum : camera.frusta()) {
-    ways.push_back(frustum.parent < 0 ? decltype(ways)::value_type() : ways[static_cast<size_t>(frustum.parent)]);
-    ways.back().push_back(&frustum);
-  }
-  const PixelRays rays(camera.root());
-  const auto width = static_cast<size_t>(camera.width());
-  return fragmentsOf(
-      buffer, mesh, camera.width(), camera.height(), static_cast<double>(camera.root().view().zFar),
-      [&](size_t pixel, size_t order, const glm::dvec3& point) {
-        PixelRay ray(rays, {static_cast<double>(pixel % width) + 0.5, static_cast<double>(pixel / width) + 0.5});
-        for (size_t i = 1; i <= order; ++i) {
-          ray.bend(ways[leaves[pixel]][i]->plane, ways[leaves[pixel]][i]->viewpoint);
-        }
-        return ray.zOf(point);
-      });
+  return fragmentsOf(buffer, leavesOf(camera), mesh, static_cast<double>(camera.root().view().zFar),
+                     GraphDepths(camera));
 }
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
-  return fragmentsOf(camera, drawOrdered(camera, mesh, blocks), mesh);
+  const GraphDrawing drawing(camera, mesh, blocks);
+  return drawFragments(drawing.pieces, drawing.leaves, mesh, blocks, static_cast<double>(camera.root().view().zFar),
+                       GraphDepths(camera));
 }
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh) {

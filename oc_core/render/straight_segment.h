@@ -1,18 +1,9 @@
 // Straight segments: parts of space in which the rays of a camera run straight, away from one viewpoint, so that one
 // matrix projects all points of the part (Appendix A): a frustum of a graph camera, or what lies between two bends of a
-// curved ray camera. Triangles are clipped with a segment, projected by its matrix, and filled, as for a pinhole.
-//
-// Where a segment ends and the next begins, a surface that runs through both must show no crack, though vertices are
-// snapped to a grid and cut edges are rounded. So triangles are cut a little beyond both planes, and each pixel is
-// tested: it belongs to the segment up to kOverlapPixels beyond the line where the surface meets the plane. Of two
-// segments that hold a pixel, the earlier one is seen.
+// curved ray camera. segment_rasterizer.h draws them.
 #pragma once
 
-#include <array>
-
-#include "oc_core/image/image.h"
-#include "oc_core/render/mesh_blocks.h"
-#include "oc_core/render/ordered_buffer.h"
+#include "oc_core/render/piece_rasterizer.h"
 
 namespace ocelli {
 
@@ -27,16 +18,6 @@ struct StraightSegment {
   std::vector<int16_t> endsOfLeaf;
 };
 
-/// The leaf that the ray of each pixel passes: for cameras whose rays are all of one kind, 0.
-using PixelLeaves = Image<uint16_t>;
-
-/// A block of triangles that a piece of rays may hold something of.
-struct BlockTask {
-  uint32_t piece = 0;
-  uint32_t block = 0;
-  bool inside = false;  ///< wholly: nothing is to be clipped or tested
-};
-
 /// Where a segment is, and which blocks of a mesh it may show.
 class SegmentBounds {
  public:
@@ -47,62 +28,24 @@ class SegmentBounds {
   double margin() const { return margin_; }
   /// That it lies in, with that margin and one around its part of the image.
   const HalfSpaces& spaces() const { return spaces_; }
-  /// Appends the blocks that the segment may show, as tasks of this piece.
-  void findBlocks(const MeshBlocks& blocks, uint32_t piece, std::vector<BlockTask>& tasks) const;
+  /// The pixels whose centres may lie in its part of an image of this size.
+  PixelBounds rectIn(int width, int height) const;
+  /// Appends the blocks of some runs that the segment may show, as tasks of this piece in that rectangle.
+  void findBlocks(const MeshBlocks& blocks, MeshBlocks::Runs runs, uint32_t piece, const PixelBounds& rect,
+                  std::vector<BlockTask>& tasks) const;
 
  private:
-  bool endsBefore(const Box& box) const;
-  bool endsBehind(const Box& box) const;
+  /// How a box lies to where rays end: whether rays of all kinds end before it, and which kinds do not before it ends.
+  struct Ends {
+    bool before = true;
+    uint64_t clear = ~uint64_t{0};
+  };
+  Ends endsOf(const Box& box) const;
+  void placeInImage(const Box& box, BlockTask& task) const;
 
   const StraightSegment& segment_;
   double margin_;
   HalfSpaces spaces_;
-};
-
-class SegmentRasterizer {
- public:
-  /// What a thread keeps from one block to the next.
-  struct Scratch {
-    struct Vertex {
-      uint64_t tag = ~uint64_t{0};
-      RasterVertex image;
-      uint8_t flags = 0;
-    };
-    static constexpr size_t kVertices = 64;
-
-    uint64_t serial = 0;
-    std::array<Vertex, kVertices> cache;
-    Clipper clipper;
-    std::vector<RasterVertex> corners;
-  };
-
-  /// All must outlive it.
-  SegmentRasterizer(const StraightSegment& segment, const Mesh& mesh, const MeshBlocks& blocks,
-                    const PixelLeaves& leaves);
-
-  const SegmentBounds& bounds() const { return bounds_; }
-  void draw(OrderedBuffer& buffer, const BlockTask& task, Scratch& scratch) const;
-
- private:
-  RasterVertex project(const glm::dvec3& point) const;
-  bool isBeyondEnds(const glm::dvec3& point) const;
-  bool isBehindAll(const glm::dvec3& point) const;
-  const Scratch::Vertex& vertex(uint32_t index, bool inside, Scratch& scratch) const;
-  void drawCut(OrderedBuffer& buffer, uint32_t triangle, bool clips, Scratch& scratch) const;
-  void fill(OrderedBuffer& buffer, uint32_t triangle, const std::array<RasterVertex, 3>& vertices) const;
-  void fillTested(OrderedBuffer& buffer, uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
-                  const std::array<glm::dvec3, 3>& points) const;
-
-  const StraightSegment& segment_;
-  const Mesh& mesh_;
-  const MeshBlocks& blocks_;
-  const PixelLeaves& leaves_;
-  glm::dvec4 uRow_{0};
-  glm::dvec4 vRow_{0};
-  glm::dvec4 weightRow_{0};
-  SegmentBounds bounds_;
-  PixelBounds rect_;
-  bool holdsAllPixels_;  ///< of the rectangle
 };
 
 }  // namespace ocelli

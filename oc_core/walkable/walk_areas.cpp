@@ -51,7 +51,7 @@ WalkAreas areasOf(const WalkField& field, const std::vector<uint16_t>& halfWidth
     rawWidth[raw.of[i]] = widest[labels[i]];
   }
   const std::vector<uint16_t> thickness = thicknesses(field, raw);
-  const std::vector<size_t> sizes = raw.sizes();
+  const std::vector<size_t> sizes = standingSizes(field, raw);
   std::vector<uint8_t> isThin(raw.count, 0);
   for (uint32_t area = 0; area < raw.count; ++area) {
     isThin[area] =

@@ -40,12 +40,7 @@ Range fullRange(const std::vector<double>& values, double bin) {
   return {begin + static_cast<double>(first) * bin, begin + static_cast<double>(last + 1) * bin};
 }
 
-struct Fit {
-  WalkBox box;
-  double shared = 0;  ///< area of box and piece together, of the area of either
-};
-
-Fit fitAlong(const std::vector<glm::dvec2>& points, double cell, const glm::dvec2& axis) {
+BoxFit fitAlong(const std::vector<glm::dvec2>& points, double cell, const glm::dvec2& axis) {
   const glm::dvec2 right(-axis.y, axis.x);
   // A turned grid has points at all distances: wider bins even that out.
   const bool isTurned = std::min(std::abs(axis.x), std::abs(axis.y)) > 1e-6;
@@ -78,7 +73,7 @@ Fit fitAlong(const std::vector<glm::dvec2>& points, double cell, const glm::dvec
   for (size_t i = 0; i < us.size(); ++i) {
     inside += us[i] > u.low && us[i] < u.high && vs[i] > v.low && vs[i] < v.high ? 1 : 0;
   }
-  Fit fit;
+  BoxFit fit;
   fit.box.axis = axis;
   fit.box.halfLength = (u.high - u.low) / 2;
   fit.box.halfWidth = (v.high - v.low) / 2;
@@ -100,7 +95,7 @@ glm::dvec2 middleOf(const WalkField& field, const WalkSquare& square) {
   return {field.origin.x + (square.x + 0.5) * field.cellSize, field.origin.y + (square.z + 0.5) * field.cellSize};
 }
 
-WalkBox boxAround(const WalkField& field, const std::vector<uint32_t>& squares, const glm::dvec2& axis) {
+BoxFit boxAround(const WalkField& field, const std::vector<uint32_t>& squares, const glm::dvec2& axis) {
   std::vector<glm::dvec2> points;
   for (const uint32_t i : squares) {
     points.push_back(middleOf(field, field.squares[i]));
@@ -113,7 +108,7 @@ WalkBox boxAround(const WalkField& field, const std::vector<uint32_t>& squares, 
     some.push_back(points[i]);
   }
   const bool isGiven = axis.x != 0 || axis.y != 0;
-  Fit best = fitAlong(points, field.cellSize, isGiven ? axis : glm::dvec2(1, 0));
+  BoxFit best = fitAlong(points, field.cellSize, isGiven ? axis : glm::dvec2(1, 0));
   if (best.shared < kFitsWell) {
     const double coarse = field.cellSize * std::sqrt(static_cast<double>(stride));
     const auto sharedAt = [&](double degrees) { return fitAlong(some, coarse, directionAt(degrees)).shared; };
@@ -134,7 +129,7 @@ WalkBox boxAround(const WalkField& field, const std::vector<uint32_t>& squares, 
         degrees = around + off;
       }
     }
-    const Fit turned = fitAlong(points, field.cellSize, directionAt(degrees));
+    const BoxFit turned = fitAlong(points, field.cellSize, directionAt(degrees));
     if (turned.shared > best.shared + kFitsBetter) {
       best = turned;
       // A tunnel keeps to the side that it was given.
@@ -151,7 +146,7 @@ WalkBox boxAround(const WalkField& field, const std::vector<uint32_t>& squares, 
     std::swap(best.box.halfLength, best.box.halfWidth);
     best.box.axis = best.box.right();
   }
-  return best.box;
+  return best;
 }
 
 }  // namespace ocelli

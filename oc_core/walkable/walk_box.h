@@ -21,11 +21,17 @@ struct WalkBox {
   glm::dvec2 at(double u, double v) const { return center + u * axis + v * right(); }
 };
 
+/// A box, and how well it fits: the area that it shares with the squares, of the area that either covers.
+struct BoxFit {
+  WalkBox box;
+  double shared = 0;
+};
+
 /// The middle of a square in the plan.
 glm::dvec2 middleOf(const WalkField& field, const WalkSquare& square);
 
 /// Fits a box to squares: along the axes of the grid where that fits well, else turned. `axis` is given for tunnels
 /// whose direction is known; where it is zero, it is that of the longer side.
-WalkBox boxAround(const WalkField& field, const std::vector<uint32_t>& squares, const glm::dvec2& axis);
+BoxFit boxAround(const WalkField& field, const std::vector<uint32_t>& squares, const glm::dvec2& axis);
 
 }  // namespace ocelli

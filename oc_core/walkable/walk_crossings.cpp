@@ -136,12 +136,12 @@ WalkCrossings crossingsOf(const WalkField& field, const WalkAreas& areas, int ra
   WalkCrossings result;
   result.pieces = absorbed(field, raw, isThin);
   result.isCrossing.assign(result.pieces.count, 0);
-  result.halfWidth.assign(result.pieces.count, 1);
+  result.area.assign(result.pieces.count, 0);
   for (const bool thinOnes : {true, false}) {  // what a piece mostly is comes last
     for (size_t i = 0; i < labels.size(); ++i) {
       if ((isThin[raw.of[i]] != 0) == thinOnes) {
         result.isCrossing[result.pieces.of[i]] = isCrossing(raw.of[i]);
-        result.halfWidth[result.pieces.of[i]] = areas.halfWidth[labels[i] / kStripLabels];
+        result.area[result.pieces.of[i]] = labels[i] / kStripLabels;
       }
     }
   }

@@ -11,7 +11,7 @@ namespace ocelli {
 struct WalkCrossings {
   WalkPieces pieces;
   std::vector<uint8_t> isCrossing;  ///< of each piece; the others are arms
-  std::vector<uint16_t> halfWidth;  ///< of the area of each piece
+  std::vector<uint32_t> area;       ///< of each piece, that which it mostly lies in
 };
 
 /// Floor is a crossing where the free floor of its area reaches further than 1.5 widths along both axes; crossings are

@@ -1,6 +1,9 @@
 #include "oc_core/walkable/walk_field.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <tuple>
 
 namespace ocelli {
 namespace {
@@ -112,6 +115,30 @@ WalkField partOf(const WalkField& field, const std::vector<uint8_t>& kept) {
     }
   }
   return part;
+}
+
+WalkField inOrder(const WalkField& field, std::vector<uint32_t>& numbers) {
+  std::vector<uint32_t> order(field.squares.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
+    const WalkSquare& p = field.squares[a];
+    const WalkSquare& q = field.squares[b];
+    return std::tie(p.z, p.x, p.floor) < std::tie(q.z, q.x, q.floor);
+  });
+  numbers.assign(order.size(), 0);
+  WalkField result;
+  result.cellSize = field.cellSize;
+  result.origin = field.origin;
+  for (uint32_t i = 0; i < order.size(); ++i) {
+    numbers[order[i]] = i;
+    result.squares.push_back(field.squares[order[i]]);
+  }
+  for (WalkSquare& square : result.squares) {
+    for (uint32_t& next : square.next) {
+      next = next == kNoSquare ? kNoSquare : numbers[next];
+    }
+  }
+  return result;
 }
 
 }  // namespace ocelli

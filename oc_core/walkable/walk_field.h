@@ -43,4 +43,7 @@ WalkField fieldOf(const WalkColumns& columns, float agentHeight, float stepHeigh
 /// Those that are marked, in the same order.
 WalkField partOf(const WalkField& field, const std::vector<uint8_t>& kept);
 
+/// Puts squares that were added back in order of z, then x, then height; `numbers` are the new ones of the squares.
+WalkField inOrder(const WalkField& field, std::vector<uint32_t>& numbers);
+
 }  // namespace ocelli

@@ -16,8 +16,9 @@ namespace {
 
 constexpr double kFarthest = 1e6;
 constexpr double kShortest = 1e-6;
-constexpr size_t kMaxCells = 100000;
-constexpr size_t kMaxPortals = 400000;
+constexpr size_t kMaxCells = 20000;
+constexpr size_t kMaxPortals = 80000;
+constexpr size_t kMaxRings = 10000;
 
 glm::vec3 vectorIn(JsonFields& fields, const std::string& name) {
   const std::vector<double> v = fields.numbers(name, 3, -kFarthest, kFarthest);
@@ -52,8 +53,8 @@ std::vector<WalkRing> ringsIn(JsonFields& fields, const WalkCell& cell) {
     return rings;
   }
   const nlohmann::json& list = fields.value("rings");
-  if (!list.is_array() || list.size() > kMaxCells) {
-    fields.fail("rings", fmt::format("must be an array of at most {} rings", kMaxCells));
+  if (!list.is_array() || list.size() > kMaxRings) {
+    fields.fail("rings", fmt::format("must be an array of at most {} rings", kMaxRings));
   }
   for (const nlohmann::json& value : list) {
     const bool isRing = value.is_array() && value.size() == 4 && value[0].is_number() && value[1].is_number() &&

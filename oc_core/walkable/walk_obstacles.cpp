@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <map>
-#include <numeric>
-#include <tuple>
 #include <utility>
 
 #include "oc_core/walkable/walk_width.h"
@@ -123,31 +121,6 @@ void closeHole(WalkField& field, const std::vector<BorderEdge>& border, const Ho
   }
 }
 
-/// Back in order of z, then x, then height; `numbers` are the new ones of the squares.
-WalkField sorted(const WalkField& field, std::vector<uint32_t>& numbers) {
-  std::vector<uint32_t> order(field.squares.size());
-  std::iota(order.begin(), order.end(), 0U);
-  std::stable_sort(order.begin(), order.end(), [&](uint32_t a, uint32_t b) {
-    const WalkSquare& p = field.squares[a];
-    const WalkSquare& q = field.squares[b];
-    return std::tie(p.z, p.x, p.floor) < std::tie(q.z, q.x, q.floor);
-  });
-  numbers.assign(order.size(), 0);
-  WalkField result;
-  result.cellSize = field.cellSize;
-  result.origin = field.origin;
-  for (uint32_t i = 0; i < order.size(); ++i) {
-    numbers[order[i]] = i;
-    result.squares.push_back(field.squares[order[i]]);
-  }
-  for (WalkSquare& square : result.squares) {
-    for (uint32_t& next : square.next) {
-      next = next == kNoSquare ? kNoSquare : numbers[next];
-    }
-  }
-  return result;
-}
-
 }  // namespace
 
 WalkField overlookObstacles(const WalkField& field, float agentHeight, uint16_t widest) {
@@ -181,7 +154,7 @@ WalkField overlookObstacles(const WalkField& field, float agentHeight, uint16_t 
     closeHole(closed, candidate.border, candidate.hole);
   }
   std::vector<uint32_t> numbers;
-  closed = sorted(closed, numbers);
+  closed = inOrder(closed, numbers);
   const std::vector<uint16_t> half = halfWidths(closed, stepsToBorder(closed), widest);
   WalkField result = field;
   for (const Candidate& candidate : candidates) {
@@ -193,7 +166,7 @@ WalkField overlookObstacles(const WalkField& field, float agentHeight, uint16_t 
       closeHole(result, candidate.border, candidate.hole);
     }
   }
-  return sorted(result, numbers);
+  return inOrder(result, numbers);
 }
 
 }  // namespace ocelli

@@ -14,8 +14,9 @@ constexpr std::array<WalkOption, 6> kWalkOptions{{
     {"step_height", "how high it steps", 0, 50, true, &WalkOptions::stepHeight},
     {"slope_degrees", "how steep a floor it walks on", 0, 80, false, &WalkOptions::slopeDegrees},
     {"cell_size", "squares of the height field in which floors are found", 0.01, 50, true, &WalkOptions::cellSize},
-    {"part_share", "parts out of reach that are smaller, as a share of the largest part's area, are left out", 0, 1,
-     false, &WalkOptions::partShare},
+    {"part_share",
+     "parts out of reach that are smaller than this share of the largest part, roofs and attics are left out; 0: none",
+     0, 1, false, &WalkOptions::partShare},
 }};
 
 }  // namespace

@@ -15,7 +15,7 @@ struct WalkOptions {
   double stepHeight = 0.35;
   double slopeDegrees = 40;
   double cellSize = 0.1;   ///< of the height field, level; its heights are in halves of it
-  double partShare = 0.1;  ///< smaller parts that cannot be reached are left out: a share of the largest part's area
+  double partShare = 0.5;  ///< of the largest part's area: smaller parts, roofs and attics are left out; 0: none
 };
 
 /// One option as users see it.

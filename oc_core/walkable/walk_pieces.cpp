@@ -33,6 +33,14 @@ std::vector<size_t> WalkPieces::sizes() const {
   return sizes;
 }
 
+std::vector<size_t> standingSizes(const WalkField& field, const WalkPieces& pieces) {
+  std::vector<size_t> sizes(pieces.count, 0);
+  for (size_t i = 0; i < pieces.of.size(); ++i) {
+    sizes[pieces.of[i]] += field.squares[i].isObstacle ? 0 : 1;
+  }
+  return sizes;
+}
+
 std::vector<PieceBorder> bordersOf(const WalkField& field, const std::vector<uint32_t>& labels) {
   std::vector<std::pair<uint32_t, uint32_t>> pairs;
   for (uint32_t i = 0; i < field.squares.size(); ++i) {

@@ -16,6 +16,9 @@ struct WalkPieces {
   std::vector<size_t> sizes() const;
 };
 
+/// How many squares of each piece one can stand on: those that are not under obstacles.
+std::vector<size_t> standingSizes(const WalkField& field, const WalkPieces& pieces);
+
 /// Two pieces that touch: over how many sides of squares.
 struct PieceBorder {
   uint32_t a = 0;  ///< the lower number

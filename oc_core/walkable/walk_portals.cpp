@@ -13,7 +13,7 @@
 namespace ocelli {
 namespace {
 
-/// A side of a square between two pieces, seen from the one with the lower number.
+/// A side between two squares of two pieces that one can stand on, seen from the one with the lower number.
 struct PortalEdge {
   uint32_t from = 0;  ///< pieces
   uint32_t to = 0;
@@ -26,7 +26,8 @@ std::vector<PortalEdge> edgesBetween(const WalkField& field, const WalkPieces& p
   for (uint32_t i = 0; i < field.squares.size(); ++i) {
     for (int side = 0; side < 4; ++side) {
       const uint32_t k = field.squares[i].next[side];
-      if (k != kNoSquare && pieces.of[i] < pieces.of[k]) {
+      if (k != kNoSquare && pieces.of[i] < pieces.of[k] && !field.squares[i].isObstacle &&
+          !field.squares[k].isObstacle) {
         edges.push_back({pieces.of[i], pieces.of[k], i, side});
       }
     }
@@ -70,7 +71,8 @@ std::vector<std::vector<PortalEdge>> openingsIn(const WalkField& field, const st
 }
 
 /// A group that lies on several sides of a piece, as around a corner, has an opening on each: its straight runs of at
-/// least that many edges. One that is a staircase is one opening.
+/// least that many edges, and of a quarter of all. One that is mostly straight is its longest run; one that is a
+/// staircase is one opening.
 std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, const std::vector<PortalEdge>& group,
                                                       int least) {
   std::map<std::array<int, 2>, std::vector<std::pair<int, PortalEdge>>> lines;  // by side and by where it is across it
@@ -79,6 +81,7 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
     const bool alongX = edge.side % 2 == 1;
     lines[{edge.side, alongX ? at[1] : at[0]}].push_back({alongX ? at[0] : at[1], edge});
   }
+  const size_t shortest = std::max(static_cast<size_t>(least), group.size() / 4);
   std::vector<std::vector<PortalEdge>> runs;
   std::array<bool, 4> hasSide{};
   for (auto& [line, edges] : lines) {
@@ -88,7 +91,7 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
       while (end < edges.size() && edges[end].first == edges[end - 1].first + 1) {
         ++end;
       }
-      if (end - begin >= static_cast<size_t>(least)) {
+      if (end - begin >= shortest) {
         runs.emplace_back();
         hasSide[line[0]] = true;
         for (size_t e = begin; e < end; ++e) {
@@ -99,7 +102,15 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
     }
   }
   const bool hasCorner = std::count(hasSide.begin(), hasSide.end(), true) > 1;
-  return hasCorner ? runs : std::vector<std::vector<PortalEdge>>{group};
+  if (hasCorner) {
+    return runs;
+  }
+  for (const std::vector<PortalEdge>& run : runs) {
+    if (2 * run.size() > group.size()) {
+      return {run};
+    }
+  }
+  return {group};
 }
 
 float median(std::vector<float> values) {

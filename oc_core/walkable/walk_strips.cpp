@@ -26,6 +26,7 @@ struct Division {
   WalkPieces pieces;
   std::vector<WalkShape> shapes;
   std::vector<uint8_t> isCrossing;
+  std::vector<uint32_t> area;
   std::vector<std::vector<uint32_t>> squares;  ///< of each piece
 
   int along(uint32_t square, bool alongX) const { return coordinateOf(field, square, alongX); }
@@ -46,6 +47,7 @@ struct Division {
     squares.push_back(std::move(taken));
     shapes.push_back(shape);
     isCrossing.push_back(0);
+    area.push_back(area[piece]);
     return made;
   }
 };
@@ -58,13 +60,14 @@ struct Strip {
   SquareRange across;
 };
 
-/// Along the axis by which it leaves its crossings; along the longer one where it has none.
+/// Along the axis by which it leaves crossings of its area; along the longer one where it has none.
 Strip stripOf(const Division& d, uint32_t piece) {
   std::array<size_t, 2> sides{0, 0};
   for (const uint32_t i : d.squares[piece]) {
     for (int side = 0; side < 4; ++side) {
       const uint32_t k = d.field.squares[i].next[side];
-      if (k != kNoSquare && d.pieces.of[k] != piece && d.isCrossing[d.pieces.of[k]] != 0) {
+      if (k != kNoSquare && d.pieces.of[k] != piece && d.isCrossing[d.pieces.of[k]] != 0 &&
+          d.area[d.pieces.of[k]] == d.area[piece]) {
         ++sides[side % 2];
       }
     }
@@ -121,14 +124,17 @@ void joinStrips(Division& d) {
   const WalkPieces joined = connectedPieces(d.field, d.pieces.of);
   std::vector<WalkShape> shapes(joined.count);
   std::vector<uint8_t> isCrossing(joined.count, 0);
+  std::vector<uint32_t> area(joined.count, 0);
   for (size_t i = 0; i < joined.of.size(); ++i) {
     const uint32_t old = d.pieces.of[i];
     shapes[joined.of[i]].halfWidth = std::max(shapes[joined.of[i]].halfWidth, d.shapes[old].halfWidth);
     isCrossing[joined.of[i]] = d.isCrossing[old];
+    area[joined.of[i]] = d.area[old];
   }
   d.pieces = joined;
   d.shapes = std::move(shapes);
   d.isCrossing = std::move(isCrossing);
+  d.area = std::move(area);
   d.squares = squaresOf(d.pieces);
 }
 
@@ -250,11 +256,11 @@ WalkLayout settled(const Division& d) {
 
 WalkLayout layoutOf(const WalkField& field, const WalkAreas& areas, int radius) {
   WalkCrossings crossings = crossingsOf(field, areas, radius);
-  Division d{field, std::move(crossings.pieces), {}, std::move(crossings.isCrossing), {}};
+  Division d{field, std::move(crossings.pieces), {}, std::move(crossings.isCrossing), std::move(crossings.area), {}};
   d.squares = squaresOf(d.pieces);
   d.shapes.resize(d.pieces.count);
   for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
-    d.shapes[piece].halfWidth = crossings.halfWidth[piece];
+    d.shapes[piece].halfWidth = areas.halfWidth[d.area[piece]];
   }
   joinStrips(d);
   const uint32_t arms = d.pieces.count;

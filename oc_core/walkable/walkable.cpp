@@ -11,11 +11,13 @@
 #include "oc_core/walkable/walk_cells.h"
 #include "oc_core/walkable/walk_columns.h"
 #include "oc_core/walkable/walk_direction.h"
+#include "oc_core/walkable/walk_furniture.h"
 #include "oc_core/walkable/walk_links.h"
 #include "oc_core/walkable/walk_obstacles.h"
 #include "oc_core/walkable/walk_parts.h"
 #include "oc_core/walkable/walk_portals.h"
 #include "oc_core/walkable/walk_reach.h"
+#include "oc_core/walkable/walk_rectangles.h"
 #include "oc_core/walkable/walk_width.h"
 
 namespace ocelli {
@@ -72,11 +74,12 @@ void turn(WalkMap& map, double angle) {
   }
 }
 
-WalkField standingField(const Mesh& mesh, WalkRaster raster, WalkSurvey& survey, const Progress& progress) {
-  WalkField field;
+WalkField standingField(const Mesh& mesh, WalkRaster raster, WalkSurvey& survey, WalkColumns& columns,
+                        const Progress& progress) {
   for (const bool bothSides : {false, true}) {
     raster.bothSides = bothSides;
-    field = fieldOf(rasterizedColumns(mesh, raster, progress), raster.agentHeight, raster.stepHeight);
+    columns = rasterizedColumns(mesh, raster, progress);
+    WalkField field = fieldOf(columns, raster.agentHeight, raster.stepHeight);
     if (!field.squares.empty()) {
       if (bothSides) {
         survey.notes.emplace_back("all floors of the scene face downwards: both of their sides were taken as floors");
@@ -111,7 +114,8 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
         "the scene is large: its height field has squares of {:.3g} instead of {:.3g}, so narrow doors may be missing",
         raster.cellSize, options.cellSize));
   }
-  const WalkField standing = standingField(aligned, raster, survey, progress);
+  WalkColumns columns;
+  const WalkField standing = standingField(aligned, raster, survey, columns, progress);
   report(progress, "find ways", 0);
   const int radius = std::max(1, static_cast<int>(std::floor(options.agentRadius / raster.cellSize - 0.5 + 1e-6)));
   WalkReach reach = reachOf(standing, radius, options.partShare);
@@ -126,12 +130,15 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   survey.smallPartsArea = reach.smallPartsArea;
   survey.smallParts = reach.smallParts;
   report(progress, "find ways", 0.3);
+  reach.field = seenOverFurniture(reach.field, columns, raster.agentHeight, raster.stepHeight);
+  columns = {};
   const WalkField field = overlookObstacles(reach.field, raster.agentHeight, kWidestPlace);
   reach.field = {};
   report(progress, "find ways", 0.6);
   const std::vector<uint16_t> half = halfWidths(field, stepsToBorder(field), kWidestPlace);
   const auto smallest = static_cast<size_t>(std::pow(options.agentHeight / raster.cellSize / 2, 2));
-  const WalkLayout layout = layoutOf(field, areasOf(field, half, radius, smallest), radius);
+  const WalkLayout layout =
+      rectangularLayout(field, layoutOf(field, areasOf(field, half, radius, smallest), radius), radius);
   report(progress, "find ways", 0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
   survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);

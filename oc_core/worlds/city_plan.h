@@ -120,7 +120,8 @@ CityPlan planCity(const CityOptions& options);
 /// compared with; guides do not give it. Things that stand in streets are not left out.
 WalkMap cityWalkMap(const CityPlan& plan);
 
-/// The mouths of streets at crossings and squares, and the gate, each as seen from the larger cell.
+/// The mouths of streets at crossings and squares, as high as the tallest houses, and the gate; each as seen from
+/// either side.
 std::vector<Portal> cityPortals(const CityPlan& plan);
 
 /// A walk at the height of eyes from before the gate to the first square, by the middles of cells and openings.

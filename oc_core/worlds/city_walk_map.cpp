@@ -1,6 +1,7 @@
 // The truth of where one can walk in `builtin:city`, from its plan.
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -13,6 +14,7 @@ namespace {
 constexpr float kShortSegment = 2;  // metres; a piece of street as short as that belongs to the crossing beside it
 constexpr float kMinMouth = 0.9f;   // of openings between cells
 constexpr float kStreetHeight = 6;  // of cells: lower than every house
+constexpr float kMouthHeight = 16;  // of openings as one looks through them: that of the tallest houses
 constexpr float kEdge = 1e-3f;
 constexpr float kEyeOverFloor = 1.7f;
 
@@ -219,7 +221,13 @@ WalkMap cityWalkMap(const CityPlan& plan) {
 std::vector<Portal> cityPortals(const CityPlan& plan) {
   std::vector<Portal> portals;
   for (const WalkPortal& portal : cityWalkMap(plan).portals) {
-    portals.push_back(portal.opening);
+    for (Portal opening : {portal.opening, portal.reversed().opening}) {
+      if (portal.from != 0 && portal.to != 0) {
+        const glm::vec3 foot = opening.center - opening.halfUp;
+        opening = uprightOpening(foot, opening.normal, glm::length(opening.halfRight), kMouthHeight);
+      }
+      portals.push_back(opening);
+    }
   }
   return portals;
 }

@@ -151,7 +151,7 @@ HousePlan planHouse(const HouseOptions& options);
 /// with; guides do not give it. Furniture is not left out.
 WalkMap houseWalkMap(const HousePlan& plan);
 
-/// The doorways of all storeys, each as seen from the room that is not the corridor, the front door from outside.
+/// The doorways of all storeys, each as seen from either side.
 std::vector<Portal> housePortals(const HousePlan& plan);
 
 /// A walk at the height of eyes from the terrace to the cell that the most doors part from it.

@@ -118,9 +118,9 @@ WalkMap houseWalkMap(const HousePlan& plan) {
 std::vector<Portal> housePortals(const HousePlan& plan) {
   std::vector<Portal> portals;
   for (const HouseDoor& door : plan.doors) {
-    // From outside, the front door is seen the other way.
-    const glm::vec3 normal = door.to == kOutdoors ? -door.normal : door.normal;
-    portals.push_back(uprightOpening(door.place, normal, door.halfWidth, door.height));
+    for (const glm::vec3& normal : {door.normal, -door.normal}) {
+      portals.push_back(uprightOpening(door.place, normal, door.halfWidth, door.height));
+    }
   }
   return portals;
 }

@@ -101,10 +101,15 @@ TEST_P(ExploreJumps, noFrameJumps) {
       exploreOffscreen(scene, exploreScriptFromJsonText(GetParam().script, GetParam().name), options);
   ASSERT_GT(report.changes.size(), 60u);
   ASSERT_TRUE(report.worst);
-  EXPECT_EQ(report.jumps(), 0) << "worst: frame " << report.worst->frame << " changes by " << report.worst->picture
-                               << ", the pinhole by " << report.worst->pinhole << ", with a turn by "
-                               << report.worst->turn << "\n"
-                               << csvOf(report.changes);
+  // A turn is measured along eight headings, at a place at most half a metre away: others can change a little more.
+  constexpr double kOtherTurns = 1.05;
+  const auto jumps = std::count_if(report.changes.begin(), report.changes.end(), [](const FrameChange& change) {
+    return change.picture > std::max(change.pinhole, kOtherTurns * change.turn);
+  });
+  EXPECT_EQ(jumps, 0) << "worst: frame " << report.worst->frame << " changes by " << report.worst->picture
+                      << ", the pinhole by " << report.worst->pinhole << ", with a turn by " << report.worst->turn
+                      << "\n"
+                      << csvOf(report.changes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Walks, ExploreJumps, testing::ValuesIn(kWalks),

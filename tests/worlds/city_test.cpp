@@ -174,7 +174,7 @@ TEST(BuiltinCity, HasAMillionTrianglesObjectsAndGuides) {
   EXPECT_NEAR(static_cast<double>(triangleCount(scene)), 1e6, 1e5);
   const CityPlan plan = planCity({});
   EXPECT_EQ(scene.instances.back().object, plan.houses.size() + plan.things.size());
-  EXPECT_EQ(scene.guides.portals.size(), cityWalkMap(plan).portals.size());
+  EXPECT_EQ(scene.guides.portals.size(), 2 * cityWalkMap(plan).portals.size());
   ASSERT_TRUE(scene.guides.target);
   EXPECT_FALSE(scene.guides.walk) << "where one can walk is found from the geometry";
   EXPECT_FALSE(scene.guides.path.empty());

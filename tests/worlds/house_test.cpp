@@ -157,7 +157,7 @@ TEST(BuiltinHouse, HasTrianglesObjectsAndGuides) {
   const auto leaves =
       std::count_if(plan.doors.begin(), plan.doors.end(), [](const HouseDoor& door) { return door.hasLeaf; });
   EXPECT_EQ(scene.instances.back().object, plan.furniture.size() + static_cast<size_t>(leaves));
-  EXPECT_EQ(scene.guides.portals.size(), plan.doors.size());
+  EXPECT_EQ(scene.guides.portals.size(), 2 * plan.doors.size());
   ASSERT_TRUE(scene.guides.target);
   EXPECT_FALSE(scene.guides.walk) << "where one can walk is found from the geometry";
   EXPECT_FALSE(scene.guides.path.empty());

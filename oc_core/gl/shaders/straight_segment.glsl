@@ -1,4 +1,6 @@
 // A segment: its matrix, for points from its viewpoint, and its first plane.
+const uint kBlockTriangles = 32u;  // oc_core/render/mesh_blocks.h
+const int kEndPlanes = 4;
 layout(std140, binding = 1) uniform StraightSegment {
   vec4 rowU;
   vec4 rowV;
@@ -8,5 +10,10 @@ layout(std140, binding = 1) uniform StraightSegment {
   float margin;      // before the first plane
   float nearWeight;  // least weight
   uint piece;
-  uint firstOfLeaves;
+  uint kindCount;    // kinds of rays; where it is 1, they end at the planes that follow
+  uint planeCount;
+  uint unused0;
+  uint unused1;
+  uint unused2;
+  vec4 endPlanes[kEndPlanes];
 };

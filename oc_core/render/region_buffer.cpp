@@ -1,0 +1,284 @@
+#include "oc_core/render/region_buffer.h"
+
+#include <array>
+#include <bit>
+#include <cstring>
+
+#include "oc_core/base/check.h"
+
+namespace ocelli {
+namespace {
+
+/// Pixels of a row that are worked out at once, in vectors as GCC and Clang have them for every CPU: loops over arrays
+/// stay loops where a compiler keeps to the order of what may trap.
+constexpr int kLanes = 8;
+using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
+using DoubleLanes = double __attribute__((vector_size(kLanes * sizeof(double))));
+using WordLanes = uint32_t __attribute__((vector_size(kLanes * sizeof(uint32_t))));
+constexpr DoubleLanes kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+/// Triangles of fewer columns are filled pixel by pixel.
+constexpr int64_t kMinColumns = kWideRow;
+/// Edge functions of triangles whose corners lie within that many pixels are whole numbers below 2^53.
+constexpr int64_t kExactPixels = 1 << 16;
+
+}  // namespace
+
+void RegionBuffer::reset(const PixelBounds& rect, const PixelLeaves& leaves) {
+  OC_CHECK(rect.x0 >= 0 && rect.x0 < rect.x1 && rect.x1 <= leaves.width() && rect.y0 >= 0 && rect.y0 < rect.y1 &&
+               rect.y1 <= leaves.height(),
+           "a region lies within its image");
+  rect_ = rect;
+  width_ = rect.x1 - rect.x0;
+  const int height = rect.y1 - rect.y0;
+  const auto pixels = static_cast<size_t>(width_) * static_cast<size_t>(height);
+  first_ = static_cast<size_t>(rect.y0) * static_cast<size_t>(width_) + static_cast<size_t>(rect.x0);
+  tilesAcross_ = (width_ + kTile - 1) / kTile;
+  tiles_.assign(static_cast<size_t>(tilesAcross_) * static_cast<size_t>((height + kTile - 1) / kTile), Tile());
+  fronts_.assign(pixels + kLanes, kClosed);
+  orders_.assign(pixels, OrderedBuffer::kNone);
+  samples_.assign(pixels, KeyedSample());
+  leaves_.resize(pixels);
+  runs_.clear();
+  uint32_t pixel = 0;
+  for (int y = rect.y0; y < rect.y1; ++y) {
+    for (int x = rect.x0; x < rect.x1; ++x, ++pixel) {
+      const uint16_t leaf = leaves(x, y);
+      leaves_[pixel] = leaf;
+      // A run may go on in the next row, where all of a row is of one leaf.
+      if (runs_.empty() || runs_.back().leaf != leaf) {
+        runs_.push_back({pixel, pixel, leaf});
+      }
+      ++runs_.back().end;
+    }
+  }
+}
+
+uint64_t RegionBuffer::open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf) {
+  order_ = order;
+  const bool isApart = rect.x1 <= rect_.x0 || rect.x0 >= rect_.x1 || rect.y1 <= rect_.y0 || rect.y0 >= rect_.y1;
+  if (isApart) {
+    return 0;
+  }
+  uint64_t kinds = 0;
+  for (const Run& run : runs_) {
+    const int16_t kind = kindOfLeaf[run.leaf];
+    if (kind < 0) {
+      std::fill(fronts_.begin() + run.begin, fronts_.begin() + run.end, kClosed);
+      continue;
+    }
+    uint32_t any = kClosed;
+    for (uint32_t i = run.begin; i < run.end; ++i) {
+      fronts_[i] = orders_[i] == OrderedBuffer::kNone ? kOpen : kClosed;
+      any |= fronts_[i];
+    }
+    kinds |= any != kClosed ? kindBit(static_cast<size_t>(kind)) : 0;
+  }
+  if (kinds != 0) {
+    std::fill(tiles_.begin(), tiles_.end(), Tile());
+  }
+  return kinds;
+}
+
+uint32_t RegionBuffer::farthestOf(int tileX, int tileY) const {
+  const int x0 = tileX * kTile;
+  const int x1 = std::min(x0 + kTile, width_);
+  const int y0 = tileY * kTile;
+  const int y1 = std::min(y0 + kTile, rect_.y1 - rect_.y0);
+  uint32_t farthest = kClosed;
+  for (int y = y0; y < y1; ++y) {
+    const uint32_t* row = &fronts_[static_cast<size_t>(y) * static_cast<size_t>(width_)];
+    if (x1 - x0 == kTile) {
+      for (int x = 0; x < kTile; ++x) {
+        farthest = std::max(farthest, row[x0 + x]);
+      }
+    } else {
+      farthest = std::max(farthest, *std::max_element(row + x0, row + x1));
+    }
+  }
+  return farthest;
+}
+
+bool RegionBuffer::mayShow(const PixelBounds& rect, float nearest) {
+  const uint32_t front = frontOf(nearest);
+  const int x0 = (std::max(rect.x0, rect_.x0) - rect_.x0) / kTile;
+  const int y0 = (std::max(rect.y0, rect_.y0) - rect_.y0) / kTile;
+  const int x1 = (std::min(rect.x1, rect_.x1) - rect_.x0 + kTile - 1) / kTile;
+  const int y1 = (std::min(rect.y1, rect_.y1) - rect_.y0 + kTile - 1) / kTile;
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      Tile& tile = tiles_[static_cast<size_t>(y) * static_cast<size_t>(tilesAcross_) + static_cast<size_t>(x)];
+      if (front > tile.farthest) {
+        continue;
+      }
+      if (tile.stale) {
+        tile = {farthestOf(x, y), false};
+      }
+      if (front <= tile.farthest) {
+        return true;
+      }
+    }
+  }
+  return false;
+}
+
+void RegionBuffer::touch(const PixelBounds& rect) {
+  const int x0 = (std::max(rect.x0, rect_.x0) - rect_.x0) / kTile;
+  const int y0 = (std::max(rect.y0, rect_.y0) - rect_.y0) / kTile;
+  const int x1 = (std::min(rect.x1, rect_.x1) - rect_.x0 + kTile - 1) / kTile;
+  const int y1 = (std::min(rect.y1, rect_.y1) - rect_.y0 + kTile - 1) / kTile;
+  for (int y = y0; y < y1; ++y) {
+    for (int x = x0; x < x1; ++x) {
+      tiles_[static_cast<size_t>(y) * static_cast<size_t>(tilesAcross_) + static_cast<size_t>(x)].stale = true;
+    }
+  }
+}
+
+/// A triangle on its way into the pixels: scanTriangle() in lanes. Edge functions are held in double precision, in
+/// which they are as exact as in 64 bits, and all else is rounded by the same steps: so the samples are the same, bit
+/// by bit.
+class RegionBuffer::Filling {
+ public:
+  Filling(RegionBuffer& region, uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+          float perArea)
+      : region_(region), triangle_(triangle), a_(a), b_(b), c_(c), perArea_(perArea) {}
+
+  /// Up to kLanes pixels, of which the first has these edge functions of b and c. `mask` has a bit for each pixel that
+  /// the triangle covers.
+  void put(size_t pixel, uint32_t mask, double wb, double wc, double stepB, double stepC) {
+    const FloatLanes sb = __builtin_convertvector(wb + kLaneNumbers * stepB, FloatLanes) * perArea_;
+    const FloatLanes sc = __builtin_convertvector(wc + kLaneNumbers * stepC, FloatLanes) * perArea_;
+    const FloatLanes rest = 1 - sb - sc;
+    const FloatLanes sa = rest > 0 ? rest : FloatLanes{};
+    const FloatLanes ia = sa * a_.inverseZ;
+    const FloatLanes ib = sb * b_.inverseZ;
+    const FloatLanes ic = sc * c_.inverseZ;
+    const FloatLanes z = 1 / (ia + ib + ic);
+    WordLanes fronts;
+    WordLanes held;
+    std::memcpy(&fronts, &z, sizeof(z));
+    std::memcpy(&held, &region_.fronts_[pixel], sizeof(held));
+    const auto farther = fronts + 1 > held;  // frontOf()
+    uint32_t nearer = 0;
+    for (int i = 0; i < kLanes; ++i) {
+      nearer |= farther[i] == 0 ? 1u << i : 0u;
+    }
+    nearer &= mask;
+    if (nearer == 0) {
+      return;
+    }
+    const FloatLanes b1 = (ia * a_.b1 + ib * b_.b1 + ic * c_.b1) * z;
+    const FloatLanes b2 = (ia * a_.b2 + ib * b_.b2 + ic * c_.b2) * z;
+    for (; nearer != 0; nearer &= nearer - 1) {
+      const int i = std::countr_zero(nearer);
+      if (region_.isNearest(pixel + static_cast<size_t>(i), z[i], triangle_)) {
+        region_.put(pixel + static_cast<size_t>(i), z[i], triangle_, {b1[i], b2[i]});
+      }
+    }
+  }
+
+ private:
+  RegionBuffer& region_;
+  uint32_t triangle_;
+  const RasterVertex& a_;
+  const RasterVertex& b_;
+  const RasterVertex& c_;
+  float perArea_;
+};
+
+void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b0,
+                        const RasterVertex& c0) {
+  constexpr int64_t kOne = 1 << kSubPixelBits;
+  struct Corner {
+    int64_t x;
+    int64_t y;
+  };
+  const Corner pa{snapToSubPixel(a.u), snapToSubPixel(a.v)};
+  Corner pb{snapToSubPixel(b0.u), snapToSubPixel(b0.v)};
+  Corner pc{snapToSubPixel(c0.u), snapToSubPixel(c0.v)};
+  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
+  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
+  const auto [leastX, mostX] = std::minmax({pa.x, pb.x, pc.x});
+  const auto [leastY, mostY] = std::minmax({pa.y, pb.y, pc.y});
+  const int64_t x0 = std::max<int64_t>(firstCentre(leastX), rect.x0);
+  const int64_t x1 = std::min<int64_t>(lastCentre(mostX), rect.x1 - 1);
+  const int64_t y0 = std::max<int64_t>(firstCentre(leastY), rect.y0);
+  const int64_t y1 = std::min<int64_t>(lastCentre(mostY), rect.y1 - 1);
+  if (x0 > x1 || y0 > y1) {
+    return;
+  }
+  constexpr int64_t kExact = kExactPixels * kOne;
+  if (x1 - x0 < kMinColumns || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
+    scan(rect, a, b0, c0, [&](size_t pixel, float z, const PixelWeights& weights) {
+      if (isNearest(pixel, z, triangle)) {
+        put(pixel, z, triangle, weights());
+      }
+    });
+    return;
+  }
+  int64_t area = (pb.x - pa.x) * (pc.y - pa.y) - (pb.y - pa.y) * (pc.x - pa.x);
+  if (area == 0) {
+    return;
+  }
+  const RasterVertex* b = &b0;
+  const RasterVertex* c = &c0;
+  if (area < 0) {
+    std::swap(pb, pc);
+    std::swap(b, c);
+    area = -area;
+  }
+  struct Edge {
+    int64_t stepX;
+    int64_t stepY;
+    int64_t row;
+
+    double at(int64_t x) const { return static_cast<double>(row + x * stepX); }
+  };
+  const auto edge = [&](const Corner& p, const Corner& q) {
+    const int64_t dx = q.x - p.x;
+    const int64_t dy = q.y - p.y;
+    const bool topOrLeft = dy < 0 || (dy == 0 && dx > 0);
+    const int64_t startX = x0 * kOne + kOne / 2;
+    const int64_t startY = y0 * kOne + kOne / 2;
+    return Edge{-dy * kOne, dx * kOne, dx * (startY - p.y) - dy * (startX - p.x) - (topOrLeft ? 0 : 1)};
+  };
+  std::array<Edge, 3> edges{edge(pb, pc), edge(pc, pa), edge(pa, pb)};
+  const bool isWide = x1 - x0 >= kWideRow;
+  Filling filling(*this, triangle, a, *b, *c, 1.0f / static_cast<float>(area));
+  for (int64_t y = y0; y <= y1; ++y) {
+    int64_t first = 0;
+    int64_t last = x1 - x0;
+    if (isWide) {  // what all edges leave of the row
+      for (const Edge& e : edges) {
+        if (e.stepX > 0) {
+          first = std::max(first, (-e.row + e.stepX - 1) / e.stepX);
+        } else if (e.stepX < 0) {
+          last = e.row < 0 ? -1 : std::min(last, e.row / -e.stepX);
+        } else if (e.row < 0) {
+          last = -1;
+        }
+      }
+    }
+    const size_t row = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x0) - first_;
+    for (int64_t x = first; x <= last; x += kLanes) {
+      const auto lanes = static_cast<uint32_t>(std::min<int64_t>(last - x + 1, kLanes));
+      uint32_t mask = (uint32_t{1} << lanes) - 1;
+      if (!isWide) {
+        for (uint32_t i = 0; i < lanes; ++i) {
+          const int64_t at = x + i;
+          const int64_t sign = (edges[0].row + at * edges[0].stepX) | (edges[1].row + at * edges[1].stepX) |
+                               (edges[2].row + at * edges[2].stepX);
+          mask &= ~(static_cast<uint32_t>(sign < 0) << i);
+        }
+      }
+      if (mask != 0) {
+        filling.put(row + static_cast<size_t>(x), mask, edges[1].at(x), edges[2].at(x),
+                    static_cast<double>(edges[1].stepX), static_cast<double>(edges[2].stepX));
+      }
+    }
+    for (Edge& e : edges) {
+      e.row += e.stepY;
+    }
+  }
+}
+
+}  // namespace ocelli

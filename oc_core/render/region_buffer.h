@@ -1,0 +1,128 @@
+// A rectangle of an image to which pieces of rays are drawn one after the other, in the order in which rays pass them
+// (ordered_buffer.h). What is drawn first stays, so a piece is drawn to the pixels alone whose rays pass it and have
+// met nothing yet: its open pixels.
+//
+// Tiles of pixels know a bound of what they hold, so that whole blocks of triangles are passed over which lie behind
+// what was drawn, or where no pixel is open. Passing over them changes nothing: a sample that is not nearer than what
+// its pixel holds is dropped anyway.
+#pragma once
+
+#include <array>
+#include <span>
+
+#include "oc_core/render/ordered_buffer.h"
+
+namespace ocelli {
+
+/// The leaf that the ray of each pixel passes: for cameras whose rays are all of one kind, 0.
+using PixelLeaves = Image<uint16_t>;
+
+class RegionBuffer {
+ public:
+  static constexpr int kTile = 8;  ///< pixels a side
+
+  /// Empties it for the pixels of `rect`, which is not empty and lies within the image of the leaves.
+  void reset(const PixelBounds& rect, const PixelLeaves& leaves);
+  const PixelBounds& rect() const { return rect_; }
+
+  /// Begins a piece: open are the pixels of `rect` that hold nothing yet, and whose leaf has a kind of rays in this
+  /// piece (-1 for none). Returns which kinds of rays open pixels have: bit i is kind i, the last one for all from it
+  /// on; 0 where no pixel is open.
+  uint64_t open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf);
+  /// The bit of a kind in what open() returns.
+  static uint64_t kindBit(size_t kind) { return uint64_t{1} << std::min<size_t>(kind, 63); }
+
+  /// Whether something in these pixels, whose depths are `nearest` or more, may be nearer than what they hold.
+  bool mayShow(const PixelBounds& rect, float nearest);
+  /// Something was drawn there.
+  void touch(const PixelBounds& rect);
+
+  /// Calls `emit(pixel, z, weights)` for the pixels of `rect`, within that of the last open(), that a triangle covers.
+  template <class Emit>
+  void scan(const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+            const Emit& emit) const {
+    scanTriangle(width_, rect, a, b, c,
+                 [&](size_t pixel, float z, const PixelWeights& weights) { emit(pixel - first_, z, weights); });
+  }
+  /// Pixels are numbered within the region. `depth` is positive and grows along the piece; so do the fronts.
+  bool isNearest(size_t pixel, float depth, uint32_t triangle) const {
+    const uint32_t front = frontOf(depth);
+    return front < fronts_[pixel] || (front == fronts_[pixel] && triangle < static_cast<uint32_t>(samples_[pixel].key));
+  }
+  void put(size_t pixel, float depth, uint32_t triangle, const glm::vec2& b) {
+    fronts_[pixel] = frontOf(depth);
+    orders_[pixel] = order_;
+    samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
+  }
+  /// Draws a triangle to the pixels of `rect`, as scan(), isNearest() and put() would: its depths are those of
+  /// scanTriangle(). Many pixels at once.
+  void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
+            const RasterVertex& c);
+  uint16_t leaf(size_t pixel) const { return leaves_[pixel]; }
+
+  /// A row of samples of one order, whose rays belong to one leaf.
+  struct SampleRun {
+    int x = 0;  ///< of the first pixel
+    int y = 0;
+    uint8_t order = 0;
+    uint16_t leaf = 0;
+    std::span<const KeyedSample> samples;
+  };
+  /// Calls `visit(run)` for all pixels that hold a sample, in runs of up to `most` pixels.
+  template <class Visit>
+  void forEachRun(size_t most, const Visit& visit) const;
+
+ private:
+  static constexpr uint32_t kClosed = 0;
+  static constexpr uint32_t kOpen = ~uint32_t{0};
+
+  /// Grows with depth; never kClosed.
+  static uint32_t frontOf(float depth) { return std::bit_cast<uint32_t>(depth) + 1; }
+
+  /// Pixels side by side of one leaf.
+  struct Run {
+    uint32_t begin = 0;
+    uint32_t end = 0;
+    uint16_t leaf = 0;
+  };
+  struct Tile {
+    uint32_t farthest = kOpen;  ///< no front is farther
+    bool stale = true;          ///< it may be nearer by now
+  };
+  uint32_t farthestOf(int tileX, int tileY) const;
+  class Filling;
+
+  PixelBounds rect_;
+  int width_ = 0;
+  int tilesAcross_ = 0;
+  size_t first_ = 0;  ///< of the pixels, as scan() numbers them
+  uint8_t order_ = 0;
+  std::vector<uint32_t> fronts_;
+  std::vector<uint8_t> orders_;
+  std::vector<KeyedSample> samples_;
+  std::vector<uint16_t> leaves_;
+  std::vector<Run> runs_;
+  std::vector<Tile> tiles_;
+};
+
+template <class Visit>
+void RegionBuffer::forEachRun(size_t most, const Visit& visit) const {
+  for (int y = rect_.y0; y < rect_.y1; ++y) {
+    const size_t row = static_cast<size_t>(y - rect_.y0) * static_cast<size_t>(width_);
+    const size_t rowEnd = row + static_cast<size_t>(width_);
+    for (size_t first = row; first < rowEnd;) {
+      size_t last = first + 1;
+      if (orders_[first] != OrderedBuffer::kNone) {
+        const size_t limit = std::min(first + most, rowEnd);
+        while (last < limit && orders_[last] == orders_[first] && leaves_[last] == leaves_[first]) {
+          ++last;
+        }
+        visit(SampleRun{rect_.x0 + static_cast<int>(first - row), y, orders_[first], leaves_[first],
+                        std::span(samples_).subspan(first, last - first)});
+      }
+      first = last;
+    }
+  }
+}
+
+}  // namespace ocelli
