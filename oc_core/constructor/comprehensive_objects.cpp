@@ -161,7 +161,11 @@ std::vector<size_t> pixelsOfObjects(const GraphCamera& camera, const GuidedScene
 
 ComprehensiveChoice chooseComprehensive(const GuidedScene& scene, const ComprehensiveOptions& options, int width,
                                         int height) {
-  const Maze& maze = mazeOf(scene, "comprehensive camera");
+  if (!scene.guides.maze) {
+    throw InputError("the scene has no maze", "comprehensive camera",
+                     "choose a scene that has one, such as builtin:maze");
+  }
+  const Maze& maze = *scene.guides.maze;
   const std::vector<ObjectSurface> surfaces = surfacesOf(scene);
   std::optional<ComprehensiveChoice> best;
   for (const Variation& variation : kVariations) {
