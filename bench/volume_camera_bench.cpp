@@ -49,7 +49,9 @@ void measureStep(const VolumeCameraBenchChoice& choice, VolumeRenderer& renderer
       VolumeImage image;
       double wall = 0;
       const double processor = processorMilliseconds([&] {
-        wall = milliseconds([&] { image = renderer.render(each.camera.size.x, each.camera.size.y, each.camera.ray); });
+        wall = milliseconds([&] {
+          image = renderer.render(each.camera.size.x, each.camera.size.y, each.camera.ray, {}, each.camera.hull);
+        });
       });
       if (run == 0) {
         each.facts = factsOf(image);

@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "cli/camera_compare.h"
+#include "cli/camera_draw_command.h"
 #include "cli/command.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
@@ -336,10 +337,10 @@ void addEdit(CLI::App& camera, const CommandContext& context) {
   const auto choice = std::make_shared<EditChoice>();
   addCameraInScene(command, choice->camera, context);
   command
-      .add_option(
-          "--edits", choice->edits,
-          "Edits, a JSON object a line: add, remove, change, rename, view, undo, redo (docs/graph_cameras.md); - "
-          "reads them from standard input and answers each with a line of JSON")
+      .add_option("--edits", choice->edits,
+                  "Edits, a JSON object a line: add, remove, change, rename, view, limits, overlap, several, undo, "
+                  "redo (docs/graph_cameras.md); - "
+                  "reads them from standard input and answers each with a line of JSON")
       ->type_name("FILE|-")
       ->capture_default_str();
   addSecondOutputOption(command, "--image", choice->image, "Where the camera's image goes, anew after each edit",
@@ -354,12 +355,13 @@ void addEdit(CLI::App& camera, const CommandContext& context) {
 
 void addCameraCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& camera =
-      *program.add_subcommand("camera", "List cameras and their options; show, compare, describe and edit them");
+      *program.add_subcommand("camera", "List cameras and their options; show, compare, describe, edit and draw them");
   camera.require_subcommand(1);
   addCameraList(camera, context);
   addShow(camera, context);
   addCameraInfo(camera, context);
   addEdit(camera, context);
+  addCameraDraw(camera, context);
   addCameraCompare(camera, context);
 }
 

@@ -11,7 +11,8 @@ namespace ocelli {
 
 namespace {
 
-CLI::Option* addFile(CLI::App& command, const std::string& names, std::string& path, const std::string& help,
+template <class Paths>
+CLI::Option* addFile(CLI::App& command, const std::string& names, Paths& path, const std::string& help,
                      const std::vector<std::string>& endings) {
   std::string type;
   std::string wanted;
@@ -38,6 +39,11 @@ void addOutputOption(CLI::App& command, std::string& path, const std::string& he
 void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
                            const std::vector<std::string>& endings) {
   addFile(command, name, path, help, endings);
+}
+
+void addOutputFilesOption(CLI::App& command, std::vector<std::string>& paths, const std::string& help,
+                          const std::vector<std::string>& endings) {
+  addFile(command, "-o,--output", paths, help, endings)->expected(1)->take_all();
 }
 
 void addFiguresOption(CLI::App& command, std::string& json) {

@@ -19,6 +19,10 @@ void addOutputOption(CLI::App& command, std::string& path, const std::string& he
 void addSecondOutputOption(CLI::App& command, const std::string& name, std::string& path, const std::string& help,
                            const std::vector<std::string>& endings);
 
+/// The same for any number of files, by -o,--output, which may be repeated.
+void addOutputFilesOption(CLI::App& command, std::vector<std::string>& paths, const std::string& help,
+                          const std::vector<std::string>& endings);
+
 /// Adds --json [FILE], for figures that are printed as a table: "-" where they are to go to standard output.
 void addFiguresOption(CLI::App& command, std::string& json);
 

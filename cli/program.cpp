@@ -40,6 +40,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addDitherCommand(program, context);
   addDeviceCommand(program, context);
   addEvaluateCommand(program, context);
+  addExploreCommand(program, context);
   addShadeCommand(program, context);
   addSolidityCommand(program, context);
   addViewersCommand(program, context);

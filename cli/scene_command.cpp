@@ -10,6 +10,7 @@
 #include "cli/command.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
+#include "cli/scene_walk_command.h"
 #include "cli/volume_info.h"
 #include "cli/volume_options.h"
 #include "oc_core/base/error.h"
@@ -368,12 +369,13 @@ void addScenePack(CLI::App& parent, const CommandContext& context) {
 }  // namespace
 
 void addSceneCommand(CLI::App& program, const CommandContext& context) {
-  CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it, pack it");
+  CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it, pack it, find ways");
   command.require_subcommand(1);
   addSceneList(command, context);
   addSceneInfo(command, context);
   addSceneExport(command, context);
   addScenePack(command, context);
+  addSceneWalk(command, context);
 }
 
 }  // namespace ocelli

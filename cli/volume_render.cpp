@@ -122,8 +122,9 @@ void renderVolumeScene(const VolumeRender& render, const CommandContext& context
       render.camera, render.reference, renderer.scene(), [&]() -> const RayTarget& { return firstHits; },
       context.progress());
   const auto drawing = std::chrono::steady_clock::now();
-  const VolumeImage image = gl ? gl->render(camera.size, camera.ray, context.progress())
-                               : renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress());
+  const VolumeImage image =
+      gl ? gl->render(camera.size, camera.ray, context.progress())
+         : renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress(), camera.hull);
   const double drawSeconds = secondsSince(drawing);
   const VolumeImageFacts facts = factsOf(image);
   if (facts.touched == 0) {

@@ -8,7 +8,6 @@
 
 #include "display_sim/viewer/effect_choice.h"
 #include "display_sim/viewer/error_message.h"
-#include "display_sim/viewer/free_file_name.h"
 #include "display_sim/viewer/lens_choice.h"
 #include "display_sim/viewer/lens_file.h"
 #include "display_sim/viewer/pane_overlays.h"
@@ -16,6 +15,7 @@
 #include "display_sim/viewer/viewer_colors.h"
 #include "display_sim/viewer/window_overlays.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/free_file_name.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/gl/gl_api.h"

@@ -1,8 +1,8 @@
 // What the viewer does with volumes and their transfer functions.
-#include "display_sim/viewer/free_file_name.h"
 #include "display_sim/viewer/transfer_choice.h"
 #include "display_sim/viewer/viewer.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/free_file_name.h"
 #include "oc_core/base/output_file.h"
 
 namespace ocelli {

@@ -17,6 +17,8 @@ class ConvexPolyhedron {
   void cut(const Plane& plane);
 
   bool empty() const { return faces_.empty(); }
+  /// The corners of each face, one way round.
+  const std::vector<std::vector<glm::dvec3>>& faces() const { return faces_; }
   /// The corners of its bounding box; it must not be empty.
   const glm::dvec3& lower() const { return lower_; }
   const glm::dvec3& upper() const { return upper_; }

@@ -13,8 +13,6 @@ namespace {
 
 /// How far from one line the planes of a bend may meet, relative to the unit length of their normals.
 constexpr double kLineRounding = 1e-6;
-/// Points of an arc in a ray path, where the path has room for so many.
-constexpr size_t kArcPoints = 24;
 
 [[noreturn]] void fail(size_t number, const std::string& what, const std::string& next) {
   throw InputError(what, "curved ray camera, turn " + std::to_string(number), next);
@@ -220,29 +218,110 @@ std::optional<glm::vec3> CurvedRayCamera::unproject(const ImagePoint& q) const {
   return point ? std::optional(glm::vec3(*point)) : std::nullopt;
 }
 
-RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel) const {
+size_t CurvedRayCamera::arcPointsWithRoom(size_t wanted) const {
+  return std::min(wanted, (RayPath::kMaxPoints - 2) / std::max<size_t>(bends_.size(), 1));
+}
+
+RayPath CurvedRayCamera::rayPath(const glm::vec2& pixel, size_t arcPoints) const {
   RayPath path;
   if (!std::isfinite(pixel.x) || !std::isfinite(pixel.y)) {
     return path;
   }
   Segment segment = rootSegment(glm::dvec2(pixel));
   path.add(glm::vec3(segment.from), static_cast<float>(segment.t));
-  const size_t points = std::min(kArcPoints, (RayPath::kMaxPoints - 2) / std::max<size_t>(bends_.size(), 1));
+  const size_t points = arcPointsWithRoom(arcPoints);
   for (size_t i = 0; i < bends_.size(); ++i) {
     const RayTransition::Arc arc = arcOf(segment, i);
     const Segment next = behind(segment, arc, i);
     const double begin = segment.tOf(arc.t);
-    RayTransition::ArcPoints arcPoints;
-    bends_[i].pointsOf(arc, points, arcPoints);
+    RayTransition::ArcPoints onArc;
+    bends_[i].pointsOf(arc, points, onArc);
     for (size_t k = 0; k < points; ++k) {
-      path.add(glm::vec3(arcPoints.x[k], arcPoints.y[k], arcPoints.z[k]),
-               static_cast<float>(begin + arcPoints.share[k] * (next.t - begin)));
+      path.add(glm::vec3(onArc.x[k], onArc.y[k], onArc.z[k]),
+               static_cast<float>(begin + onArc.share[k] * (next.t - begin)));
     }
     segment = next;
   }
   const double rest = std::max(static_cast<double>(root_.view().zFar) - segment.t, 0.0);
   path.add(glm::vec3(segment.from + segment.direction * rest), static_cast<float>(segment.t + rest));
   return path;
+}
+
+// Pixels go to the points where their rays meet a plane by collineations, which take a rectangle into the hull of what
+// its corners become, as all of the image lies on one side of what goes to infinity: bend() sees to that. The weights
+// of arcs are positive, so each lies in the hull of its control points.
+HullPieces CurvedRayCamera::hullOf(const glm::dvec2& lower, const glm::dvec2& upper) const {
+  HullPieces hull;
+  hull.points.reserve(16 + 24 * bends_.size());
+  std::array<Segment, 4> rays{rootSegment(lower), rootSegment({upper.x, lower.y}), rootSegment(upper),
+                              rootSegment({lower.x, upper.y})};
+  double greatestSpeed = 0;
+  for (const Segment& each : rays) {
+    greatestSpeed = std::max(greatestSpeed, glm::length(each.direction));
+  }
+  for (size_t i = 0; i < bends_.size(); ++i) {
+    std::array<RayTransition::Arc, 4> arcs;
+    for (size_t k = 0; k < rays.size(); ++k) {
+      arcs[k] = arcOf(rays[k], i);
+      hull.points.insert(hull.points.end(), {rays[k].from, arcs[k].t});
+    }
+    hull.endPiece();
+    for (size_t k = 0; k < rays.size(); ++k) {
+      hull.points.insert(hull.points.end(), {arcs[k].t, arcs[k].s, arcs[k].q});
+      rays[k] = behind(rays[k], arcs[k], i);
+    }
+    hull.endPiece();
+  }
+  // How far the last pieces are away from where they come from, at least, where they begin: as a plane is.
+  const glm::dvec3 viewpoint = bends_.empty() ? glm::dvec3(root_.eye()) : bends_.back().beyond();
+  const double begin =
+      bends_.empty() ? static_cast<double>(root_.view().zNear) : std::abs(bends_.back().planes().to.height(viewpoint));
+  // So far that none is longer: the ends of all lie in the hull of these, which are in one plane, too, or before it.
+  const double scale = 1 + static_cast<double>(root_.view().zFar) * greatestSpeed / begin;
+  for (const Segment& each : rays) {
+    hull.points.insert(hull.points.end(), {each.from, viewpoint + (each.from - viewpoint) * scale});
+  }
+  hull.endPiece();
+  return hull;
+}
+
+double CurvedRayCamera::deviationOf(const glm::dvec2& pixel, size_t arcPoints) const {
+  double greatest = 0;
+  Segment segment = rootSegment(pixel);
+  for (size_t i = 0; i < bends_.size(); ++i) {
+    const RayTransition::Arc arc = arcOf(segment, i);
+    const auto chords = static_cast<double>(arcPoints - 1);
+    for (double chord = 0; chord < chords; ++chord) {
+      // An arc is farthest from a chord near the middle between its ends, as parameters go.
+      const glm::dvec3 from = arc.at(chord / chords);
+      const glm::dvec3 way = arc.at((chord + 1) / chords) - from;
+      const glm::dvec3 middle = arc.at((chord + 0.5) / chords) - from;
+      const double share = glm::dot(middle, way) / std::max(glm::dot(way, way), 1e-300);
+      greatest = std::max(greatest, glm::length(middle - way * share));
+    }
+    segment = behind(segment, arc, i);
+  }
+  return greatest;
+}
+
+size_t CurvedRayCamera::arcPointsWithin(double deviation) const {
+  constexpr int kGrid = 4;  // steps across the image, and down
+  const auto isWithin = [&](size_t points) {
+    for (int i = 0; i <= kGrid; ++i) {
+      for (int j = 0; j <= kGrid; ++j) {
+        const glm::dvec2 pixel(root_.width() * i / double(kGrid), root_.height() * j / double(kGrid));
+        if (!(deviationOf(pixel, points) <= deviation)) {
+          return false;
+        }
+      }
+    }
+    return true;
+  };
+  size_t points = 2;
+  while (points < arcPointsWithRoom(kArcPoints) && !isWithin(points)) {
+    ++points;
+  }
+  return points;
 }
 
 }  // namespace ocelli

@@ -18,6 +18,7 @@
 #include "oc_core/camera/camera.h"
 #include "oc_core/camera/exact_image_point.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/camera/ray_hull.h"
 #include "oc_core/camera/ray_transition.h"
 
 namespace ocelli {
@@ -25,6 +26,7 @@ namespace ocelli {
 class CurvedRayCamera {
  public:
   static constexpr size_t kMaxBends = 16;
+  static constexpr size_t kArcPoints = 24;  ///< of an arc in a ray path
 
   /// A pinhole: rays do not bend.
   explicit CurvedRayCamera(const PinholeCamera& root, ArcModel model = ArcModel::kConic);
@@ -49,8 +51,13 @@ class CurvedRayCamera {
 
   std::optional<ImagePoint> project(const glm::vec3& worldPoint) const;
   std::optional<glm::vec3> unproject(const ImagePoint& q) const;
-  /// Its arcs are polylines, whose corners lie on them.
-  RayPath rayPath(const glm::vec2& pixel) const;
+  /// Its arcs are polylines, whose corners lie on them: so many, where the path has room.
+  RayPath rayPath(const glm::vec2& pixel, size_t arcPoints = kArcPoints) const;
+  /// Of any arcs, however many corners their polylines have (ray_hull.h).
+  HullPieces hullOf(const glm::dvec2& lower, const glm::dvec2& upper) const;
+  /// The fewest corners for which no polyline is farther than `deviation` from its arc, in the unit of the world, as
+  /// rays all over the image tell; at most kArcPoints.
+  size_t arcPointsWithin(double deviation) const;
 
  private:
   /// A straight piece of a ray: along a direction whose length advances t by 1.
@@ -65,6 +72,10 @@ class CurvedRayCamera {
   /// The arc that a segment ends with, at the next bend, and the segment behind that.
   RayTransition::Arc arcOf(const Segment& segment, size_t bend) const;
   Segment behind(const Segment& segment, const RayTransition::Arc& arc, size_t bend) const;
+  /// As many as wanted, where a path has room for them.
+  size_t arcPointsWithRoom(size_t wanted) const;
+  /// How far the polylines of a pixel's ray are from its arcs.
+  double deviationOf(const glm::dvec2& pixel, size_t arcPoints) const;
   std::optional<glm::dvec2> pixelOf(size_t bends, const glm::dvec3& point, double rounding) const;
   std::optional<ExactImagePoint> inSegment(size_t bends, const glm::dvec3& point, double rounding) const;
   std::optional<ExactImagePoint> inBend(size_t bend, const glm::dvec3& point, double rounding) const;
@@ -77,6 +88,10 @@ class CurvedRayCamera {
 };
 
 static_assert(Camera<CurvedRayCamera>);
+
+inline HullPieces hullOf(const CurvedRayCamera& camera, const glm::dvec2& lower, const glm::dvec2& upper) {
+  return camera.hullOf(lower, upper);
+}
 
 /// As for cameras that displace the image of a pinhole (distorted_pinhole.h): the one whose image it is.
 inline const PinholeCamera& referenceOf(const CurvedRayCamera& camera) {

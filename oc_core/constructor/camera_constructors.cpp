@@ -6,14 +6,15 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/comprehensive_objects.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
-#include "oc_core/constructor/maze_options.h"
 #include "oc_core/constructor/occluder_constructor.h"
 #include "oc_core/constructor/path_constructor.h"
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/constructor/target_constructor.h"
+#include "oc_core/constructor/walk_fields.h"
 
 namespace ocelli {
 namespace {
@@ -47,6 +48,59 @@ const char* schemaOf(const nlohmann::json& json) {
                                                      : "oc_core/constructor/constructor.schema.json";
 }
 
+/// Whether the scene is a grid maze, and nothing is asked for that only walk maps have.
+bool isGrid(JsonFields& fields, const GuidedScene& scene, std::initializer_list<const char*> ofWalkMaps) {
+  return scene.guides.maze &&
+         std::none_of(ofWalkMaps.begin(), ofWalkMaps.end(), [&](const char* name) { return fields.has(name); });
+}
+
+MultiperspectiveCamera comprehensiveCamera(JsonFields& fields, const GuidedScene& scene,
+                                           const PinholeCamera& reference) {
+  ComprehensiveOptions options = readComprehensiveOptions(fields);
+  const bool showsObjects = fields.boolean("show_objects", true);
+  const WalkStartFields start = readWalkStart(fields);
+  WalkComprehensiveOptions walk;
+  walk.minPixels = fields.number("min_pixels", 0, 1e6, walk.minPixels);
+  std::optional<WalkMap> ways = readWays(fields, scene);
+  const int width = reference.width();
+  const int height = reference.height();
+  if (isGrid(fields, scene, {"ways", "start_cell", "start_point", "heading_degrees", "min_pixels"})) {
+    if (showsObjects) {
+      options = chooseComprehensive(scene, options, width, height).options;
+    }
+    return makeComprehensiveCamera(*scene.guides.maze, options, width, height);
+  }
+  const WalkMap map = walkMapFor(scene, std::move(ways));
+  walk.order = options.order;
+  walk.start = walkStartOf(map, start);
+  walk.nearness = options.nearness;
+  walk.evenness = options.evenness;
+  walk.eyeHeight = fields.has("eye_height") ? options.eyeHeight : walk.eyeHeight;
+  return makeComprehensiveWalk(map, walk, width, height).camera;
+}
+
+MultiperspectiveCamera mazeCamera(JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
+  const MazeCameraPlace place = readMazeCamera(fields, reference);
+  const bool turned = fields.has("heading");
+  const std::optional<glm::dvec3> heading = readHeadingDegrees(fields);
+  WalkCameraOptions walk;
+  walk.portalsInRooms = fields.number("portals_in_rooms", 0, 1, walk.portalsInRooms);
+  std::optional<WalkMap> ways = readWays(fields, scene);
+  if (isGrid(fields, scene, {"ways", "heading_degrees", "portals_in_rooms"})) {
+    return makeMazeCamera(*scene.guides.maze, place.pose, place.options, reference.width(), reference.height());
+  }
+  walk.split = place.options.split;
+  walk.backward = place.options.backward;
+  walk.fovHorizontalDegrees = place.options.fovHorizontalDegrees;
+  walk.fovWayDegrees = place.options.fovCorridorDegrees;
+  walk.crossingShare = place.options.crossingShare;
+  walk.deployWidths = fields.has("deploy_cells") ? place.options.deployCells : walk.deployWidths;
+  const glm::dvec3 level = turned ? glm::dvec3(vectorOf(place.pose.heading)) : glm::dvec3(reference.forward());
+  return makeWalkCamera(walkMapFor(scene, std::move(ways)), {place.pose.eye, heading.value_or(level)}, walk,
+                        reference.width(), reference.height())
+      .camera;
+}
+
 std::string listOfNames() {
   std::string names;
   for (const CameraConstructor& each : cameraConstructors()) {
@@ -69,23 +123,12 @@ const std::vector<CameraConstructor>& cameraConstructors() {
          requireFile(options, "turns");
          return MultiperspectiveCamera(readCurvedRayCamera(options, reference));
        }},
-      {"comprehensive", "a whole maze in one image, each place once",
-       [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
-         const ComprehensiveOptions options = readComprehensiveOptions(fields);
-         const Maze& maze = mazeOf(scene, "comprehensive camera");
-         return MultiperspectiveCamera(makeComprehensiveCamera(maze, options, reference.width(), reference.height()));
-       }},
+      {"comprehensive", "a whole maze, house or town in one image, each place once", comprehensiveCamera},
       {"portal", "graph camera that looks straight into every portal in view",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPortalCamera(readPortalOptions(options), scene.guides, reference));
        }},
-      {"maze", "along a corridor to the next crossing, and along all ways that leave it",
-       [](JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {
-         const MazeCameraPlace place = readMazeCamera(fields, reference);
-         const Maze& maze = mazeOf(scene, "maze camera");
-         return MultiperspectiveCamera(
-             makeMazeCamera(maze, place.pose, place.options, reference.width(), reference.height()));
-       }},
+      {"maze", "along a corridor to the next crossing, and along all ways that leave it", mazeCamera},
       {"path", "curved ray camera that previews a path behind its next turns",
        [](JsonFields& options, const GuidedScene& scene, const PinholeCamera& reference) {
          return MultiperspectiveCamera(buildPathCamera(readPathOptions(options), scene.guides, reference));

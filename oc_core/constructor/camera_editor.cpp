@@ -38,8 +38,15 @@ class Document {
       rename(edit.text("name"), edit.text("to"), edit);
     } else if (kind == "view") {
       json_["view"] = Json::parse(edit.value("view").dump());
+    } else if (kind == "limits") {
+      replaceLimits(edit.text("name"), edit);
+    } else if (kind == "overlap") {
+      requireGraph(edit);
+      json_["overlap"] = edit.text("overlap");
+    } else if (kind == "several") {
+      applySeveral(edit);
     } else {
-      edit.fail("edit", "must be add, remove, change, rename, view, undo or redo");
+      edit.fail("edit", "must be add, remove, change, rename, view, limits, overlap, several, undo or redo");
     }
     edit.rejectUnknown();
   }
@@ -47,6 +54,11 @@ class Document {
  private:
   bool isGraph() const { return json_.at("camera") == "graph"; }
   Json& list() { return json_.at(isGraph() ? "operations" : "turns"); }
+  void requireGraph(const JsonFields& edit) const {
+    if (!isGraph()) {
+      edit.fail("edit", "is one of a graph camera");
+    }
+  }
 
   /// What an operation makes, and a turn is: objects with a name.
   static std::vector<Json*> namedIn(Json& entry) {
@@ -115,6 +127,41 @@ class Document {
     list() = kept;
   }
 
+  /// Frusta take them anew at the end of the list: their order does not matter.
+  void replaceLimits(const std::string& name, JsonFields& edit) {
+    requireGraph(edit);
+    const nlohmann::json& planes = edit.value("planes");
+    if (!planes.is_array()) {
+      edit.fail("planes", "must be an array of planes");
+    }
+    Json kept = Json::array();
+    for (Json& entry : list()) {
+      const bool isOne = entry.value("operation", "") == "limit" && entry.value("of", Json()) == name;
+      if (!isOne) {
+        kept.push_back(entry);
+      }
+    }
+    for (const nlohmann::json& plane : planes) {
+      kept.push_back({{"operation", "limit"}, {"of", name}, {"plane", Json::parse(plane.dump())}});
+    }
+    list() = kept;
+  }
+
+  void applySeveral(JsonFields& edit) {
+    const nlohmann::json& edits = edit.value("edits");
+    if (!edits.is_array()) {
+      edit.fail("edits", "must be an array of edits");
+    }
+    size_t number = 0;
+    for (const nlohmann::json& each : edits) {
+      JsonFields inner(each, edit.where() + ", edit " + std::to_string(++number));
+      if (inner.text("edit") == "several") {
+        inner.fail("edit", "is \"several\" within \"several\"");
+      }
+      apply(inner);
+    }
+  }
+
   void change(const std::string& name, JsonFields& edit) {
     const nlohmann::json& to = edit.value("to");
     if (!to.is_object() || to.contains("name")) {
@@ -149,9 +196,10 @@ class Document {
 
 CameraEditor::CameraEditor(const std::string& text, const std::string& where, const PinholeCamera& reference,
                            const Box& world)
-    : reference_(reference), world_(world), texts_{text}, camera_(built(text, where)) {}
+    : reference_(reference), world_(world), texts_{text}, camera_(cameraOf(text, where, reference, world)) {}
 
-MultiperspectiveCamera CameraEditor::built(const std::string& text, const std::string& where) const {
+MultiperspectiveCamera CameraEditor::cameraOf(const std::string& text, const std::string& where,
+                                              const PinholeCamera& reference, const Box& world) {
   return readAs("docs/graph_cameras.md", [&] {
     const nlohmann::json json = parseJson(text, where);
     JsonFields fields(json, where);
@@ -159,9 +207,8 @@ MultiperspectiveCamera CameraEditor::built(const std::string& text, const std::s
     if (!isEditable(kind)) {
       fields.fail("camera", "must be graph or curved for edits");
     }
-    MultiperspectiveCamera camera = kind == "graph"
-                                        ? MultiperspectiveCamera(readGraphCamera(fields, reference_, world_))
-                                        : MultiperspectiveCamera(readCurvedRayCamera(fields, reference_));
+    MultiperspectiveCamera camera = kind == "graph" ? MultiperspectiveCamera(readGraphCamera(fields, reference, world))
+                                                    : MultiperspectiveCamera(readCurvedRayCamera(fields, reference));
     fields.rejectUnknown();
     return camera;
   });
@@ -171,22 +218,32 @@ void CameraEditor::apply(const std::string& text, const std::string& where) {
   readAs("docs/graph_cameras.md#step-by-step", [&] { applyEdit(text, where); });
 }
 
+std::string CameraEditor::edited(const std::string& text, const std::string& where) const {
+  return readAs("docs/graph_cameras.md#step-by-step", [&] {
+    const nlohmann::json json = parseJson(text, where);
+    JsonFields edit(json, where);
+    Document document(this->text());
+    document.apply(edit);
+    return document.text();
+  });
+}
+
 void CameraEditor::applyEdit(const std::string& text, const std::string& where) {
   const nlohmann::json json = parseJson(text, where);
   JsonFields edit(json, where);
   const std::string kind = edit.text("edit");
   if (kind == "undo" || kind == "redo") {
     edit.rejectUnknown();
-    if (kind == "undo" ? at_ == 0 : at_ + 1 == texts_.size()) {
+    if (kind == "undo" ? !canUndo() : !canRedo()) {
       edit.fail("edit", "has nothing to " + kind);
     }
     at_ += kind == "undo" ? -size_t{1} : size_t{1};
-    camera_ = built(texts_[at_], where);
+    camera_ = cameraOf(texts_[at_], where, reference_, world_);
     return;
   }
   Document document(this->text());
   document.apply(edit);
-  camera_ = built(document.text(), where);
+  camera_ = cameraOf(document.text(), where, reference_, world_);
   texts_.resize(at_ + 1);
   texts_.push_back(document.text());
   ++at_;

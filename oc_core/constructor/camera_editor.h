@@ -7,6 +7,9 @@
 //   {"edit": "change", "name": "left", "to": {"viewpoint": [0, 1, 5]}}   fields of a frustum or of a turn
 //   {"edit": "rename", "name": "left", "to": "west"}
 //   {"edit": "view", "view": {...}}
+//   {"edit": "limits", "name": "left", "planes": [{...}]}   all limits of a frustum, instead of those that it has
+//   {"edit": "overlap", "overlap": "allowed"}      of a graph camera; or "refused"
+//   {"edit": "several", "edits": [{...}, {...}]}   as one step of undo and redo: what each leads to need be no camera
 //   {"edit": "undo"}, {"edit": "redo"}
 #pragma once
 
@@ -26,14 +29,22 @@ class CameraEditor {
 
   /// Throws InputError where the edit is wrong, or what it leads to is no camera; the camera is as before then.
   void apply(const std::string& edit, const std::string& where);
+  /// The camera file that the edit leads to, which may be none of a camera; nothing changes. Neither undo nor redo.
+  /// Throws InputError where the edit is wrong.
+  std::string edited(const std::string& edit, const std::string& where) const;
+  /// The camera of such a file. Where `world` is empty, overlaps are not looked for. Throws InputError as above.
+  static MultiperspectiveCamera cameraOf(const std::string& text, const std::string& where,
+                                         const PinholeCamera& reference, const Box& world);
 
   const MultiperspectiveCamera& camera() const { return camera_; }
+  const PinholeCamera& reference() const { return reference_; }
+  bool canUndo() const { return at_ > 0; }
+  bool canRedo() const { return at_ + 1 < texts_.size(); }
   /// The camera file.
   const std::string& text() const { return texts_[at_]; }
 
  private:
   void applyEdit(const std::string& text, const std::string& where);
-  MultiperspectiveCamera built(const std::string& text, const std::string& where) const;
 
   PinholeCamera reference_;
   Box world_;

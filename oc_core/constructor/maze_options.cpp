@@ -10,13 +10,6 @@
 
 namespace ocelli {
 
-const Maze& mazeOf(const GuidedScene& scene, const std::string& where) {
-  if (!scene.guides.maze) {
-    throw InputError("the scene has no maze", where, "use builtin:maze, or builtin:maze,file=MAZE.json");
-  }
-  return *scene.guides.maze;
-}
-
 void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where) {
   if (!maze.contains(cell)) {
     throw InputError("the cell " + nameOf(cell) + " is not in the maze", where,

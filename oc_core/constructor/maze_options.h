@@ -4,14 +4,11 @@
 #include <optional>
 #include <string>
 
-#include "oc_core/worlds/scene_source.h"
+#include "oc_core/scene/maze.h"
 
 namespace ocelli {
 
 class JsonFields;
-
-/// Throws InputError where the scene has none.
-const Maze& mazeOf(const GuidedScene& scene, const std::string& where);
 
 /// Throws InputError naming the cell where it is not in the maze.
 void checkCell(const Maze& maze, const MazeCell& cell, const std::string& where);

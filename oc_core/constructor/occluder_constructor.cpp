@@ -146,7 +146,7 @@ GraphCamera buildOccluderCamera(const OccluderOptions& options, const GuidedScen
   requireInView(box, reference);
   const PlanView plan(reference, box.center());
   const OccluderExtent extent = extentOf(box, plan);
-  const double split = splitDistance(box, plan, extent.farthest);
+  const double split = options.splitDepth.value_or(splitDistance(box, plan, extent.farthest));
   const double meeting = extent.farthest + options.shadow * (extent.right - extent.left);
   const double left = asideFor(meeting, box, plan, -1);
   const double right = asideFor(meeting, box, plan, 1);
@@ -160,10 +160,11 @@ GraphCamera buildOccluderCamera(const OccluderOptions& options, const GuidedScen
   const double merged =
       std::clamp(std::min(mergedFor(meeting, split, slope, left, -tangentAt(0)),
                           mergedFor(meeting, split, slope, right, tangentAt(static_cast<float>(reference.width())))),
-                 0.0, (1 - kMinBefore) * meeting);
+                 0.0, (1 - kMinBefore) * meeting) *
+      options.deployed;
   const auto sideTurn = [&](double side, double aside) {
     return GraphCamera::Bend{Plane::through(plan.at(0, split), plan.forward + plan.right * (side * slope)),
-                             plan.at(side * aside, 0)};
+                             plan.at(side * aside * options.deployed, 0)};
   };
   GraphCamera camera(reference);
   const auto [one, other] =
@@ -182,6 +183,7 @@ OccluderOptions readOccluderOptions(JsonFields& fields) {
   }
   options.object = fields.integer("object", 0, 1'000'000'000, options.object);
   options.shadow = fields.number("shadow", 0.01, 100, options.shadow);
+  options.deployed = fields.number("deployed", 0, 1, options.deployed);
   return options;
 }
 

@@ -21,6 +21,11 @@ struct OccluderOptions {
   std::optional<Box> box;
   int object = 0;     ///< the identity of the object whose box it is, where no box is given
   double shadow = 1;  ///< the length of what stays hidden behind the box, in its widths as seen
+  /// Where rays part, forward from the eye: on the object's surface, where its box is not tight. Nothing: where the ray
+  /// to the middle of the box enters it.
+  std::optional<double> splitDepth{};
+  /// By which share of the way its viewpoints have moved: 0 is the pinhole.
+  double deployed = 1;
 };
 
 /// Throws InputError where there is no such object; where the eye is in the box, the box is behind the eye or not in

@@ -172,7 +172,8 @@ CurvedRayCamera buildPathCamera(const PathOptions& options, const SceneGuides& g
   const double end = std::min(journey.position + journey.preview, journey.line.length());
   for (double at = (std::floor(journey.position / journey.spacing) + 1) * journey.spacing; at < end;
        at += journey.spacing) {
-    const double share = glm::smoothstep(kCollapsed, 1.0, (at - journey.position) / journey.spacing) *
+    const double share = options.deployed *
+                         glm::smoothstep(kCollapsed, 1.0, (at - journey.position) / journey.spacing) *
                          glm::smoothstep(0.0, 1.0, (end - at) / journey.spacing);
     camera = turnedTowards(camera, journey.line.at(at), journey.line.at(at + journey.spacing), share);
   }
@@ -196,6 +197,7 @@ PathOptions readPathOptions(JsonFields& fields) {
   options.preview = fields.number("preview", 1e-3, 1, options.preview);
   options.turns = fields.integer("turns", 1, static_cast<int>(CurvedRayCamera::kMaxBends), options.turns);
   options.eyeHeight = fields.number("eye_height", -1e6, 1e6, options.eyeHeight);
+  options.deployed = fields.number("deployed", 0, 1, options.deployed);
   return options;
 }
 

@@ -27,6 +27,7 @@ struct PathOptions {
   double preview = 0.3;         ///< how far ahead rays follow the path
   int turns = 3;                ///< control points within the preview
   double eyeHeight = 0;         ///< over the path, along "up" of the reference view; in the world
+  double deployed = 1;          ///< share by which its turns are unfolded: 0 is the pinhole
 };
 
 /// What travels: the pinhole at the position, which looks along the path, as wide as the reference and with its "up".

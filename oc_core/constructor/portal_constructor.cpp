@@ -20,7 +20,6 @@ namespace {
 using Part = GraphCamera::Part;
 
 constexpr double kFadingShare = 0.75;  // of the farthest distance
-constexpr double kFadingDegrees = 4;   // before a portal is edge on
 /// Rays that turn by less than this share of the way show what straight ones do.
 constexpr double kMinPieceShare = 1e-9;
 constexpr double kSamePlane = 1e-6;  // relative difference of depths
@@ -49,17 +48,22 @@ double rising(double from, double to, double x) {
   return glm::smoothstep(from, to, x);
 }
 
+/// By which rays have turned.
+double shareOf(double presence, double handOver) {
+  return std::max(0.0, (presence - handOver) / (1 - handOver));
+}
+
 /// A portal of the image.
 struct SeenPortal {
   const Portal* portal;
   Part part;
   double presence;
   Plane plane;  ///< its normal points in
+  double handOver;
 
-  /// By which its rays have turned.
-  double share() const { return std::max(0.0, 2 * presence - 1); }
+  double share() const { return shareOf(presence, handOver); }
   /// What it leaves to those behind it.
-  double leaves() const { return std::max(0.0, 1 - 2 * presence); }
+  double leaves() const { return std::max(0.0, 1 - presence / handOver); }
 };
 
 /// A convex piece of the part of a portal, and what those before it leave of it.
@@ -119,7 +123,7 @@ std::vector<SeenPortal> seenPortals(const std::vector<Portal>& portals, const Pi
         corners.emplace_back(corner);
       }
       const Plane plane = Plane::through(glm::dvec3(portal.center), -glm::dvec3(portal.normal));
-      SeenPortal each{&portal, imagePart(corners, camera), presence, plane};
+      SeenPortal each{&portal, imagePart(corners, camera), presence, plane, options.handOver};
       if (!each.part.empty()) {
         seen.push_back(std::move(each));
       }
@@ -161,6 +165,37 @@ Portal readPortal(const nlohmann::json& json, const std::string& where) {
 
 }  // namespace
 
+const std::vector<PortalCurve>& portalCurves() {
+  static const std::vector<PortalCurve> curves{
+      {"beyond", "bends every portal in view, but for those that are near, or that the eye faces", {}},
+      {"band",
+       "bends portals in a band of distances and angles, none that is far or nearly edge on",
+       {.portals = {},
+        .straightWithin = 0.1,
+        .bentBeyond = 3,
+        .farthest = 12,
+        .straightDegrees = 5,
+        .bentDegrees = 65,
+        .edgeDegrees = 87,
+        .edgeFadeDegrees = 4,
+        .handOver = 0.5}},
+  };
+  return curves;
+}
+
+const PortalOptions& portalCurve(const std::string& name) {
+  const auto found = std::find_if(portalCurves().begin(), portalCurves().end(),
+                                  [&](const PortalCurve& curve) { return curve.name == name; });
+  if (found == portalCurves().end()) {
+    std::string names;
+    for (const PortalCurve& curve : portalCurves()) {
+      names += names.empty() ? curve.name : std::string(" or ") + curve.name;
+    }
+    throw InputError("there is no curve of portals \"" + name + "\"", "portal camera, \"curve\"", "use " + names);
+  }
+  return found->options;
+}
+
 double portalPresence(const Portal& portal, const glm::dvec3& eye, const PortalOptions& options) {
   const glm::dvec3 p = PortalFrame(portal).inFrame(eye);
   if (!(p.z > 0)) {
@@ -173,7 +208,11 @@ double portalPresence(const Portal& portal, const glm::dvec3& eye, const PortalO
   return rising(options.straightWithin, options.bentBeyond, distance) *
          (1 - rising(kFadingShare * options.farthest, options.farthest, distance)) *
          rising(options.straightDegrees, options.bentDegrees, degrees) *
-         (1 - rising(options.edgeDegrees - kFadingDegrees, options.edgeDegrees, degrees));
+         (1 - rising(options.edgeDegrees - options.edgeFadeDegrees, options.edgeDegrees, degrees));
+}
+
+double portalShare(const Portal& portal, const glm::dvec3& eye, const PortalOptions& options) {
+  return shareOf(portalPresence(portal, eye, options), options.handOver);
 }
 
 glm::dvec3 portalViewpoint(const Portal& portal, const glm::dvec3& eye, double share) {
@@ -213,7 +252,14 @@ GraphCamera buildPortalCamera(const PortalOptions& options, const SceneGuides& g
 }
 
 PortalOptions readPortalOptions(JsonFields& fields) {
-  PortalOptions options;
+  PortalOptions options = portalCurve(fields.has("curve") ? fields.text("curve") : portalCurves().front().name);
+  options.edgeFadeDegrees = fields.number("edge_fade_degrees", 0.01, 10, options.edgeFadeDegrees);
+  options.handOver = fields.number("hand_over", 0.01, 0.99, options.handOver);
+  return readPortalOptions(fields, options);
+}
+
+PortalOptions readPortalOptions(JsonFields& fields, const PortalOptions& curve) {
+  PortalOptions options = curve;
   if (fields.has("portals")) {
     const nlohmann::json& list = fields.value("portals");
     if (!list.is_array() || list.empty() || list.size() > kMaxPortals) {

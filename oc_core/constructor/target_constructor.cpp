@@ -15,7 +15,6 @@ namespace {
 constexpr size_t kMaxOccluders = 4096;
 /// Less does not move a pixel.
 constexpr double kMinF = 1e-5;
-constexpr int kPointsASide = 4;  // of the target's box
 constexpr double kSearchStep = 0.05;
 
 // In distances to the target.
@@ -28,47 +27,6 @@ constexpr double kBesideRays = 0.1;  ///< where the planes meet, in widths of th
 
 double depthOf(const PinholeCamera& view, const glm::vec3& point) {
   return static_cast<double>(view.cameraFromWorld(point).z);
-}
-
-Box enlargedBy(const Box& box, double share) {
-  const glm::vec3 margin = box.size() * static_cast<float>(share);
-  return {box.lower - margin, box.upper + margin};
-}
-
-/// Evenly in the box, none on its faces: next to those rays pass the object by.
-std::vector<glm::vec3> pointsOf(const Box& box) {
-  std::vector<glm::vec3> points;
-  for (int i = 0; i < kPointsASide * kPointsASide * kPointsASide; ++i) {
-    const glm::ivec3 place(i % kPointsASide, i / kPointsASide % kPointsASide, i / (kPointsASide * kPointsASide));
-    points.push_back(box.lower + box.size() * (glm::vec3(place) + 0.5f) / static_cast<float>(kPointsASide));
-  }
-  return points;
-}
-
-/// The ray path up to the place next to `point`, which it passes.
-std::vector<glm::vec3> pathTo(const RayPath& path, const glm::vec3& point) {
-  std::vector<glm::vec3> points(path.begin(), path.begin() + path.positionNear(point).segment + 1);
-  points.push_back(point);
-  return points;
-}
-
-bool meetsAny(const std::vector<glm::vec3>& path, std::span<const Box> boxes) {
-  Box around;
-  for (const glm::vec3& point : path) {
-    around.add(point);
-  }
-  return std::any_of(boxes.begin(), boxes.end(), [&](const Box& box) {
-    if (box.empty() || glm::any(glm::lessThan(box.upper, around.lower)) ||
-        glm::any(glm::lessThan(around.upper, box.lower))) {
-      return false;
-    }
-    for (size_t i = 0; i + 1 < path.size(); ++i) {
-      if (meets(box, path[i], path[i + 1])) {
-        return true;
-      }
-    }
-    return false;
-  });
 }
 
 void requireInFront(const Box& target, const PinholeCamera& view) {
@@ -107,26 +65,11 @@ CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double 
   return camera;
 }
 
-double visibleShare(const CurvedRayCamera& camera, std::span<const Box> occluders, const Box& target) {
-  const std::vector<glm::vec3> points = pointsOf(target);
-  size_t visible = 0;
-  for (const glm::vec3& point : points) {
-    const std::optional<ImagePoint> image = camera.project(point);
-    if (!image || !(image->u >= 0 && image->v >= 0 && image->u <= static_cast<float>(camera.width()) &&
-                    image->v <= static_cast<float>(camera.height()))) {
-      continue;
-    }
-    if (!meetsAny(pathTo(camera.rayPath({image->u, image->v}), point), occluders)) {
-      ++visible;
-    }
-  }
-  return static_cast<double>(visible) / static_cast<double>(points.size());
-}
-
 double TargetTracker::wanted(const PinholeCamera& view, std::span<const Box> occluders, const Box& target) const {
-  const Box enlarged = enlargedBy(target, options_.enlarged);
+  const TargetSight& sight = targetSight(options_.sight);
+  const TargetMargin margin{options_.enlarged, options_.enlargedPixels};
   const auto shows = [&](double f) {
-    return visibleShare(bentCamera(view, target, f), occluders, enlarged) >= options_.visibleShare;
+    return sight.share(bentCamera(view, target, f), occluders, target, margin) >= options_.visibleShare;
   };
   if (shows(0)) {
     return 0;
@@ -196,6 +139,11 @@ TargetOptions readTargetOptions(JsonFields& fields) {
   options.maxF = fields.number("most_f", 0, 1, options.maxF);
   options.visibleShare = fields.number("visible_share", 0.01, 1, options.visibleShare);
   options.enlarged = fields.number("enlarged", 0, 10, options.enlarged);
+  options.enlargedPixels = fields.number("enlarged_pixels", 0, 10000, options.enlargedPixels);
+  options.maxChange = fields.number("max_change", 1e-4, 2, options.maxChange);
+  if (fields.has("sight")) {
+    options.sight = targetSight(fields.text("sight")).name;
+  }
   return options;
 }
 

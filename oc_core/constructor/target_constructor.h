@@ -5,9 +5,7 @@
 // at 0. The second viewpoint stands beside the eye, on the other side, at |f| times half the distance to the target;
 // rays begin to bend half way to the target and have done so before it.
 //
-// Whether the target is in sight is decided by boxes: rays to points of its box that meet no box of another object.
-//
-// DEVIATION: the text intersects the images of the boxes, which takes a box behind the target for one that hides it.
+// Whether the target is in sight is decided by boxes, in one of the ways of target_sight.h.
 #pragma once
 
 #include <optional>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "oc_core/camera/curved_ray_camera.h"
+#include "oc_core/constructor/target_sight.h"
 #include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
@@ -26,16 +25,15 @@ struct TargetOptions {
   std::vector<Box> occluders;  ///< where empty those of all objects but the target; structure hides nothing
   double f = 0;                ///< where the search begins
   double maxF = 1;             ///< the strongest bend, to either side
-  double visibleShare = 0.5;   ///< of the points of the target's box, for it to be in sight
-  double enlarged = 0.1;       ///< by so much the box is larger on each side, in shares of its size
+  std::string sight = "rays";  ///< one of targetSights()
+  double visibleShare = 0.5;   ///< of the target, for it to be in sight; where images decide, 1 is the text's test
+  double enlarged = 0.1;       ///< by so much its box is larger on each side, in shares of its size
+  double enlargedPixels = 0;   ///< and by so many pixels of the image (TargetMargin)
   double maxChange = 0.05;     ///< of f from one frame to the next
 };
 
 /// The camera bent by f; a pinhole where f is 0, or the target not well before zNear.
 CurvedRayCamera bentCamera(const PinholeCamera& view, const Box& target, double f);
-
-/// The share of the points of a box, evenly spaced in it, that rays reach before they meet one of the others.
-double visibleShare(const CurvedRayCamera& camera, std::span<const Box> occluders, const Box& target);
 
 /// Follows a target from frame to frame. f is all that it remembers, so view, target and occluders may all move.
 class TargetTracker {
@@ -44,7 +42,8 @@ class TargetTracker {
 
   double f() const { return f_; }
   /// Moves f, by at most maxChange, towards the value that shows the target: 0 where that does, else f as it is, else
-  /// the nearest that does, else 0.
+  /// the nearest that does, else 0. A target behind the eye, or around it, is one that nothing shows; none of the boxes
+  /// may be the target's.
   CurvedRayCamera update(const PinholeCamera& view, std::span<const Box> occluders, const Box& target);
 
   /// The value that update() moves f towards.

@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/multiperspective/plan_ground.h"
+#include "oc_core/multiperspective/plan_shapes.h"
 #include "oc_core/multiperspective/ray_pieces.h"
-#include "oc_core/render/rasterize.h"
 #include "oc_core/render/raycast.h"
 
 namespace ocelli {
@@ -18,24 +19,6 @@ namespace {
 constexpr int kRowsTried = 24;        // of a column
 constexpr int kOutlineSamples = 160;  // along each side of the image
 constexpr float kMargin = 0.04f;      // around what is shown
-constexpr float kFarAway = 300;       // sizes of the scene, from which the ground is seen: perspective is slight there
-
-/// The piece within the box, which it enters at most once.
-RayPiece clipped(const RayPiece& piece, const Box& box) {
-  RayPiece kept{piece.part, {}};
-  for (size_t i = 0; i + 1 < piece.points.size(); ++i) {
-    const glm::vec3& a = piece.points[i];
-    const glm::vec3& b = piece.points[i + 1];
-    const std::optional<SegmentPart> part = partWithin(box, glm::dvec3(a), glm::dvec3(b));
-    if (part && part->first < part->last) {
-      if (kept.points.empty()) {
-        kept.points.push_back(a + (b - a) * static_cast<float>(part->first));
-      }
-      kept.points.push_back(a + (b - a) * static_cast<float>(part->last));
-    }
-  }
-  return kept;
-}
 
 /// Ends a ray at a point on it.
 void endAt(std::vector<RayPiece>& pieces, const glm::vec3& hit) {
@@ -70,27 +53,6 @@ float lengthOf(const std::vector<RayPiece>& pieces) {
   return length;
 }
 
-std::vector<glm::vec2> convexHull(std::vector<glm::vec2> points) {
-  const auto cross = [](const glm::vec2& o, const glm::vec2& a, const glm::vec2& b) {
-    return (a.x - o.x) * (b.y - o.y) - (a.y - o.y) * (b.x - o.x);
-  };
-  std::sort(points.begin(), points.end(),
-            [](const auto& a, const auto& b) { return std::pair(a.x, a.y) < std::pair(b.x, b.y); });
-  std::vector<glm::vec2> hull;
-  for (int side = 0; side < 2; ++side) {
-    const size_t start = hull.size();
-    for (const glm::vec2& point : points) {
-      while (hull.size() >= start + 2 && cross(hull[hull.size() - 2], hull.back(), point) <= 0) {
-        hull.pop_back();
-      }
-      hull.push_back(point);
-    }
-    hull.pop_back();
-    std::reverse(points.begin(), points.end());
-  }
-  return hull;
-}
-
 template <class Camera>
 class Planner {
  public:
@@ -110,7 +72,7 @@ class Planner {
     const float at = options_.cut.value_or(camera_.root().eye()[axisOf(options_.side)]);
     plan_.section = sectionOf(mesh_, options_.side, at);
     if (options_.groundPixels > 0) {
-      plan_.ground = groundBelow(at);
+      plan_.ground = planGround(mesh_, options_.side, plan_.lower, plan_.upper, at, options_.groundPixels);
     }
     return std::move(plan_);
   }
@@ -206,39 +168,6 @@ class Planner {
     const glm::vec2 margin(kMargin * std::max(upper.x - lower.x, upper.y - lower.y) + 1e-6f);
     plan_.lower = lower - margin;
     plan_.upper = upper + margin;
-  }
-
-  /// The scene from so far away that its lines of sight are nearly parallel, without what lies before the cut.
-  Image<Rgb8> groundBelow(float at) const {
-    const glm::vec2 size = plan_.upper - plan_.lower;
-    const float scale = static_cast<float>(options_.groundPixels) / std::max(size.x, size.y);
-    const int width = std::max(1, static_cast<int>(size.x * scale));
-    const int height = std::max(1, static_cast<int>(size.y * scale));
-    const int axis = axisOf(options_.side);
-    const float distance = kFarAway * std::max(glm::length(box_.size()), std::max(size.x, size.y));
-    const glm::vec2 middle = (plan_.lower + plan_.upper) * 0.5f;
-    View view;
-    view.target = worldFromPaper(middle, at);
-    view.eye = view.target;
-    view.eye[axis] += distance;
-    view.up = options_.side == PlanSide::kTop ? glm::vec3(0, 0, -1) : glm::vec3(0, 1, 0);
-    view.fovVerticalDegrees = 2 * degreesFromRadians(std::atan(static_cast<double>(size.y / 2 / distance)));
-    view.zNear = distance;
-    view.zFar = distance + 2 * glm::length(box_.size());
-    const PinholeCamera camera(view, width, height);
-    return srgbFromLinear(colorImage(rasterize(camera, mesh_), mesh_, glm::vec3(1)));
-  }
-
-  glm::vec3 worldFromPaper(const glm::vec2& p, float at) const {
-    switch (options_.side) {
-      case PlanSide::kTop:
-        return {p.x, at, p.y};
-      case PlanSide::kFront:
-        return {p.x, -p.y, at};
-      case PlanSide::kRight:
-        return {at, -p.y, -p.x};
-    }
-    return glm::vec3(0);
   }
 
   const Camera& camera_;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/ray_hull.h"
 #include "oc_core/ocri/placed_image.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/render/scene_renderer.h"
@@ -21,7 +22,8 @@ CameraMap mapOf(C camera) {
   const auto shared = std::make_shared<const C>(std::move(camera));
   return {[shared](const glm::vec2& pixel) { return shared->rayPath(pixel); },
           [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); },
-          {shared->width(), shared->height()}};
+          {shared->width(), shared->height()},
+          rayHullOf(shared)};
 }
 
 /// How every camera can be drawn: along its rays, by the renderer, where it casts some.

@@ -20,6 +20,7 @@
 #include <vector>
 
 #include "oc_core/base/registry.h"
+#include "oc_core/camera/ray_hull.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/camera_option.h"
 #include "oc_core/ocri/set_difference.h"
@@ -47,6 +48,7 @@ struct CameraMap {
   RayFunction ray;
   Projection project;
   glm::ivec2 size{0};  ///< of its image; 0 where a row from outside does not tell it
+  RayHull hull = {};   ///< where its rays run; empty where that is not known
 };
 
 /// One map for each of the images that buildReferenceImages() makes of this choice: as cameraRays(), which are their

@@ -13,10 +13,13 @@
 
 namespace ocelli {
 
+/// Whether a tile, from `lower` to `upper` in pixels, is cast; where not, its pixels are Result{}. Empty: all are.
+using TileFilter = std::function<bool(const glm::vec2& lower, const glm::vec2& upper)>;
+
 /// `cast(rays, results)` gets the rays of the pixels of a tile, row by row, and room for their results. On all threads.
 template <class Result, class Cast>
 Image<Result> castTiles(int width, int height, const std::function<RayPath(const glm::vec2& pixel)>& rayPath,
-                        const Cast& cast) {
+                        const Cast& cast, const TileFilter& isCast = {}) {
   constexpr int kTile = 8;  ///< pixels a side
   Image<Result> image(width, height);
   const int across = (width + kTile - 1) / kTile;
@@ -29,6 +32,9 @@ Image<Result> castTiles(int width, int height, const std::function<RayPath(const
       const int y0 = static_cast<int>(tile) / across * kTile;
       const int x1 = std::min(x0 + kTile, width);
       const int y1 = std::min(y0 + kTile, height);
+      if (isCast && !isCast(glm::vec2(x0, y0), glm::vec2(x1, y1))) {
+        continue;
+      }
       rays.clear();
       for (int y = y0; y < y1; ++y) {
         for (int x = x0; x < x1; ++x) {

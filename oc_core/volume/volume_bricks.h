@@ -22,7 +22,7 @@ struct BrickRange {
 
 class VolumeBricks {
  public:
-  static constexpr int kEdge = 16;  ///< distances of voxels, along i, j and k
+  static constexpr int kEdge = 8;  ///< distances of voxels, along i, j and k
 
   /// Reads all voxels once, on all threads; holes of sparse files are not read. Voxels are numbers: not NaN.
   explicit VolumeBricks(const ScalarVolume& volume);

@@ -1,5 +1,8 @@
 #include "oc_core/volume_camera/volume_camera.h"
 
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <utility>
@@ -15,14 +18,33 @@
 namespace ocelli {
 namespace {
 
+/// By so much of a voxel the polylines of bent rays may be off.
+constexpr double kDeviation = 0.1;
+
+RayFunction raysOf(const std::shared_ptr<const GraphCamera>& camera, const VolumeScene&) {
+  return [camera](const glm::vec2& pixel) { return camera->rayPath(pixel); };
+}
+
+RayFunction raysOf(const std::shared_ptr<const CurvedRayCamera>& camera, const VolumeScene& scene) {
+  double voxel = std::numeric_limits<double>::infinity();
+  for (int axis = 0; axis < 3; ++axis) {
+    voxel = std::min(voxel, glm::length(glm::dvec3(scene.worldFromIndex[axis])));
+  }
+  return [camera, points = camera->arcPointsWithin(kDeviation * voxel)](const glm::vec2& pixel) {
+    return camera->rayPath(pixel, points);
+  };
+}
+
 VolumeCamera multiperspectiveAt(const std::string& nameOrFile, const PinholeCamera& reference,
                                 const VolumeScene& scene) {
   return std::visit(
       [&](auto camera) -> VolumeCamera {
         const auto shared = std::make_shared<const decltype(camera)>(std::move(camera));
-        return {nameOrFile, jsonText(*shared), {shared->width(), shared->height()}, [shared](const glm::vec2& pixel) {
-                  return shared->rayPath(pixel);
-                }};
+        return {nameOrFile,
+                jsonText(*shared),
+                {shared->width(), shared->height()},
+                raysOf(shared, scene),
+                rayHullOf(shared)};
       },
       constructCamera(nameOrFile, guidedVolume(scene), reference));
 }
@@ -64,7 +86,8 @@ VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& refer
   const nlohmann::ordered_json description{{"camera", choice.name},
                                            {"view", nlohmann::ordered_json::parse(jsonText(reference.view()))}};
   return {choice.name, description.dump(),
-          map.size.x > 0 ? map.size : glm::ivec2(reference.width(), reference.height()), std::move(map.ray)};
+          map.size.x > 0 ? map.size : glm::ivec2(reference.width(), reference.height()), std::move(map.ray),
+          std::move(map.hull)};
 }
 
 }  // namespace ocelli

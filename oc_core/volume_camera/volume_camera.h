@@ -11,6 +11,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/pinhole_camera.h"
+#include "oc_core/camera/ray_hull.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/render/ray_target.h"
 #include "oc_core/volume/volume_scene.h"
@@ -22,6 +23,7 @@ struct VolumeCamera {
   std::string description;  ///< JSON: the view, and of graph and curved ray cameras all that they are
   glm::ivec2 size{0};       ///< of its image, pixels
   RayFunction ray;          ///< safe to call from many threads
+  RayHull hull;             ///< where its rays run, likewise; empty where that is not known
 };
 
 /// `firstHits` is called where the camera needs to know what hides what, and must outlive the call alone. Throws

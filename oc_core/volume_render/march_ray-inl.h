@@ -11,7 +11,6 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <glm/geometric.hpp>
 
 #include "oc_core/volume/volume_bricks.h"
 #include "oc_core/volume_render/march_steps-inl.h"
@@ -124,9 +123,9 @@ class March {
     keep(places.index.y);
     keep(places.index.z);
     if (setup_->specular > 0) {
-      keep(places.half.x);
-      keep(places.half.y);
-      keep(places.half.z);
+      keep(places.direction.x);
+      keep(places.direction.y);
+      keep(places.direction.z);
     }
     const Light light = lightAt(*setup_, *field_, places, count);
     HWY_ALIGN float factors[kLanes];
@@ -246,14 +245,9 @@ HWY_ATTR void March<Field>::begin(std::span<const VolumeRayPiece> pieces) {
   for (size_t i = 0; i < pieces.size(); ++i) {
     const VolumeRayPiece& p = pieces[i];
     length = p.continues ? length : 0;
-    glm::vec3 between(0);
-    if (setup_->isShaded) {
-      between = setup_->toLight - glm::vec3(p.direction);
-      between /= std::max(glm::length(between), 1e-6f);
-    }
     pieces_[i] = {glm::vec3(p.from),
                   glm::vec3(p.way),
-                  between,
+                  glm::vec3(p.direction),
                   static_cast<float>(length),
                   static_cast<float>(length + p.length),
                   static_cast<float>(p.t),

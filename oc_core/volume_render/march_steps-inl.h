@@ -16,7 +16,7 @@ namespace ocelli::HWY_NAMESPACE {
 struct MarchPiece {
   glm::vec3 from;
   glm::vec3 way;
-  glm::vec3 half;  ///< the direction between that to the light and that to the eye
+  glm::vec3 direction;  ///< unit, in the scene's world
   float begin;
   float end;
   float t;
@@ -34,11 +34,11 @@ struct MarchPart {
 
 struct Places {
   Point index;
-  Point half;
+  Point direction;  ///< of the ray
 };
 
 /// The places at these lengths, which do not fall, from the piece `first` on.
-template <bool kWithHalf>
+template <bool kWithDirection>
 HWY_ATTR HWY_INLINE Places placesAt(const MarchPart& part, size_t first, FloatVec length, float last) {
   const Floats d;
   const auto along = [&](const MarchPiece& piece) HWY_ATTR {
@@ -47,8 +47,8 @@ HWY_ATTR HWY_INLINE Places placesAt(const MarchPart& part, size_t first, FloatVe
               hn::MulAdd(rest, hn::Set(d, piece.way.y), hn::Set(d, piece.from.y)),
               hn::MulAdd(rest, hn::Set(d, piece.way.z), hn::Set(d, piece.from.z))},
              {hn::Zero(d), hn::Zero(d), hn::Zero(d)}};
-    if constexpr (kWithHalf) {
-      p.half = {hn::Set(d, piece.half.x), hn::Set(d, piece.half.y), hn::Set(d, piece.half.z)};
+    if constexpr (kWithDirection) {
+      p.direction = {hn::Set(d, piece.direction.x), hn::Set(d, piece.direction.y), hn::Set(d, piece.direction.z)};
     }
     return p;
   };
@@ -60,10 +60,10 @@ HWY_ATTR HWY_INLINE Places placesAt(const MarchPart& part, size_t first, FloatVe
     choose(places.index.x, next.index.x);
     choose(places.index.y, next.index.y);
     choose(places.index.z, next.index.z);
-    if constexpr (kWithHalf) {
-      choose(places.half.x, next.half.x);
-      choose(places.half.y, next.half.y);
-      choose(places.half.z, next.half.z);
+    if constexpr (kWithDirection) {
+      choose(places.direction.x, next.direction.x);
+      choose(places.direction.y, next.direction.y);
+      choose(places.direction.z, next.direction.z);
     }
   }
   return places;
@@ -102,7 +102,11 @@ HWY_ATTR HWY_NOINLINE Light lightAt(const MarchSetup& setup, const Field& field,
   const FloatVec shade = hn::MulAdd(cosine, hn::Set(d, setup.diffuse), hn::Set(d, setup.ambient));
   Light light{hn::MulAdd(lit, hn::Sub(shade, one), one), hn::Zero(d)};
   if (setup.specular > 0) {
-    const FloatVec highlight = hn::Mul(hn::Abs(dot(g, places.half)), perLength);
+    // The direction between that to the light and that to the eye.
+    const Point between{hn::Sub(toLight.x, places.direction.x), hn::Sub(toLight.y, places.direction.y),
+                        hn::Sub(toLight.z, places.direction.z)};
+    const FloatVec perBetween = hn::Div(one, hn::Max(hn::Sqrt(dot(between, between)), hn::Set(d, 1e-6f)));
+    const FloatVec highlight = hn::Mul(hn::Mul(hn::Abs(dot(g, between)), perBetween), perLength);
     const FloatVec power =
         hn::Exp(d, hn::Mul(hn::Set(d, setup.shininess), hn::Log(d, hn::Max(highlight, hn::Set(d, 1e-30f)))));
     light.added = hn::Mul(hn::Mul(lit, hn::Set(d, setup.specular)), power);

@@ -6,8 +6,10 @@
 #include <glm/vec3.hpp>
 #include <span>
 
+#include "oc_core/camera/ray_hull.h"
 #include "oc_core/camera/ray_path.h"
 #include "oc_core/volume/volume_scene.h"
+#include "oc_core/volume_render/index_points.h"
 
 namespace ocelli {
 
@@ -31,15 +33,24 @@ class VolumeExtent {
   /// The scene must outlive it, and its volume and clips must not change.
   explicit VolumeExtent(const VolumeScene& scene);
 
+  /// Nothing is seen beyond that box: rays that miss it have no pieces. To begin with it is the volume's.
+  void setSeen(const IndexBox& box);
+
   /// The pieces of a ray before the parameter `end`, from near to far: how many of `pieces` were written. None for a
   /// ray with coordinates that are not finite.
   size_t cut(const RayPath& ray, double end, Pieces& pieces) const;
 
+  /// Whether each of these pieces, in the world, lies beyond a face of what is seen, so that no ray in them meets it.
+  /// False where a point is not finite.
+  bool misses(const HullPieces& hull) const;
+
  private:
   const VolumeScene& scene_;
   glm::dmat4 indexFromWorld_;
+  double worldLengthOfUnit_;
   double unitsByWorldLength_;
-  glm::dvec3 upper_;  ///< of the box; the lower corner is -0.5
+  IndexBox box_;
+  IndexBox seen_;
 };
 
 }  // namespace ocelli

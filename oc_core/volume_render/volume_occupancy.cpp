@@ -1,6 +1,7 @@
 #include "oc_core/volume_render/volume_occupancy.h"
 
 #include <algorithm>
+#include <glm/common.hpp>
 
 namespace ocelli {
 namespace {
@@ -46,6 +47,18 @@ VolumeOccupancy::VolumeOccupancy(const VolumeBricks& bricks, const OpticalTable&
       distances_[i] = 0;
     }
   }
+  firstSeen_ = size_;
+  for (int k = 0; k < size_.z; ++k) {
+    for (int j = 0; j < size_.y; ++j) {
+      for (int i = 0; i < size_.x; ++i) {
+        if (distances_[bricks.indexOf({i, j, k})] == 0) {
+          firstSeen_ = glm::min(firstSeen_, {i, j, k});
+          endSeen_ = glm::max(endSeen_, glm::ivec3(i, j, k) + 1);
+        }
+      }
+    }
+  }
+  firstSeen_ = glm::min(firstSeen_, endSeen_);
   nearBricks(distances_, size_, 1);
   nearBricks(distances_, size_, -1);
 }

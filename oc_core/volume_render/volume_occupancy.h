@@ -19,11 +19,18 @@ class VolumeOccupancy {
   /// can be read from anywhere.
   const std::vector<uint8_t>& distances() const { return distances_; }
 
+  /// Around all bricks that show something: the first of them along each axis, and the last plus 1. The same where none
+  /// does.
+  const glm::ivec3& firstSeen() const { return firstSeen_; }
+  const glm::ivec3& endSeen() const { return endSeen_; }
+
   static constexpr uint8_t kMaxDistance = 255;
 
  private:
   glm::ivec3 size_;
   std::vector<uint8_t> distances_;
+  glm::ivec3 firstSeen_{0};
+  glm::ivec3 endSeen_{0};
 };
 
 }  // namespace ocelli

@@ -53,6 +53,7 @@ struct VolumeRenderer::Impl {
     setup.entries = table->entries().data();
     setup.distances = options.skipEmpty ? occupancy->distances().data() : nullptr;
     setup.bricks = occupancy->size();
+    extent.setSeen(options.skipEmpty ? seenBox() : IndexBox::everywhere());
     setup.step = static_cast<float>(options.step * volume.grid().meanSpacing());
     setup.endTransmittance = static_cast<float>(options.endTransmittance);
     setup.depthOpacity = static_cast<float>(options.depthOpacity);
@@ -67,6 +68,25 @@ struct VolumeRenderer::Impl {
     setup.specular = static_cast<float>(shading.specular);
     setup.shininess = static_cast<float>(shading.shininess);
   }
+
+  /// Around the bricks that show something.
+  IndexBox seenBox() const {
+    constexpr double kRounding = 1e-2;  // voxels: of samples' places, which are in single precision
+    IndexBox box = IndexBox::everywhere();
+    for (int axis = 0; axis < 3; ++axis) {
+      // The outermost bricks reach as far as the volume does.
+      if (occupancy->firstSeen()[axis] > 0) {
+        box.lower[axis] = occupancy->firstSeen()[axis] * VolumeBricks::kEdge - kRounding;
+      }
+      if (occupancy->endSeen()[axis] < occupancy->size()[axis]) {
+        box.upper[axis] = occupancy->endSeen()[axis] * VolumeBricks::kEdge + kRounding;
+      }
+    }
+    return box;
+  }
+
+  /// Whether rays in these pieces see nothing.
+  bool misses(const HullPieces& hull) const { return surfaces == nullptr && extent.misses(hull); }
 
   void trace(std::span<const RayPath> rays, std::span<VolumePixel> pixels, bool stopsAtDepth) const {
     OC_CHECK(rays.size() == pixels.size(), "one pixel a ray");
@@ -140,7 +160,7 @@ void VolumeRenderer::firstHits(std::span<const RayPath> rays, std::span<VolumePi
 }
 
 VolumeImage VolumeRenderer::render(int width, int height, const std::function<RayPath(const glm::vec2&)>& rayPath,
-                                   const Progress& progress) const {
+                                   const Progress& progress, const RayHull& hull) const {
   // Bands of rows, so that progress can be told between them. Without it there is one.
   constexpr int kBand = 64;
   VolumeImage image(width, height);
@@ -148,12 +168,17 @@ VolumeImage VolumeRenderer::render(int width, int height, const std::function<Ra
   for (int first = 0; first < height; first += band) {
     report(progress, "rendering the volume", static_cast<double>(first) / height);
     const int rows = std::min(band, height - first);
+    const TileFilter isCast = [&](const glm::vec2& lower, const glm::vec2& upper) {
+      const glm::dvec2 offset(0, first);
+      return !impl_->misses(hull(glm::dvec2(lower) + offset, glm::dvec2(upper) + offset));
+    };
     const VolumeImage part = castTiles<VolumePixel>(
         width, rows,
         [&](const glm::vec2& pixel) {
           return rayPath({pixel.x, pixel.y + static_cast<float>(first)});
         },
-        [&](std::span<const RayPath> rays, std::span<VolumePixel> pixels) { impl_->trace(rays, pixels, false); });
+        [&](std::span<const RayPath> rays, std::span<VolumePixel> pixels) { impl_->trace(rays, pixels, false); },
+        hull ? isCast : TileFilter{});
     std::copy(part.begin(), part.end(), image.begin() + static_cast<std::ptrdiff_t>(image.index(0, first)));
   }
   report(progress, "rendering the volume", 1);

@@ -21,6 +21,7 @@
 
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/camera.h"
+#include "oc_core/camera/ray_hull.h"
 #include "oc_core/volume/volume_scene.h"
 #include "oc_core/volume_render/volume_image.h"
 
@@ -64,9 +65,10 @@ class VolumeRenderer {
   void firstHits(std::span<const RayPath> rays, std::span<VolumePixel> pixels) const;
 
   /// The rays of the pixel centres, on all threads; the same bytes whatever their number. `progress` is called on the
-  /// calling thread, and may throw to end the work.
+  /// calling thread, and may throw to end the work. With the hull of the rays, those of parts of the image that see
+  /// nothing are not made.
   VolumeImage render(int width, int height, const std::function<RayPath(const glm::vec2& pixel)>& rayPath,
-                     const Progress& progress = {}) const;
+                     const Progress& progress = {}, const RayHull& hull = {}) const;
 
  private:
   struct Impl;
@@ -75,8 +77,10 @@ class VolumeRenderer {
 
 template <Camera C>
 VolumeImage renderVolume(const C& camera, const VolumeRenderer& renderer, const Progress& progress = {}) {
+  const std::shared_ptr<const C> borrowed(std::shared_ptr<const void>(), &camera);
   return renderer.render(
-      camera.width(), camera.height(), [&](const glm::vec2& pixel) { return camera.rayPath(pixel); }, progress);
+      camera.width(), camera.height(), [&](const glm::vec2& pixel) { return camera.rayPath(pixel); }, progress,
+      rayHullOf(borrowed));
 }
 
 template <Camera C>

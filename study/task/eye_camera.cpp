@@ -55,7 +55,7 @@ EyeCameraOptions readEyeCameraOptions(JsonFields& fields) {
   options.fovHorizontalDegrees = fields.number("fov_horizontal_degrees", 10, 150, options.fovHorizontalDegrees);
   if (fields.has("portals")) {
     JsonFields portals = fields.inner("portals");
-    options.portals = readPortalOptions(portals);
+    options.portals = readPortalOptions(portals, options.portals);
     portals.rejectUnknown();
     if (!options.portals.portals.empty()) {
       portals.fail("portals", "is a list for one place of the eye, but who walks sees the openings of the maze");

@@ -15,7 +15,9 @@ class JsonFields;
 
 struct EyeCameraOptions {
   double fovHorizontalDegrees = kUsualFovHorizontalDegrees;
-  PortalOptions portals{};  ///< its list of portals is empty: they are the openings of the maze
+  /// Its list of portals is empty: they are the openings of the maze. Studies stay on the curve that they began with,
+  /// so that stored trials replay as they were.
+  PortalOptions portals = portalCurve("band");
 };
 
 class EyeCamera {

@@ -31,7 +31,7 @@ InstructionExample searchExample(bool graph, const glm::ivec2& size) {
   if (graph) {
     SceneGuides guides;
     guides.maze = maze;
-    PortalOptions options;
+    PortalOptions options = portalCurve("band");
     options.bentBeyond = 1;
     example.layout.views.emplace_back(wholeImage(size), buildPortalCamera(options, guides, eye));
   } else {

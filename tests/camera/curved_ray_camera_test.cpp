@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "tests/camera/inverse_errors.h"
+#include "tests/camera/random_curved_cameras.h"
 #include "tests/camera/test_curved_cameras.h"
 
 namespace ocelli {
@@ -224,6 +225,47 @@ TEST(CurvedRayCamera, raysNeverRunBack) {
   const RayPath path = camera.rayPath({10, 30});
   for (size_t i = 2; i < path.size(); ++i) {
     EXPECT_GE(glm::dot(path[i] - path[i - 1], path[i - 1] - path[i - 2]), 0.0f) << i;
+  }
+}
+
+/// The greatest distance of points of the finest polyline of some rays from one of so many corners.
+float deviationOfPolylines(const CurvedRayCamera& camera, size_t arcPoints) {
+  float greatest = 0;
+  for (float u = 5; u < static_cast<float>(camera.width()); u += 11) {
+    for (float v = 5; v < static_cast<float>(camera.height()); v += 11) {
+      const RayPath coarse = camera.rayPath({u, v}, arcPoints);
+      for (const glm::vec3& point : camera.rayPath({u, v}, CurvedRayCamera::kArcPoints)) {
+        greatest = std::max(greatest, glm::distance(coarse.pointAt(coarse.positionNear(point)), point));
+      }
+    }
+  }
+  return greatest;
+}
+
+TEST(CurvedRayCamera, FewerPointsOfAnArcLieOnItAndStayAsNearAsIsAsked) {
+  Numbers numbers;
+  int fewer = 0;
+  for (int i = 0; i < 30; ++i) {
+    const CurvedRayCamera camera = test::randomCurved(numbers, 2);
+    size_t pointsBefore = 0;
+    for (const double deviation : {0.1, 0.03, 0.01, 0.003}) {
+      const size_t points = camera.arcPointsWithin(deviation);
+      EXPECT_GE(points, pointsBefore);
+      EXPECT_LE(points, CurvedRayCamera::kArcPoints);
+      pointsBefore = points;
+      fewer += points < CurvedRayCamera::kArcPoints ? 1 : 0;
+      // The grid of rays that it asks does not hold the worst one, nor are the chords' middles the farthest points.
+      EXPECT_LT(deviationOfPolylines(camera, points), 1.1 * deviation + 1e-5) << points;
+    }
+  }
+  EXPECT_GT(fewer, 60);
+  const CurvedRayCamera camera = bendingRight();
+  const RayPath path = camera.rayPath({20, 20}, 5);
+  const RayPath finest = camera.rayPath({20, 20}, 17);  // every fourth point is one of five
+  ASSERT_EQ(path.size(), 7u);
+  for (size_t i = 1; i + 1 < path.size(); ++i) {
+    EXPECT_LT(glm::distance(path[i], finest[1 + 4 * (i - 1)]), 1e-5f);
+    EXPECT_NEAR(path.t(i), finest.t(1 + 4 * (i - 1)), 1e-5f);
   }
 }
 

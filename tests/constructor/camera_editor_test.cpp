@@ -122,6 +122,60 @@ TEST(CameraEditor, aFailedEditLeavesTheCameraAsItWas) {
   }
 }
 
+TEST(CameraEditor, replacesLimits) {
+  CameraEditor editor = crossroadsEditor();
+  const auto limitsOfRight = [&] { return std::get<GraphCamera>(editor.camera()).frusta()[2].limits.size(); };
+  apply(editor,
+        "{'edit': 'limits', 'name': 'right', 'planes': [{'point': [0, 0, -9], 'normal': [0, 0, -1]},"
+        " {'point': [9, 0, 0], 'normal': [1, 0, 0]}]}");
+  EXPECT_EQ(limitsOfRight(), 2U);
+  apply(editor, "{'edit': 'limits', 'name': 'right', 'planes': [{'point': [0, 0, -8], 'normal': [0, 0, -1]}]}");
+  EXPECT_EQ(limitsOfRight(), 1U);
+  apply(editor, "{'edit': 'limits', 'name': 'right', 'planes': []}");
+  EXPECT_EQ(limitsOfRight(), 0U);
+  EXPECT_THAT(errorOf(editor, "{'edit': 'limits', 'name': 'right', 'planes': 3}"), HasSubstr("array of planes"));
+}
+
+TEST(CameraEditor, severalEditsAreOneStep) {
+  CameraEditor editor = crossroadsEditor();
+  const std::string before = editor.text();
+  apply(editor,
+        "{'edit': 'several', 'edits': [{'edit': 'rename', 'name': 'left', 'to': 'west'},"
+        " {'edit': 'rename', 'name': 'right', 'to': 'east'}]}");
+  EXPECT_THAT(namesIn(editor), ElementsAre("root", "west", "east", "far left"));
+  apply(editor, "{'edit': 'undo'}");
+  EXPECT_EQ(editor.text(), before);
+  EXPECT_FALSE(editor.canUndo());
+  EXPECT_TRUE(editor.canRedo());
+  EXPECT_THAT(errorOf(editor,
+                      "{'edit': 'several', 'edits': [{'edit': 'rename', 'name': 'left', 'to': 'west'},"
+                      " {'edit': 'remove', 'name': 'left'}]}"),
+              HasSubstr("edit 2"));
+  EXPECT_EQ(editor.text(), before);
+  EXPECT_THAT(errorOf(editor, "{'edit': 'several', 'edits': [{'edit': 'several', 'edits': []}]}"), HasSubstr("within"));
+  EXPECT_THAT(errorOf(editor, "{'edit': 'several', 'edits': [{'edit': 'undo'}]}"), HasSubstr("must be"));
+}
+
+TEST(CameraEditor, triesAnEditWithoutDoingIt) {
+  CameraEditor editor = crossroadsEditor();
+  const std::string before = editor.text();
+  const std::string tried = editor.edited(R"({"edit": "rename", "name": "left", "to": "west"})", "edit");
+  EXPECT_EQ(editor.text(), before);
+  EXPECT_THAT(tried, HasSubstr("\"west\""));
+  const MultiperspectiveCamera camera = CameraEditor::cameraOf(tried, "edit", test::smallCamera(), Box{});
+  EXPECT_EQ(std::get<GraphCamera>(camera).frusta()[1].name, "west");
+}
+
+TEST(CameraEditor, saysWhetherFrustaMayOverlap) {
+  CameraEditor editor = crossroadsEditor();
+  apply(editor, "{'edit': 'overlap', 'overlap': 'refused'}");
+  EXPECT_THAT(editor.text(), HasSubstr("refused"));
+  EXPECT_THAT(errorOf(editor, "{'edit': 'overlap', 'overlap': 'maybe'}"), HasSubstr("refused or allowed"));
+  CameraEditor curved = editorOf(quoted("{'camera': 'curved', 'turns': []}"));
+  EXPECT_THAT(errorOf(curved, "{'edit': 'overlap', 'overlap': 'allowed'}"), HasSubstr("of a graph camera"));
+  EXPECT_THAT(errorOf(curved, "{'edit': 'limits', 'name': 'root', 'planes': []}"), HasSubstr("of a graph camera"));
+}
+
 TEST(CameraEditor, editsTurns) {
   CameraEditor editor = editorOf(quoted("{'camera': 'curved', 'turns': []}"));
   const auto bends = [&] { return std::get<CurvedRayCamera>(editor.camera()).bends().size(); };

@@ -102,7 +102,14 @@ TEST(ConstructorSchema, targetIsWhatItsReaderTakes) {
   expectDefaults("target", {{"f", options.f},
                             {"most_f", options.maxF},
                             {"visible_share", options.visibleShare},
-                            {"enlarged", options.enlarged}});
+                            {"enlarged", options.enlarged},
+                            {"enlarged_pixels", options.enlargedPixels},
+                            {"max_change", options.maxChange}});
+  std::set<std::string> sights;
+  for (const TargetSight& sight : targetSights()) {
+    sights.insert(sight.name);
+  }
+  EXPECT_EQ(sights, schemaOf("target").at("properties").at("sight").at("enum").get<std::set<std::string>>());
 }
 
 TEST(ConstructorSchema, occluderIsWhatItsReaderTakes) {
@@ -131,7 +138,14 @@ TEST(ConstructorSchema, portalDefaultsAreTheReaders) {
                             {"farthest", options.farthest},
                             {"straight_degrees", options.straightDegrees},
                             {"bent_degrees", options.bentDegrees},
-                            {"edge_degrees", options.edgeDegrees}});
+                            {"edge_degrees", options.edgeDegrees},
+                            {"edge_fade_degrees", options.edgeFadeDegrees},
+                            {"hand_over", options.handOver}});
+  std::set<std::string> curves;
+  for (const PortalCurve& curve : portalCurves()) {
+    curves.insert(curve.name);
+  }
+  EXPECT_EQ(curves, schemaOf("portal").at("properties").at("curve").at("enum").get<std::set<std::string>>());
 }
 
 }  // namespace

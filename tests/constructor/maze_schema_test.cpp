@@ -5,6 +5,8 @@
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
 #include "oc_core/constructor/maze_constructor.h"
+#include "oc_core/constructor/walk_camera.h"
+#include "oc_core/constructor/walk_comprehensive.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/constructor/maze_plans.h"
@@ -27,12 +29,16 @@ std::string errorOf(const std::string& text) {
 }
 
 TEST(MazeSchema, comprehensiveIsWhatItsReaderTakes) {
-  const nlohmann::json schema = schemaOf("comprehensive");
+  nlohmann::json schema = schemaOf("comprehensive");
+  schema.at("properties").at("start_point")["default"] = {7.5, 0, 9};
   test::SchemaAgreement{schema, errorOf, {{"camera", "comprehensive"}}}.check();
   const ComprehensiveOptions options;
   EXPECT_EQ(schema.at("properties").at("eye_height").at("default"), options.eyeHeight);
   EXPECT_EQ(schema.at("properties").at("nearness").at("default"), options.nearness);
   EXPECT_EQ(schema.at("properties").at("evenness").at("default"), options.evenness);
+  EXPECT_EQ(schema.at("properties").at("nearness").at("default"), WalkComprehensiveOptions{}.nearness);
+  EXPECT_EQ(schema.at("properties").at("evenness").at("default"), WalkComprehensiveOptions{}.evenness);
+  EXPECT_EQ(schema.at("properties").at("min_pixels").at("default"), WalkComprehensiveOptions{}.minPixels);
 }
 
 TEST(MazeSchema, mazeIsWhatItsReaderTakes) {
@@ -41,6 +47,7 @@ TEST(MazeSchema, mazeIsWhatItsReaderTakes) {
   const MazeCameraOptions options;
   EXPECT_EQ(properties.at("fov_degrees").at("default"), options.fovHorizontalDegrees);
   EXPECT_EQ(properties.at("corridor_fov_degrees").at("default"), options.fovCorridorDegrees);
+  EXPECT_EQ(properties.at("portals_in_rooms").at("default"), WalkCameraOptions{}.portalsInRooms);
   EXPECT_EQ(properties.at("crossing_share").at("default"), options.crossingShare);
   EXPECT_EQ(properties.at("deploy_cells").at("default"), options.deployCells);
   properties.at("position")["default"] = {7.5, 1.6, 9};  // good ones, to change one number at a time

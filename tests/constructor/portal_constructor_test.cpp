@@ -3,8 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
 #include "oc_core/worlds/maze_generator.h"
@@ -43,16 +45,60 @@ std::string errorOf(const PortalOptions& options, const SceneGuides& guides, con
 }
 
 TEST(PortalPresence, isFullFromTheSideAtMiddleDistance) {
-  EXPECT_DOUBLE_EQ(portalPresence(door(), {1.5, 1.5, 5}), 1);  // 73 degrees aside, 4.7 m away
+  for (const PortalCurve& curve : portalCurves()) {
+    EXPECT_DOUBLE_EQ(portalPresence(door(), {1.5, 1.5, 5}, curve.options), 1);  // 73 degrees aside, 4.7 m away
+  }
 }
 
 TEST(PortalPresence, isNoneWhereRaysMustGoStraight) {
-  EXPECT_EQ(portalPresence(door(), {-1, 1.5, 3}), 0);      // behind it
-  EXPECT_EQ(portalPresence(door(), {0, 1.5, 3}), 0);       // edge on
-  EXPECT_EQ(portalPresence(door(), {0.01, 1.5, 3}), 0);    // nearly so
-  EXPECT_EQ(portalPresence(door(), {3, 1.5, 0}), 0);       // before it
-  EXPECT_EQ(portalPresence(door(), {0.05, 1.5, 0.4}), 0);  // in the doorway
-  EXPECT_EQ(portalPresence(door(), {4, 1.5, 13}), 0);      // far away
+  for (const PortalCurve& curve : portalCurves()) {
+    const auto presence = [&](const glm::dvec3& eye) { return portalPresence(door(), eye, curve.options); };
+    EXPECT_EQ(presence({-1, 1.5, 3}), 0);      // behind it
+    EXPECT_EQ(presence({0, 1.5, 3}), 0);       // edge on
+    EXPECT_EQ(presence({0.001, 1.5, 3}), 0);   // nearly so
+    EXPECT_EQ(presence({3, 1.5, 0}), 0);       // before it
+    EXPECT_EQ(presence({0.05, 1.5, 0.4}), 0);  // in the doorway
+  }
+}
+
+TEST(PortalPresence, theBandEndsFarAwayAndTheUsualCurveDoesNot) {
+  EXPECT_EQ(portalPresence(door(), {4, 1.5, 13}, portalCurve("band")), 0);
+  EXPECT_EQ(portalPresence(door(), {0.01, 1.5, 3}, portalCurve("band")), 0);  // 0.2 degrees before edge on
+  for (double away = 3.5; away < 1e5; away *= 1.5) {
+    EXPECT_EQ(portalPresence(door(), {0.3 * away, 1.5, away}), 1) << away;  // 73 degrees aside
+  }
+}
+
+/// The presence as it first stood, word by word.
+double firstPresence(const Portal& portal, const glm::dvec3& eye) {
+  const glm::dvec3 offset = eye - glm::dvec3(portal.center);
+  const glm::dvec3 p(glm::dot(offset, glm::normalize(glm::dvec3(portal.halfRight))),
+                     glm::dot(offset, glm::normalize(glm::dvec3(portal.halfUp))),
+                     glm::dot(offset, glm::dvec3(portal.normal)));
+  if (!(p.z > 0)) {
+    return 0;
+  }
+  const glm::dvec2 half(glm::length(portal.halfRight), glm::length(portal.halfUp));
+  const glm::dvec2 beside = glm::max(glm::abs(glm::dvec2(p)) - half, 0.0);
+  const double distance = glm::length(glm::dvec3(beside, p.z)) / (2 * std::min(half.x, half.y));
+  const double degrees = degreesFromRadians(std::atan2(std::abs(p.x), p.z));
+  return glm::smoothstep(0.1, 3.0, distance) * (1 - glm::smoothstep(0.75 * 12, 12.0, distance)) *
+         glm::smoothstep(5.0, 65.0, degrees) * (1 - glm::smoothstep(87.0 - 4, 87.0, degrees));
+}
+
+TEST(PortalPresence, theBandIsBitByBitWhatItWas) {
+  // Stored trials of studies replay with it.
+  Random random(5);
+  const PortalOptions& band = portalCurve("band");
+  EXPECT_EQ(band.handOver, 0.5);
+  size_t between = 0;
+  for (int i = 0; i < 20000; ++i) {
+    const glm::dvec3 eye(random.inRange(-1, 13), random.inRange(0, 3), random.inRange(-13, 13));
+    const double presence = portalPresence(door(), eye, band);
+    EXPECT_EQ(presence, firstPresence(door(), eye));
+    between += presence > 0 && presence < 1;
+  }
+  EXPECT_GT(between, 5000u);
 }
 
 TEST(PortalPresence, changesSmoothly) {
@@ -62,8 +108,11 @@ TEST(PortalPresence, changesSmoothly) {
     const double z = random.inRange(-13, 13);
     const glm::dvec3 eye(x, random.inRange(0, 3), z);
     const glm::dvec3 near = eye + glm::dvec3(random.inRange(-1e-6f, 1e-6f), 0, random.inRange(-1e-6f, 1e-6f));
-    // The steepest slope is that of the last 4 degrees, 1.5 / 4 a degree: at 0.1 m from the middle 215 a metre.
-    EXPECT_NEAR(portalPresence(door(), eye), portalPresence(door(), near), 5e-4);
+    for (const PortalCurve& curve : portalCurves()) {
+      // The steepest slope is that before a portal is edge on, 1.5 over the degrees of its fade; where it is bent,
+      // more than 0.8 m from the middle, that is 27 a metre over 4 degrees and 270 over 0.4.
+      EXPECT_NEAR(portalPresence(door(), eye, curve.options), portalPresence(door(), near, curve.options), 5e-4);
+    }
   }
 }
 
@@ -164,7 +213,7 @@ TEST(PortalCamera, whatIsBehindALeavingPortalComesIn) {
   // Behind a large opening there is a door aside, which is seen through it alone.
   const Portal opening{{0, 1, 0}, {1, 0, 0}, {0, 0, -3}, {0, 3, 0}};
   const Portal aside{{-5, 1, -1}, {0, 0, 1}, {0.5f, 0, 0}, {0, 1, 0}};
-  PortalOptions options;
+  PortalOptions options = portalCurve("band");
   options.straightDegrees = 0;
   options.bentBeyond = 0.5;
   options.bentDegrees = 10;

@@ -1,6 +1,7 @@
 // Properties of meshes that several tests assert.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <glm/geometric.hpp>
 #include <map>
@@ -27,6 +28,23 @@ inline bool isClosed(const Mesh& mesh) {
     }
   }
   return true;
+}
+
+/// Whether each directed edge has as many opposite ones, as in a union of closed solids that may touch.
+inline bool isBalanced(const Mesh& mesh) {
+  using Place = std::array<float, 3>;
+  std::map<std::array<Place, 2>, int> balance;
+  for (const glm::uvec3& t : mesh.triangles) {
+    for (glm::length_t i = 0; i < 3; ++i) {
+      const glm::vec3& a = mesh.positions[t[i]];
+      const glm::vec3& b = mesh.positions[t[(i + 1) % 3]];
+      const Place from{a.x, a.y, a.z};
+      const Place to{b.x, b.y, b.z};
+      ++balance[{from, to}];
+      --balance[{to, from}];
+    }
+  }
+  return std::all_of(balance.begin(), balance.end(), [](const auto& edge) { return edge.second == 0; });
 }
 
 inline double areaOf(const Mesh& mesh) {

@@ -42,7 +42,7 @@ inline PinholeCamera sampleEye(const Maze& maze, int width, int height) {
 inline GraphCamera sampleGraphCamera(const Maze& maze, int width, int height) {
   SceneGuides guides;
   guides.maze = maze;
-  PortalOptions options;
+  PortalOptions options = portalCurve("band");
   options.bentBeyond = 1;
   return buildPortalCamera(options, guides, sampleEye(maze, width, height));
 }

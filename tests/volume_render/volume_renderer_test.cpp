@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <stdexcept>
 
 #include "oc_core/base/parallel.h"
@@ -167,6 +168,33 @@ TEST(VolumeRenderer, skippingWhatIsEmptyChangesNothing) {
   compare(test::smallCamera(), "pinhole");
   compare(test::crossroads(), "graph");
   compare(test::bendingTwice(), "curved");
+}
+
+TEST(VolumeRenderer, MakesNoRaysOfTilesThatSeeNothing) {
+  // A ball in the middle of a volume that fills the image.
+  const VolumeScene scene = test::floatVolume(
+      glm::ivec3(96), 1.0 / 24, [](const glm::dvec3& p) { return 1 - glm::distance(p, glm::dvec3(47.5)) / 10; },
+      TransferFunction({{0, {1, 0, 0}, 0}, {1, {1, 1, 1}, 0.9}}, 1.0 / 24));
+  const VolumeRenderer renderer(scene);
+  const CurvedRayCamera camera = test::bendingRight(PinholeCamera(View{}, 160, 120));
+  const auto countRays = [&](const RayHull& hull, VolumeImage& image) {
+    std::atomic<size_t> rays = 0;
+    image = renderer.render(
+        camera.width(), camera.height(),
+        [&](const glm::vec2& pixel) {
+          ++rays;
+          return camera.rayPath(pixel);
+        },
+        {}, hull);
+    return rays.load();
+  };
+  VolumeImage all;
+  VolumeImage some;
+  EXPECT_EQ(countRays({}, all), 160u * 120u);
+  EXPECT_LT(countRays(rayHullOf(std::make_shared<const CurvedRayCamera>(camera)), some), 160u * 120u * 3 / 4)
+      << "the ball takes a part of the image";
+  EXPECT_EQ(differenceOf(all, some), 0);
+  EXPECT_GT(greatestOpacity(all), 0.5);
 }
 
 TEST(VolumeRenderer, endsEarlyWithinItsBound) {

@@ -1,4 +1,4 @@
-#include "display_sim/viewer/free_file_name.h"
+#include "oc_core/base/free_file_name.h"
 
 #include <gtest/gtest.h>
 

@@ -1,0 +1,113 @@
+#include "bench/walk_acceptance.h"
+
+#include <algorithm>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <optional>
+#include <utility>
+
+#include "bench/timing.h"
+#include "oc_core/constructor/walk_comprehensive.h"
+#include "oc_core/render/raycast.h"
+#include "oc_core/walkable/walkable.h"
+#include "oc_core/worlds/city_plan.h"
+#include "oc_core/worlds/house_plan.h"
+#include "oc_core/worlds/scene_source.h"
+
+namespace ocelli::bench {
+namespace {
+
+constexpr float kOnFloor = 0.3f;  // metres: what is as near to a cell's floor is its floor; kerbs and rugs are
+
+/// Whether a point lies over the middle of a cell: the square half as wide as its shorter side (middleOf()).
+bool isInMiddle(const WalkCell& cell, const glm::vec3& point) {
+  const glm::vec3 from = point - cell.center;
+  const float half = std::min(cell.halfLength, cell.halfWidth) / 2;
+  const float along = glm::dot(from, cell.axis);
+  const float floor = cell.floorRise * along / (2 * cell.halfLength);
+  return std::abs(along) <= half && std::abs(glm::dot(from, cell.right())) <= half &&
+         std::abs(from.y - floor) <= kOnFloor + std::abs(cell.floorRise) / 10;
+}
+
+/// Of each cell the pixels that show its middle.
+std::vector<size_t> pixelsOfMiddles(const WalkMap& map, const GraphCamera& camera, const Mesh& mesh) {
+  const FragmentImage image = raycast(camera, mesh, RayScene(mesh));
+  std::vector<size_t> pixels(map.cells.size());
+  for (size_t i = 0; i < image.size(); ++i) {
+    if (!image[i].covered()) {
+      continue;
+    }
+    const glm::vec3 point = positionOf(image[i], mesh);
+    for (size_t cell = 0; cell < map.cells.size(); ++cell) {
+      pixels[cell] += isInMiddle(map.cells[cell], point) ? 1 : 0;
+    }
+  }
+  return pixels;
+}
+
+WalkScene walkSceneOf(std::string source, WalkMap known) {
+  Mesh mesh = loadScene(source, {.fit = false});
+  return {std::move(source), std::move(mesh), std::move(known)};
+}
+
+}  // namespace
+
+WalkScene cityToWalk(uint64_t seed, float size) {
+  return walkSceneOf("builtin:city,seed=" + std::to_string(seed) + ",size=" + std::to_string(std::lround(size)),
+                     cityWalkMap(planCity({seed, size})));
+}
+
+WalkScene houseToWalk(uint64_t seed) {
+  return walkSceneOf("builtin:house,seed=" + std::to_string(seed), houseWalkMap(planHouse({seed})));
+}
+
+size_t WalkAcceptance::seenCells() const {
+  return static_cast<size_t>(
+      std::count_if(cells.begin(), cells.end(), [](const SeenCell& cell) { return cell.why.empty(); }));
+}
+
+WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, size_t minPixels) {
+  WalkAcceptance result;
+  result.findMilliseconds = milliseconds([&] { result.found = findWalkMap(scene.mesh, WalkOptions{}); });
+  result.agreement = compareWalkMaps(scene.known, result.found);
+  if (result.agreement.reached.empty()) {
+    return result;
+  }
+  // The camera shows what can be reached from its start; it starts in the part that counts.
+  const WalkMap& map = result.found;
+  WalkMap reached;
+  std::vector<uint32_t> numberOf(map.cells.size(), WalkAgreement::kNone);
+  for (const uint32_t cell : result.agreement.reached) {
+    numberOf[cell] = static_cast<uint32_t>(reached.cells.size());
+    reached.cells.push_back(map.cells[cell]);
+    reached.partOfCell.push_back(0);
+  }
+  for (const uint32_t portal : result.agreement.reachedPortals) {
+    WalkPortal opening = map.portals[portal];
+    opening.from = numberOf[opening.from];
+    opening.to = numberOf[opening.to];
+    reached.portals.push_back(opening);
+  }
+  WalkComprehensiveOptions options;
+  options.minPixels = static_cast<double>(minPixels);
+  std::optional<ComprehensiveWalk> made;
+  result.cameraMilliseconds =
+      milliseconds([&] { made.emplace(makeComprehensiveWalk(reached, options, width, height)); });
+  const ComprehensiveWalk& walk = *made;
+  result.frusta = walk.camera.frusta().size();
+  const std::vector<size_t> pixels = pixelsOfMiddles(reached, walk.camera, scene.mesh);
+  for (size_t i = 0; i < reached.cells.size(); ++i) {
+    SeenCell seen;
+    seen.cell = result.agreement.reached[i];
+    seen.pixels = pixels[i];
+    seen.expected = walk.cells[i].pixels;
+    if (seen.pixels < minPixels) {
+      seen.why =
+          walk.cells[i].unseen != WalkUnseen::kNothing ? textOf(walk.cells[i].unseen) : "something stands before it";
+    }
+    result.cells.push_back(seen);
+  }
+  return result;
+}
+
+}  // namespace ocelli::bench

@@ -1,0 +1,293 @@
+#include "oc_core/constructor/walk_comprehensive.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <limits>
+
+#include "oc_core/base/error.h"
+#include "oc_core/camera/graph_overlap.h"
+#include "oc_core/constructor/image_parts.h"
+#include "oc_core/constructor/walk_piece.h"
+#include "oc_core/constructor/walk_start.h"
+#include "oc_core/constructor/walk_tour.h"
+
+namespace ocelli {
+namespace {
+
+constexpr const char* kWalkComprehensive = "comprehensive camera";
+/// By which the weight of a cell grows from build to build while its middle has too few pixels.
+constexpr double kGrowth = 2;
+/// Of the overlap that counts, how much of it regions may have.
+constexpr double kAllowedOverlap = 0.25;
+
+/// The floor of the middle as a frustum sees it.
+GraphCamera::Part floorImage(const std::vector<glm::dvec3>& corners, const GraphCamera::Frustum& frustum) {
+  GraphCamera::Part part;
+  const double beyond = 1e-6 * glm::distance(corners[0], corners[2]);
+  for (size_t i = 0; i < corners.size(); ++i) {
+    const glm::dvec3& a = corners[i];
+    const glm::dvec3& b = corners[(i + 1) % corners.size()];
+    const double heightA = frustum.plane.height(a) - beyond;
+    const double heightB = frustum.plane.height(b) - beyond;
+    const auto add = [&](const glm::dvec3& point) {
+      const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(point, 1);
+      part.push_back(glm::dvec2(h) / h.w);
+    };
+    if (heightA >= 0) {
+      add(a);
+    }
+    if (heightA * heightB < 0) {
+      add(a + (b - a) * (heightA / (heightA - heightB)));
+    }
+  }
+  return part;
+}
+
+double pixelsOf(const GraphCamera::Part& part) {
+  double twice = 0;
+  for (size_t i = 0; i < part.size(); ++i) {
+    const glm::dvec2& a = part[i];
+    const glm::dvec2& b = part[(i + 1) % part.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
+
+class WalkBuilder {
+ public:
+  WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, int width, int height)
+      : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)) {
+    raiseTops();
+    start_ = options.start ? *options.start : chooseWalkStart(map, regions_);
+    if (regions_[start_.cell].border.empty()) {
+      throw InputError(fmt::format("cell {} has no floor", start_.cell), kWalkComprehensive, "begin in another cell");
+    }
+    tour_ = walkTourOf(regions_, start_.cell, options.order);
+    fit();
+    for (const WalkRegion& region : regions_) {
+      floors_.push_back(std::max(planArea(region.border), 0.0));
+    }
+  }
+
+  ComprehensiveWalk best() {
+    std::vector<double> weights = floors_;
+    std::optional<ComprehensiveWalk> best;
+    size_t fewest = 0;
+    for (int build = 0; build < options_.builds; ++build) {
+      ComprehensiveWalk walk = built(weights);
+      size_t few = 0;
+      for (size_t i = 0; i < weights.size(); ++i) {
+        const WalkUnseen why = walk.cells[i].unseen;
+        if (why == WalkUnseen::kTooFewPixels) {
+          ++few;
+          weights[i] *= kGrowth;
+        }
+      }
+      if (!best || few < fewest) {
+        fewest = few;
+        best = std::move(walk);
+      }
+      if (fewest == 0) {
+        break;
+      }
+    }
+    return *best;
+  }
+
+ private:
+  /// Of all openings, where one sees over walls.
+  void raiseTops() {
+    for (WalkRegion& region : regions_) {
+      for (WalkExit& exit : region.exits) {
+        exit.mouth.top = exit.mouth.floor + exit.mouth.height() * options_.eyeHeight;
+      }
+    }
+  }
+
+  /// Cuts the regions so that none reaches into another that comes before it.
+  void fit() {
+    glm::dvec3 lower(std::numeric_limits<double>::infinity());
+    glm::dvec3 upper(-lower);
+    for (const WalkRegion& region : regions_) {
+      for (const glm::dvec2& corner : region.border) {
+        lower = glm::min(lower, spaceOf(corner, region.floorAt(corner)));
+        upper = glm::max(upper, spaceOf(corner, region.floorAt(corner) + region.height));
+      }
+    }
+    const double allowed = kAllowedOverlap * kMinOverlap * glm::distance(lower, upper);
+    std::vector<const WalkRegion*> before;
+    for (const uint32_t cell : tour_.order) {
+      cutToFit(regions_[cell], map_, before, allowed);
+      before.push_back(&regions_[cell]);
+    }
+    reachOf_ = 0;
+    for (const uint32_t cell : tour_.order) {
+      reachOf_ +=
+          2 * (static_cast<double>(map_.cells[cell].halfLength) + static_cast<double>(map_.cells[cell].halfWidth));
+    }
+  }
+
+  /// The opening to the next cell on the tour, if it is still there after cells were cut.
+  const WalkExit* exitTo(uint32_t cell, uint32_t next) const {
+    const uint32_t portal = tour_.stops[next].way.portal;
+    for (const WalkExit& exit : regions_[cell].exits) {
+      if (exit.portal == portal && exit.cell == next) {
+        return &exit;
+      }
+    }
+    return nullptr;
+  }
+
+  ComprehensiveWalk built(const std::vector<double>& weights) const {
+    std::vector<double> after(weights);  // with the cell itself
+    for (size_t i = tour_.order.size(); i-- > 1;) {
+      const uint32_t cell = tour_.order[i];
+      after[static_cast<size_t>(tour_.stops[cell].parent)] += after[cell];
+    }
+    const WalkRegion& first = regions_[start_.cell];
+    WalkBeginning beginning = beginWalk(first, start_, options_.eyeHeight, reachOf_, width_, height_);
+    ComprehensiveWalk walk{std::move(beginning.camera), start_, std::vector<WalkCellView>(map_.cells.size())};
+    for (WalkCellView& view : walk.cells) {
+      view.unseen = WalkUnseen::kNoWay;
+    }
+    std::vector<PieceRays> rays(map_.cells.size());
+    rays[start_.cell] = {GraphCamera::kRoot, beginning.entry, 0};
+    for (const uint32_t cell : tour_.order) {
+      WalkCellView& view = walk.cells[cell];
+      view.parent = tour_.stops[cell].parent;
+      view.unseen = reasonBefore(walk, rays, cell);
+      if (view.unseen == WalkUnseen::kNothing) {
+        addCell(walk, rays, cell, cell == start_.cell ? beginning.ahead : regions_[cell].border, weights, after);
+      }
+    }
+    limitRoot(walk.camera, beginning.entry, first.size);
+    return walk;
+  }
+
+  /// Why no rays come into a cell.
+  WalkUnseen reasonBefore(const ComprehensiveWalk& walk, const std::vector<PieceRays>& rays, uint32_t cell) const {
+    const int parent = walk.cells[cell].parent;
+    if (regions_[cell].border.empty()) {
+      return WalkUnseen::kOverlap;
+    }
+    if (parent < 0) {
+      return WalkUnseen::kNothing;
+    }
+    const WalkCellView& before = walk.cells[static_cast<size_t>(parent)];
+    if (exitTo(static_cast<uint32_t>(parent), cell) == nullptr) {
+      return before.turns == 0 && before.unseen != WalkUnseen::kNothing ? before.unseen : WalkUnseen::kNoOpening;
+    }
+    if (rays[cell].frustum >= 0) {
+      return WalkUnseen::kNothing;
+    }
+    if (before.turns >= GraphCamera::kMaxBends || before.unseen == WalkUnseen::kTooManyTurns) {
+      return WalkUnseen::kTooManyTurns;
+    }
+    return before.turns == 0 && before.unseen != WalkUnseen::kNothing ? before.unseen : WalkUnseen::kTooFewPixels;
+  }
+
+  void addCell(ComprehensiveWalk& walk, std::vector<PieceRays>& rays, uint32_t cell, const PlanPolygon& border,
+               const std::vector<double>& weights, const std::vector<double>& after) const {
+    std::vector<PieceExit> exits;
+    std::vector<uint32_t> next;
+    for (const uint32_t child : tour_.stops[cell].next) {
+      if (const WalkExit* exit = exitTo(cell, child)) {
+        exits.push_back({exit->mouth, after[child]});
+        next.push_back(child);
+      }
+    }
+    const PieceFans fans = addPiece(walk.camera, regions_[cell], border, rays[cell].frustum, rays[cell].mouth, exits,
+                                    {weights[cell] * options_.nearness, options_.evenness});
+    for (size_t i = 0; i < next.size(); ++i) {
+      rays[next[i]] = fans.exits[i];
+    }
+    WalkCellView& view = walk.cells[cell];
+    view.turns = rays[cell].turns + 1;
+    const std::vector<glm::dvec3> middle = middleOf(map_.cells[cell]);
+    const glm::dvec3 center(map_.cells[cell].center);
+    for (const int i : fans.frusta) {
+      const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
+      view.pixels += std::max(pixelsOf(common(floorImage(middle, frustum), frustum.part)), 0.0);
+      if (!view.center && walk.camera.frustumOf(center) == i) {
+        const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
+        view.center = glm::dvec2(h) / h.w;
+      }
+    }
+    if (!(view.pixels >= options_.minPixels)) {
+      view.unseen = view.turns > GraphCamera::kMaxBends ? WalkUnseen::kTooManyTurns : WalkUnseen::kTooFewPixels;
+    }
+  }
+
+  static void limitRoot(GraphCamera& camera, const WalkMouth& entry, double size) {
+    camera.limit(GraphCamera::kRoot, Plane::through(spaceOf(entry.left + entry.ahead() * (kWalkBeyond * size), 0),
+                                                    spaceOf(entry.ahead(), 0)));
+  }
+
+  const WalkMap& map_;
+  const WalkComprehensiveOptions& options_;
+  int width_;
+  int height_;
+  std::vector<WalkRegion> regions_;
+  WalkStart start_;
+  WalkTour tour_;
+  std::vector<double> floors_;  ///< of each cell, area
+  double reachOf_ = 0;
+};
+
+void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& options) {
+  if (map.cells.empty()) {
+    throw InputError("the scene has no floor to walk on", kWalkComprehensive, "use another scene, or another camera");
+  }
+  if (options.start && options.start->cell >= map.cells.size()) {
+    throw InputError(fmt::format("the map has no cell {} to begin in", options.start->cell), kWalkComprehensive,
+                     fmt::format("cells are 0 to {}", map.cells.size() - 1));
+  }
+  if (options.start && !(glm::length(planOf(options.start->heading)) > 1e-6)) {
+    throw InputError("the heading is not level, or not finite", kWalkComprehensive, "give a level one");
+  }
+  const auto range = [](double value, double least, double most, const char* name) {
+    if (!(value >= least && value <= most)) {
+      throw InputError(fmt::format("\"{}\" is {}, and must be from {} to {}", name, value, least, most),
+                       kWalkComprehensive, "change it");
+    }
+  };
+  range(options.nearness, 0.01, 100, "nearness");
+  range(options.evenness, 0, 1, "evenness");
+  range(options.eyeHeight, 1, 10, "eye_height");
+  range(options.minPixels, 0, 1e6, "min_pixels");
+  range(options.builds, 1, 100, "builds");
+}
+
+}  // namespace
+
+const char* textOf(WalkUnseen why) {
+  static constexpr std::array<const char*, 6> kTexts{
+      "it is seen",
+      "no way leads there from the start",
+      "the opening to it does not lie on the border of the cell before it",
+      "the map has it where another cell lies already",
+      "rays turn too often on the way",
+      "too few pixels are left for it"};
+  return kTexts[static_cast<size_t>(why)];
+}
+
+std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
+  const double half = static_cast<double>(std::min(cell.halfLength, cell.halfWidth)) / 2;
+  const glm::dvec3 rise(0, static_cast<double>(cell.floorRise) / (2 * static_cast<double>(cell.halfLength)), 0);
+  const glm::dvec3 along = (glm::dvec3(cell.axis) + rise) * half;
+  const glm::dvec3 across = glm::dvec3(cell.right()) * half;
+  const glm::dvec3 center(cell.center);
+  return {center + along - across, center + along + across, center - along + across, center - along - across};
+}
+
+ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
+                                        int height) {
+  checkWalkOptions(map, options);
+  return WalkBuilder(map, options, width, height).best();
+}
+
+}  // namespace ocelli

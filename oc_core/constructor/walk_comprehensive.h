@@ -1,0 +1,75 @@
+// The comprehensive camera (section 4.3.2.2) for any scene with a walk map: a graph camera that shows all cells that
+// can be reached from a start in one image, each once.
+//
+// It follows a tour, a tree of cells (walk_tour.h). Its rays come into a cell through an opening, and part there: each
+// opening to a next cell gets a share of them, and the walls between get the rest, which shows the cell itself
+// (walk_fans.h). So a cell costs one bend, whatever its shape, and the frusta are disjoint.
+//
+// Who gets how many pixels. Of the rays that come into a cell of floor area a, with cells of the area n after it, about
+// the share n / (n + k a) goes on, k being `nearness`; between openings shares are as the area after each to the power
+// `evenness`. Where the middle of a cell has too few pixels, the way there gets more, and the camera is built again.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "oc_core/camera/graph_camera.h"
+#include "oc_core/constructor/maze_tour.h"
+#include "oc_core/scene/walk_map.h"
+
+namespace ocelli {
+
+struct WalkStart {
+  uint32_t cell = 0;             ///< of WalkMap::cells
+  glm::dvec3 heading{0, 0, -1};  ///< level: rays come in along it, from the side of the cell that lies behind
+};
+
+struct WalkComprehensiveOptions {
+  TourOrder order = TourOrder::kBreadthFirst;
+  std::optional<WalkStart> start{};  ///< nothing: where ways to all cells are short (startOf)
+  double nearness = 1.5;               ///< more shows what is near larger
+  double evenness = 0.8;             ///< 0 gives ways equal shares, 1 shares by the floor that they lead to
+  double eyeHeight = 1;  ///< of what is seen through openings, in their heights; more sees over walls without a ceiling
+  double minPixels = 4;  ///< that the middle of each cell should have
+  int builds = 8;        ///< at most, to give them to all
+};
+
+/// Why a cell is not seen.
+enum class WalkUnseen : uint8_t {
+  kNothing,       ///< it is seen
+  kNoWay,         ///< no opening leads there from the start
+  kNoOpening,     ///< the opening that leads there does not lie on the border of the cell before it
+  kOverlap,       ///< the map has it where a cell lies already
+  kTooManyTurns,  ///< of rays, more than a graph camera takes
+  kTooFewPixels,  ///< the image is too small for it
+};
+/// "no way leads there from the start".
+const char* textOf(WalkUnseen why);
+
+/// Of a cell, in a comprehensive image.
+struct WalkCellView {
+  WalkUnseen unseen = WalkUnseen::kNothing;
+  int parent = -1;                     ///< the cell before it on the tour; -1 for the start and where there is none
+  size_t turns = 0;                    ///< bends of its rays
+  double pixels = 0;                   ///< of its middle (middleOf) on the floor, without what stands before it
+  std::optional<glm::dvec2> center{};  ///< the pixel of its centre on the floor
+};
+
+struct ComprehensiveWalk {
+  GraphCamera camera;
+  WalkStart start;
+  std::vector<WalkCellView> cells;  ///< of each cell of the map
+};
+
+/// The middle of a cell, whose pixels count: the corners of the square on its floor, half as wide as its shorter side,
+/// that lies around its centre.
+std::vector<glm::dvec3> middleOf(const WalkCell& cell);
+
+/// An image of that size. Throws InputError where the map has no cells, for a start that is none of them, and for
+/// options out of range. Cells that it cannot show are in the report.
+ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
+                                        int height);
+
+}  // namespace ocelli

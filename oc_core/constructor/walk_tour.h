@@ -1,0 +1,28 @@
+// The order in which a camera that shows all cells of a walk map goes through them: a tree from a start, in which each
+// cell has one that comes before it (section 4.3.2.2).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "oc_core/constructor/maze_tour.h"
+#include "oc_core/constructor/walk_region.h"
+
+namespace ocelli {
+
+struct WalkTour {
+  struct Stop {
+    int parent = -1;               ///< the cell before it
+    WalkExit way{};                ///< from there
+    size_t steps = 0;              ///< cells before it
+    bool reached = false;          ///< from the start
+    std::vector<uint32_t> next{};  ///< cells that come after it
+  };
+  std::vector<uint32_t> order;  ///< of the cells that are reached, parents before their children
+  std::vector<Stop> stops;      ///< of each cell
+};
+
+/// `start` must be a cell. The exits of regions lead the way.
+WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, TourOrder order);
+
+}  // namespace ocelli

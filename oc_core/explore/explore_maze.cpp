@@ -1,0 +1,218 @@
+// Shows all ways that leave the crossing or room ahead, and, below, behind (section 4.3.1.4). A click on a way, or a
+// turn to its side before the crossing, goes into it in four steps.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <glm/geometric.hpp>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/constructor/walk_turn.h"
+#include "oc_core/explore/live_constructor_rows.h"
+#include "oc_core/explore/split_visibility.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kStepSeconds = 1.2;  // of each of the four steps of a turn
+constexpr double kTurnWish = 0.9;     // of the full speed of turning, from which on one wants to turn at the crossing
+constexpr double kTurnWithin = 1.2;   // sizes of the crossing, from its middle, from where one may
+
+enum class MazeOption : size_t { kLeft, kAhead, kRight, kCrossingShare, kFovWay, kBehind };
+
+class LiveMaze final : public LiveConstructor {
+ public:
+  LiveCamera camera(const LiveMoment& moment) override {
+    if (!space_) {
+      space_.emplace(*moment.scene.walkMap());
+    }
+    const WalkCameraOptions options = cameraOptions(moment);
+    const glm::ivec2 size(moment.view.width(), moment.view.height());
+    LiveCamera live = turn_ ? turning(options, size, moment) : walking(options, size, moment);
+    const auto* ahead = std::get_if<GraphCamera>(&live.camera);
+    if (moment.seconds > 0 && moment.deployed > 0) {
+      splits_ = ahead_.next(*ahead, moment.scene);
+      splitsBehind_ =
+          live.behind ? behind_.next(std::get<GraphCamera>(*live.behind), moment.scene) : std::vector<SplitLine>{};
+    }
+    live.splits = splits_;
+    live.splitsBehind = splitsBehind_;
+    return live;
+  }
+
+  std::optional<WalkerView> lead(const LiveMoment& moment, const WalkInput& input) override {
+    if (const std::optional<uint32_t> portal = std::exchange(wish_, std::nullopt)) {
+      begin(moment, *portal);
+    }
+    if (!turn_ && space_ && std::abs(input.turnRight) >= kTurnWish) {
+      turnAtCrossing(moment, input.turnRight > 0 ? 2 : 0);
+    }
+    if (!turn_) {
+      return std::nullopt;
+    }
+    turn_->phase = std::min(4.0, turn_->phase + moment.seconds / kStepSeconds);
+    WalkerView view = between(turnFrom_, turnTo_, std::clamp(turn_->phase / 4, 0.0, 1.0));
+    if (turn_->phase >= 4) {
+      turn_.reset();
+      view = turnTo_;
+    }
+    return view;
+  }
+
+  /// Level, along the tunnel where the walker stands in one.
+  std::optional<WalkerView> wantedView(const LiveMoment& moment) override {
+    if (!space_) {
+      space_.emplace(*moment.scene.walkMap());
+    }
+    WalkerView view = moment.walker;
+    view.pitchDegrees = 0;
+    const std::optional<uint32_t> cell = space_->cellAt(view.eye);
+    if (cell && space_->map().cells[*cell].kind == WalkCellKind::kTunnel) {
+      const glm::dvec3 axis(space_->map().cells[*cell].axis);
+      view.headingDegrees = headingDegreesOf(glm::dot(axis, headingOf(view)) < 0 ? -axis : axis, view.headingDegrees);
+    }
+    return view;
+  }
+
+  bool picksAtOnce() const override { return true; }
+  bool busy() const override { return turn_.has_value(); }
+  bool looksLevel() const override { return true; }
+  bool showsBehind() const override { return shows(MazeOption::kBehind) > 0; }
+  bool accepts(const ExploreScene& /*scene*/, const ExplorePick& pick) const override {
+    return !turn_ && wayThrough(pick) != nullptr;
+  }
+  void pick(const ExploreScene& /*scene*/, const ExplorePick& pick) override {
+    if (const WalkWay* way = turn_ ? nullptr : wayThrough(pick)) {
+      wish_ = way->portal;
+    }
+  }
+
+  double option(size_t index) const override { return values_[index]; }
+  void setOption(size_t index, double value) override { values_[index] = value; }
+
+ private:
+  double shows(MazeOption option) const { return values_[static_cast<size_t>(option)]; }
+
+  WalkCameraOptions cameraOptions(const LiveMoment& moment) const {
+    WalkCameraOptions options;
+    const double sum = std::max(1e-6, values_[0] + values_[1] + values_[2]);
+    options.split = {values_[0] / sum, values_[1] / sum, values_[2] / sum};
+    options.crossingShare = shows(MazeOption::kCrossingShare);
+    options.fovWayDegrees = shows(MazeOption::kFovWay);
+    options.fovHorizontalDegrees = moment.walkerOptions.fovHorizontal;
+    return options;
+  }
+
+  static WalkPose poseOf(const WalkerView& view) { return {view.eye, headingOf(view)}; }
+
+  /// As far deployed as both the pose and the moment say.
+  WalkCamera made(WalkCameraOptions options, const glm::ivec2& size, const LiveMoment& moment) const {
+    WalkCamera camera = makeWalkCamera(*space_, poseOf(moment.walker), options, size.x, size.y);
+    if (moment.deployed < 1) {
+      options.deployed = camera.deployed * moment.deployed;
+      WalkCamera partly = makeWalkCamera(*space_, poseOf(moment.walker), options, size.x, size.y);
+      camera.camera = std::move(partly.camera);
+      camera.ways = std::move(partly.ways);
+    }
+    return camera;
+  }
+
+  LiveCamera walking(WalkCameraOptions options, const glm::ivec2& size, const LiveMoment& moment) {
+    WalkCamera ahead = made(options, size, moment);
+    LiveCamera live{std::move(ahead.camera)};
+    if (moment.behindSize) {
+      options.backward = true;
+      live.behind = made(options, *moment.behindSize, moment).camera;
+    }
+    ways_ = std::move(ahead.ways);
+    crossing_ = ahead.crossing;
+    const auto shown = std::count_if(ways_.begin(), ways_.end(), [](const WalkWay& way) { return way.frustum >= 0; });
+    live.notes.push_back({ExploreNote::Kind::kState,
+                          ahead.note.empty() ? fmt::format("{} of {} ways out of the {} ahead", shown, ways_.size(),
+                                                           crossing_ && crossing_ == ahead.cell ? "room" : "crossing")
+                                             : ahead.note});
+    return live;
+  }
+
+  LiveCamera turning(const WalkCameraOptions& options, const glm::ivec2& size, const LiveMoment& moment) const {
+    LiveCamera live{walkTurningCameras(*space_, *turn_, options, size.x, size.y).first.camera};
+    if (moment.behindSize) {
+      live.behind =
+          walkTurningCameras(*space_, *turn_, options, moment.behindSize->x, moment.behindSize->y).second.camera;
+    }
+    live.notes.push_back({ExploreNote::Kind::kState,
+                          fmt::format("turning: step {} of 4", std::min(4, 1 + static_cast<int>(turn_->phase)))});
+    return live;
+  }
+
+  /// The way that a click goes into.
+  const WalkWay* wayThrough(const ExplorePick& pick) const {
+    const auto found = std::find_if(ways_.begin(), ways_.end(), [&](const WalkWay& way) {
+      return way.frustum >= 0 && std::find(pick.parts.begin(), pick.parts.end(), way.frustum) != pick.parts.end();
+    });
+    return found == ways_.end() ? nullptr : &*found;
+  }
+
+  void turnAtCrossing(const LiveMoment& moment, size_t side) {
+    if (!crossing_) {
+      return;
+    }
+    const WalkCell& cell = space_->map().cells[*crossing_];
+    const glm::dvec3 off = glm::dvec3(cell.center) - moment.walker.eye;
+    const double size = 2 * static_cast<double>(std::max(cell.halfLength, cell.halfWidth));
+    const auto way = std::find_if(ways_.begin(), ways_.end(),
+                                  [&](const WalkWay& each) { return each.side == side && each.frustum >= 0; });
+    if (way != ways_.end() && std::hypot(off.x, off.z) < kTurnWithin * size) {
+      begin(moment, way->portal);
+    }
+  }
+
+  void begin(const LiveMoment& moment, uint32_t portal) {
+    const WalkTurn turn{poseOf(moment.walker), portal, 0};
+    try {
+      const WalkPose after = walkPoseAfter(*space_, turn);
+      turnFrom_ = moment.walker;
+      turnTo_ = {after.eye, headingDegreesOf(after.heading, moment.walker.headingDegrees), 0};
+      turn_ = turn;
+    } catch (const InputError&) {
+      turn_.reset();  // there is no such turn from here: one walks on freely
+    }
+  }
+
+  std::array<double, 6> values_{};
+  std::optional<WalkSpace> space_;
+  std::vector<WalkWay> ways_;  // of the last camera ahead
+  std::optional<uint32_t> crossing_;
+  std::optional<uint32_t> wish_;  // a portal that was clicked
+  std::optional<WalkTurn> turn_;
+  WalkerView turnFrom_;
+  WalkerView turnTo_;
+  SplitVisibility ahead_;
+  SplitVisibility behind_;
+  std::vector<SplitLine> splits_;
+  std::vector<SplitLine> splitsBehind_;
+};
+
+}  // namespace
+
+LiveConstructorRow liveMaze() {
+  const WalkCameraOptions usual;
+  return {"maze",
+          "shows all ways that leave the crossing or room ahead, and those behind below",
+          "a way to turn into, in four steps",
+          {{"left", "To the left", "parts", 0, 4, 1, "share of the rays at a crossing"},
+           {"ahead", "Ahead", "parts", 0, 4, 1, "share of the rays at a crossing"},
+           {"right", "To the right", "parts", 0, 4, 1, "share of the rays at a crossing"},
+           {"crossing_share", "Crossing", "of the width", 0.3, 0.95, usual.crossingShare,
+            "how much of the image's width the crossing takes, however far it is"},
+           {"fov_way", "Width of ways", "degrees", 15, 90, usual.fovWayDegrees,
+            "field of view at the beginning of the ways that leave the crossing"},
+           {"behind", "Image behind", "", 0, 1, 1, "whether what is behind shows below", 1, {"off", "on"}, false}},
+          true,
+          [](const ExploreScene&) { return std::make_unique<LiveMaze>(); },
+          [](const ExploreScene&) { return true; }};
+}
+
+}  // namespace ocelli

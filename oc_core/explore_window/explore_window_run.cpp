@@ -1,0 +1,133 @@
+#include "oc_core/explore_window/explore_window_run.h"
+
+#include <chrono>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/free_file_name.h"
+#include "oc_core/explore_window/explore_window.h"
+#include "oc_core/window/gamepads.h"
+#include "oc_core/window/gl_window.h"
+
+namespace ocelli {
+namespace {
+
+/// Where nothing moves, gamepads are looked at so often.
+constexpr double kExploreRest = 0.05;
+/// ... and while someone walks. New pictures end the wait.
+constexpr double kExploreWait = 1.0 / 60;
+
+using RunClock = std::chrono::steady_clock;
+
+class ExploreRun {
+ public:
+  explicit ExploreRun(const ExploreWindowRunOptions& options)
+      : options_(options),
+        recorder_(options.record),
+        window_({.title = options.title, .width = 1280, .height = 720}),
+        explore_(window_.context(), {.make = makeExplorerModel(options.model),
+                                     .way = ExploreWindowWork::Way::kThread,
+                                     .folder = options.folder,
+                                     .woken = [] { GlWindow::wake(); }}) {}
+
+  void run() {
+    auto last = RunClock::now();
+    while (!explore_.wantsClose()) {
+      takeEvents();
+      const auto now = RunClock::now();
+      const double seconds = std::chrono::duration<double>(now - last).count();
+      last = now;
+      explore_.update(seconds);
+      followState();
+      if (explore_.needsDrawing()) {
+        explore_.draw();
+        const GlScope scope(window_.context());
+        window_.show(explore_.framebuffer(), explore_.pixelWidth(), explore_.pixelHeight());
+      }
+      record(seconds);
+    }
+    if (recorder_.isOn()) {
+      stopRecording();
+    }
+  }
+
+ private:
+  void takeEvents() {
+    for (const TimedWindowEvent& timed : window_.pollTimed(explore_.isLively() ? kExploreWait : kExploreRest)) {
+      if (const auto* input = std::get_if<InputEvent>(&timed.event)) {
+        explore_.handle(*input);
+      } else if (const auto* focus = std::get_if<FocusEvent>(&timed.event)) {
+        hasFocus_ = focus->focused;
+        if (!hasFocus_) {
+          explore_.loseFocus();
+        }
+      }
+    }
+    explore_.handleGamepad(hasFocus_ ? readFirstGamepad() : std::nullopt);
+  }
+
+  void followState() {
+    if (explore_.state().captured != isCaptured_) {
+      isCaptured_ = explore_.state().captured;
+      window_.setCursor(isCaptured_ ? CursorMode::kCaptured : CursorMode::kShown);
+    }
+    if (explore_.takeFullscreenWish()) {
+      window_.setFullscreen(!window_.isFullscreen());
+    }
+    if (options_.video && !hasBegun_ && explore_.picture() != nullptr) {
+      hasBegun_ = true;
+      startRecording(*options_.video);
+    }
+    if (explore_.takeRecordWish()) {
+      try {
+        if (recorder_.isOn()) {
+          stopRecording();
+        } else {
+          startRecording(makeFreeFile(options_.folder, "explore", ".mp4"));
+        }
+      } catch (const Error& error) {
+        explore_.state().recording = recorder_.isOn();
+        explore_.say(error.what(), true);
+      }
+    }
+  }
+
+  void startRecording(const std::filesystem::path& path) {
+    recorder_.start(path, explore_.pixelWidth(), explore_.pixelHeight());
+    explore_.state().recording = true;
+  }
+  void stopRecording() {
+    explore_.state().recording = false;
+    recorder_.stop();
+    explore_.say("saved " + recorder_.path().string(), false);
+    if (options_.wrote) {
+      options_.wrote(recorder_.path());
+    }
+  }
+
+  void record(double seconds) {
+    if (!recorder_.isOn()) {
+      return;
+    }
+    sinceRecorded_ += seconds;
+    if (recorder_.isDue(sinceRecorded_)) {
+      recorder_.add(explore_.screenshot(), std::exchange(sinceRecorded_, 0));
+    }
+  }
+
+  const ExploreWindowRunOptions& options_;
+  ExploreRecorder recorder_;
+  GlWindow window_;
+  ExploreWindow explore_;
+  bool hasFocus_ = true;
+  bool isCaptured_ = false;
+  bool hasBegun_ = false;
+  double sinceRecorded_ = 0;
+};
+
+}  // namespace
+
+void runExploreWindow(const ExploreWindowRunOptions& options) {
+  ExploreRun(options).run();
+}
+
+}  // namespace ocelli

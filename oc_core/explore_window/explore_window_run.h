@@ -1,0 +1,26 @@
+// `ocelli explore` in a window of the screen.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "oc_core/explore_window/explore_recorder.h"
+#include "oc_core/explore_window/explorer_window_model.h"
+
+namespace ocelli {
+
+struct ExploreWindowRunOptions {
+  std::string title;  ///< "Ocelli: builtin:town"
+  ExplorerWindowOptions model;
+  std::filesystem::path folder = ".";  ///< for what is saved
+  OpenExploreVideo record{};
+  std::optional<std::filesystem::path> video{};  ///< records from the first image on
+  std::function<void(const std::filesystem::path& path)> wrote{};
+};
+
+/// Until the user closes it. Throws GlError where there is no display, and what the scene could not be read for.
+void runExploreWindow(const ExploreWindowRunOptions& options);
+
+}  // namespace ocelli

@@ -1,0 +1,12 @@
+// What a pinhole sees from the same place, to compare with.
+#pragma once
+
+#include <memory>
+
+#include "oc_core/explore_window/explore_pane.h"
+
+namespace ocelli {
+
+std::unique_ptr<ExplorePane> makePinholePane();
+
+}  // namespace ocelli

@@ -1,0 +1,15 @@
+// The scene under a plan.
+#pragma once
+
+#include "oc_core/image/png_file.h"
+#include "oc_core/multiperspective/plan_side.h"
+#include "oc_core/scene/mesh.h"
+
+namespace ocelli {
+
+/// What lies behind the plane across the axis of `side` at coordinate `at`, seen from that side, on white. `lower` and
+/// `upper` are the corners of the paper; the longer side of the image has so many pixels.
+Image<Rgb8> planGround(const Mesh& mesh, PlanSide side, const glm::vec2& lower, const glm::vec2& upper, float at,
+                       int pixels);
+
+}  // namespace ocelli

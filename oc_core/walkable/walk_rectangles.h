@@ -1,0 +1,13 @@
+// Pieces of floor that are no rectangles, divided into rectangles.
+#pragma once
+
+#include "oc_core/walkable/walk_strips.h"
+
+namespace ocelli {
+
+/// Where no box fits a room well, its largest rectangle becomes a room of its own, and so on with what is left; what is
+/// thin beside a rectangle, and what has no place to stand, goes to its neighbours. `radius` is that of the agent, in
+/// squares.
+WalkLayout rectangularLayout(const WalkField& field, const WalkLayout& layout, int radius);
+
+}  // namespace ocelli

@@ -1,0 +1,83 @@
+#include "oc_core/explore/explore_renderer.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "oc_core/explore/explorer.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
+#include "tests/explore/explore_scenes.h"
+
+namespace ocelli {
+namespace {
+
+TEST(ExploreRenderer, drawsWhatRenderDraws) {
+  GuidedScene made = test::twoRooms();
+  for (size_t i = 0; i < made.mesh.colors.size(); ++i) {  // colours that change across triangles, too
+    made.mesh.colors[i] *= i % 3 == 0 ? 1.0f : 0.5f;
+  }
+  ExploreScene scene(std::move(made));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{3, 1.6, 2}, -30, 0});
+  explorer.choose("portal");
+  for (int i = 0; i < 60; ++i) {
+    explorer.advance({}, 1 / 30.0);
+  }
+  ExploreRenderer renderer(scene);
+  const ExplorePicture picture = renderer.draw(explorer.frame(), true);
+  const auto expected = [&](const MultiperspectiveCamera& camera) {
+    return srgbFromLinear(colorImage(rasterize(camera, scene.mesh()), scene.mesh(), skyColor()));
+  };
+  const auto farthestByte = [](const Image<Rgb8>& one, const Image<Rgb8>& other) {
+    int farthest = 0;
+    for (size_t i = 0; i < one.size(); ++i) {
+      for (int k = 0; k < 3; ++k) {
+        farthest = std::max(farthest, std::abs(int{one[i][k]} - int{other[i][k]}));
+      }
+    }
+    return farthest;
+  };
+  // A byte more or less: colours are looked up in a table (explore_renderer.cpp).
+  EXPECT_LE(farthestByte(picture.image, expected(explorer.frame().camera)), 1);
+  ASSERT_TRUE(picture.pinhole);
+  EXPECT_LE(farthestByte(*picture.pinhole, expected(GraphCamera(explorer.frame().pinhole))), 1);
+  EXPECT_EQ(picture.frame, explorer.frame().number);
+}
+
+TEST(ExploreRenderer, dissolvesFromThePictureBefore) {
+  ExploreScene scene(test::twoRooms());
+  Explorer explorer(scene, test::smallPictures());
+  ExploreRenderer renderer(scene);
+  const Image<Rgb8> before = renderer.draw(explorer.frame()).image;
+  ExploreFrame frame = explorer.frame();
+  frame.number = 1;
+  frame.walker.headingDegrees += 90;
+  frame.camera = GraphCamera(walkerCamera(frame.walker, scene, 70, 160, 90));
+  const Image<Rgb8> after = renderer.draw(frame.camera);
+  frame.dissolve = 0.75;
+  frame.dissolveFrom = 0;
+  const Image<Rgb8> mixed = renderer.draw(frame).image;
+  for (size_t i = 0; i < mixed.size(); i += 97) {
+    EXPECT_NEAR(mixed[i].x, 0.75 * before[i].x + 0.25 * after[i].x, 1.01);
+  }
+}
+
+TEST(ExploreDrawing, drawsTheNewestFrame) {
+  ExploreScene scene(test::twoRooms());
+  Explorer explorer(scene, test::smallPictures());
+  ExploreDrawing drawing(scene);
+  EXPECT_FALSE(drawing.take());
+  for (int i = 0; i < 5; ++i) {
+    explorer.advance({}, 1 / 30.0);
+    drawing.want(explorer.frame());
+  }
+  drawing.waitUntilIdle();
+  const std::optional<ExplorePicture> picture = drawing.take();
+  ASSERT_TRUE(picture);
+  EXPECT_EQ(picture->frame, explorer.frame().number);
+  EXPECT_EQ(picture->image, ExploreRenderer(scene).draw(explorer.frame()).image);
+  EXPECT_FALSE(drawing.take());
+}
+
+}  // namespace
+}  // namespace ocelli

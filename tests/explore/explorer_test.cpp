@@ -1,0 +1,327 @@
+#include "oc_core/explore/explorer.h"
+
+#include <gmock/gmock.h>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+#include "oc_core/explore/explore_renderer.h"
+#include "tests/explore/explore_scenes.h"
+
+namespace ocelli {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr int kMaxFrames = 400;
+
+void rest(Explorer& explorer) {
+  explorer.advance({}, test::kExploreFrame);
+  for (int i = 0; i < kMaxFrames && !explorer.atRest(); ++i) {
+    explorer.advance({}, test::kExploreFrame);
+  }
+  EXPECT_TRUE(explorer.atRest());
+}
+
+std::string notesOf(const Explorer& explorer) {
+  std::string text;
+  for (const ExploreNote& note : explorer.frame().notes) {
+    text += note.text + "; ";
+  }
+  return text;
+}
+
+size_t frustaOf(const Explorer& explorer) {
+  return std::get<GraphCamera>(explorer.frame().camera).frusta().size();
+}
+
+TEST(LiveConstructors, haveNamesOfTheirOwnAndOptionsWithinTheirRanges) {
+  std::set<std::string> names;
+  const ExploreScene scene(test::twoRooms());
+  EXPECT_STREQ(liveConstructors().front().name, "pinhole");
+  for (const LiveConstructorRow& row : liveConstructors()) {
+    EXPECT_TRUE(names.insert(row.name).second) << row.name;
+    EXPECT_NE(std::string(row.description), "");
+    const std::unique_ptr<LiveConstructor> made = row.make(scene);
+    std::set<std::string> options;
+    for (size_t i = 0; i < row.options.size(); ++i) {
+      const LiveOption& option = row.options[i];
+      EXPECT_TRUE(options.insert(option.name).second) << row.name << " " << option.name;
+      EXPECT_LT(option.min, option.max) << option.name;
+      EXPECT_TRUE(option.otherwise >= option.min && option.otherwise <= option.max) << option.name;
+      EXPECT_TRUE(option.choices.empty() || static_cast<double>(option.choices.size()) == option.max - option.min + 1)
+          << option.name;
+      for (const double value : {option.min, option.max, option.otherwise}) {
+        made->setOption(i, value);
+        EXPECT_EQ(made->option(i), value) << row.name << " " << option.name;
+      }
+    }
+  }
+}
+
+TEST(Explorer, beginsWithThePinhole) {
+  ExploreScene scene(test::twoRooms());
+  const Explorer explorer(scene, test::smallPictures());
+  EXPECT_STREQ(explorer.chosen().name, "pinhole");
+  EXPECT_EQ(frustaOf(explorer), 1u);
+  EXPECT_EQ(explorer.frame().deployed, 0);
+  EXPECT_TRUE(explorer.frame().outlines.empty());
+}
+
+TEST(Explorer, deploysAndCollapsesStepByStep) {
+  ExploreScene scene(test::twoRooms());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{-3, 1.6, 1}, 40, 0});
+  explorer.choose("portal");
+  EXPECT_STREQ(explorer.chosen().name, "portal");
+  double before = 0;
+  double widest = 0;
+  for (int i = 0; i < 60; ++i) {
+    explorer.advance({}, test::kExploreFrame);
+    widest = std::max(widest, std::abs(explorer.frame().deployed - before));
+    before = explorer.frame().deployed;
+  }
+  EXPECT_EQ(before, 1);
+  EXPECT_LE(widest, test::kExploreFrame / test::smallPictures().deploySeconds + 1e-9);
+  EXPECT_GT(frustaOf(explorer), 1u);
+  EXPECT_FALSE(explorer.frame().outlines.empty());
+
+  explorer.choose("pinhole");
+  explorer.advance({}, test::kExploreFrame);
+  EXPECT_GT(frustaOf(explorer), 1u) << "collapsing yet";
+  rest(explorer);
+  EXPECT_EQ(frustaOf(explorer), 1u);
+}
+
+TEST(Explorer, choosingBackBeforeItCollapsedKeepsIt) {
+  ExploreScene scene(test::hiddenBox());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{0, 1.6, 4}, 0, 0});
+  explorer.choose("target");
+  explorer.pick(ExplorePick{{0, 1, -7}, 2, true, false, {}, {}});
+  rest(explorer);
+  ASSERT_TRUE(explorer.picked());
+  explorer.choose("pinhole");
+  explorer.advance({}, test::kExploreFrame);
+  explorer.choose("target");
+  rest(explorer);
+  EXPECT_TRUE(explorer.picked()) << "it is the same one";
+}
+
+TEST(Explorer, unknownNamesAreErrors) {
+  ExploreScene scene(test::hall());
+  Explorer explorer(scene, test::smallPictures());
+  EXPECT_THROW(explorer.choose("telescope"), InputError);
+  EXPECT_THROW(explorer.option("shadow"), InputError);
+  explorer.choose("occluder");
+  EXPECT_THROW(explorer.setOption("shadow", 1000), InputError);
+  EXPECT_THROW(explorer.setOption("depth", 1), InputError);
+  explorer.setOption("shadow", 2);
+  EXPECT_EQ(explorer.option("shadow"), 2);
+}
+
+TEST(Explorer, picksWhatTheRayOfAPixelMeets) {
+  ExploreScene scene(test::twoRooms());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{0, 1.6, 2}, 0, 0});
+  explorer.advance({}, test::kExploreFrame);
+  const std::optional<ExplorePick> through = explorer.probe({80, 47});
+  ASSERT_TRUE(through);
+  ASSERT_TRUE(through->portal);
+  EXPECT_EQ(through->portal->center, glm::vec3(0, 1, -3));
+  EXPECT_LT(through->position.z, -3);
+  const std::optional<ExplorePick> wall = explorer.probe({20, 40});
+  ASSERT_TRUE(wall);
+  EXPECT_FALSE(wall->portal);
+  EXPECT_FALSE(wall->floor);
+  EXPECT_NEAR(wall->position.z, -2.9, 1e-3);
+  const std::optional<ExplorePick> floor = explorer.probe({80, 89});
+  ASSERT_TRUE(floor);
+  EXPECT_TRUE(floor->floor);
+  EXPECT_FALSE(explorer.probe({-1, 5}));
+  EXPECT_FALSE(explorer.probe({5, 90}));
+}
+
+TEST(Explorer, aPickedPortalIsTheOnlyOne) {
+  GuidedScene made = test::twoRooms();
+  made.guides.portals.push_back({{9.9f, 1, 3}, {-1, 0, 0}, {0, 0, 0.5f}, {0, 1, 0}});
+  ExploreScene scene(std::move(made));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{2, 1.6, 1}, 40, 0});
+  explorer.choose("portal");
+  rest(explorer);
+  ExplorePick pick;
+  pick.portal = scene.guides().portals[0];
+  ASSERT_TRUE(explorer.pick(pick));
+  rest(explorer);
+  ASSERT_TRUE(explorer.picked());
+  EXPECT_NEAR(explorer.picked()->center().z, -3, 1e-6);
+  ASSERT_TRUE(explorer.pick(pick));
+  rest(explorer);
+  EXPECT_FALSE(explorer.picked()) << "a second click chooses all again";
+}
+
+TEST(Explorer, saysWhereAPortalLeadsNowhere) {
+  GuidedScene made = test::hall();
+  made.guides.portals = {{{0, 1, -9.99f}, {0, 0, 1}, {0.5f, 0, 0}, {0, 1, 0}}};
+  ExploreScene scene(std::move(made));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{2, 1.6, 1}, 0, 0});
+  explorer.choose("portal");
+  ExplorePick pick;
+  pick.portal = scene.guides().portals[0];
+  ASSERT_TRUE(explorer.pick(pick));
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("leads nowhere"));
+}
+
+TEST(Explorer, tracksATargetAndSaysSo) {
+  ExploreScene scene(test::hiddenBox());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{0, 1.6, 4}, 0, 0});
+  explorer.choose("target");
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("click an object"));
+  ASSERT_TRUE(explorer.pick(ExplorePick{{0, 1, -7}, 2, true, false, {}, {}}));
+  rest(explorer);
+  for (int i = 0; i < 60; ++i) {
+    explorer.advance({}, test::kExploreFrame);
+  }
+  EXPECT_THAT(notesOf(explorer), HasSubstr("rays bend by"));
+  const auto& camera = std::get<CurvedRayCamera>(explorer.frame().camera);
+  ASSERT_EQ(camera.bends().size(), 1u);
+  // Half of its box counts as in sight. Of its front, that much is seen.
+  int seen = 0;
+  for (int i = 0; i < 25; ++i) {
+    const glm::vec3 point = glm::vec3(-0.28f, 0.55f, -6.7f) + glm::vec3(i % 5, i / 5, 0) * glm::vec3(0.14f, 0.3f, 0);
+    const std::optional<ImagePoint> image = camera.project(point);
+    const std::optional<ExplorePick> met = image ? explorer.probe({image->u, image->v}) : std::nullopt;
+    seen += met && met->object == 2 ? 1 : 0;
+  }
+  EXPECT_GE(seen, 10);
+}
+
+TEST(Explorer, saysWhereNoBendShowsATarget) {
+  GuidedScene made = test::hall();
+  test::addBox(made, {{-9.5f, 0, -4.5f}, {9.5f, 3, -4}}, 1, {0.2f, 0.3f, 0.8f});
+  test::addBox(made, {{-0.3f, 0.5f, -7.3f}, {0.3f, 1.8f, -6.7f}}, 2, {0.8f, 0.1f, 0.1f});
+  ExploreScene scene(std::move(made));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{0, 1.6, 4}, 0, 0});
+  explorer.choose("target");
+  ASSERT_TRUE(explorer.pick(ExplorePick{{0, 1, -7}, 2, true, false, {}, {}}));
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("target hidden: no bend shows it"));
+}
+
+TEST(Explorer, theSceneGoesOnWhereAConstructorCannot) {
+  ExploreScene scene(test::hall());
+  Explorer explorer(scene, test::smallPictures());
+  for (const char* name : {"path", "drawn", "maze", "comprehensive", "portal"}) {
+    explorer.choose(name);
+    explorer.advance({}, test::kExploreFrame);
+    rest(explorer);
+    const double before = explorer.walker().view().eye.z;
+    WalkInput back;
+    back.forward = explorer.walker().view().eye.z > 0 ? 1 : -1;
+    explorer.walker().jump({{0, 1.6, 0}, 0, 0});
+    explorer.advance(back, test::kExploreFrame);
+    EXPECT_NE(explorer.walker().view().eye.z, before);
+    EXPECT_EQ(frustaOf(explorer), 1u) << name << " shows the pinhole";
+    EXPECT_EQ(explorer.frame().notes.front().kind, ExploreNote::Kind::kProblem) << name << ": " << notesOf(explorer);
+  }
+  explorer.choose("occluder");
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("click an object"));
+}
+
+TEST(Explorer, saysWhereThereIsNoFloor) {
+  GuidedScene made;
+  test::addBox(made, {{-3, -3, -3}, {3, 3, 3}}, 1, glm::vec3(0.5f));
+  ExploreScene scene(std::move(made));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{0, 1, 9}, 0, 0});
+  explorer.advance({}, test::kExploreFrame);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("no floor here"));
+}
+
+TEST(Explorer, followsThePath) {
+  ExploreScene scene(test::hallWithPath());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{-5, 1.6, 3}, 70, 0});
+  explorer.choose("path");
+  rest(explorer);
+  EXPECT_NEAR(explorer.walker().view().eye.x, -8, 0.1) << "the nearest place of the path";
+  EXPECT_NEAR(explorer.walker().view().eye.z, 3, 0.1);
+  WalkInput forward;
+  forward.forward = 1;
+  for (int i = 0; i < 60; ++i) {
+    explorer.advance(forward, test::kExploreFrame);
+  }
+  const glm::dvec3 eye = explorer.walker().view().eye;  // it has turned at z = 0
+  EXPECT_NEAR(3 - eye.z + eye.x + 8, 2 * explorer.walker().options().speed, 0.1);
+  EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
+}
+
+TEST(Explorer, aCameraOfAnotherSceneIsAState) {
+  ExploreScene scene(test::hall());
+  Explorer explorer(scene, test::smallPictures());
+  View far;
+  far.eye = {500, 2, 0};
+  far.target = {600, 2, 0};
+  far.fovVerticalDegrees = 40;
+  explorer.showDrawn(GraphCamera(PinholeCamera(far, 160, 90)), "far.json");
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("may be of another scene"));
+  View up = far;
+  up.eye = {0, 1.6f, 0};
+  up.target = {0, 50, 0.1f};
+  explorer.showDrawn(GraphCamera(PinholeCamera(up, 160, 90)), "up.json");
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("sees nothing here"));
+  View good = up;
+  good.target = {0, 1, -5};
+  explorer.showDrawn(GraphCamera(PinholeCamera(good, 160, 90)), "good.json");
+  rest(explorer);
+  EXPECT_THAT(notesOf(explorer), HasSubstr("good.json"));
+}
+
+// The same script, the same frames: whatever the number of threads.
+TEST(Explorer, framesDependOnNothingElse) {
+  std::vector<Image<Rgb8>> first;
+  for (const int threads : {1, 2, 4}) {
+    setThreadCount(threads);
+    ExploreScene scene(test::twoRooms());
+    Explorer explorer(scene, test::smallPictures());
+    ExploreRenderer renderer(scene);
+    explorer.walker().jump({{3, 1.6, 2}, -30, 0});
+    explorer.choose("portal");
+    std::vector<Image<Rgb8>> pictures;
+    WalkInput input;
+    input.forward = 0.6;
+    input.turnRight = -0.3;
+    for (int i = 0; i < 90; ++i) {
+      explorer.advance(input, test::kExploreFrame);
+      if (i % 15 == 0) {
+        pictures.push_back(renderer.draw(explorer.frame()).image);
+      }
+    }
+    if (first.empty()) {
+      first = pictures;
+    }
+    EXPECT_EQ(pictures, first) << threads << " threads";
+  }
+  setThreadCount(0);
+}
+
+TEST(Explorer, resizes) {
+  ExploreScene scene(test::twoRooms());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.resize(100, 80);
+  EXPECT_EQ(explorer.frame().pinhole.width(), 100);
+  EXPECT_EQ(explorer.frame().pinhole.height(), 80);
+  EXPECT_THROW(explorer.resize(0, 80), InputError);
+  EXPECT_EQ(explorer.frame().pinhole.width(), 100);
+}
+
+}  // namespace
+}  // namespace ocelli

@@ -1,0 +1,145 @@
+#include "oc_core/walkable/walk_map_file.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/walkable/walk_parts.h"
+#include "tests/base/schema_agreement.h"
+#include "tests/base/temporary_folder.h"
+
+namespace ocelli {
+namespace {
+
+using testing::AllOf;
+using testing::HasSubstr;
+
+const char* const kGoodMap = R"({
+  "cells": [
+    {"kind": "room", "center": [0, 0, 0], "length": 4, "width": 3, "height": 2.5},
+    {"kind": "tunnel", "center": [5, 0, 0], "axis": [1, 0], "length": 6, "width": 2, "height": 2.5, "floor_rise": 1.5,
+     "rings": [[0, 1, 1, 2.5], [6, 1.25, 1, 3]]}
+  ],
+  "portals": [{"from": 0, "to": 1, "center": [2, 1, 0], "half_right": [0, 0, 0.5], "half_up": [0, 1, 0]}]
+})";
+
+std::string mapErrorOf(const std::string& text) {
+  try {
+    walkMapFromJsonText(text, "text");
+  } catch (const InputError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+/// The good map with one value changed.
+std::string changed(const char* pointer, const nlohmann::json& value) {
+  nlohmann::json json = nlohmann::json::parse(kGoodMap);
+  json[nlohmann::json::json_pointer(pointer)] = value;
+  return json.dump();
+}
+
+TEST(WalkMapFile, IsReadAsItSays) {
+  const WalkMap map = walkMapFromJsonText(kGoodMap, "text");
+  ASSERT_EQ(map.cells.size(), 2U);
+  EXPECT_EQ(map.cells[0].kind, WalkCellKind::kRoom);
+  EXPECT_EQ(map.cells[0].halfLength, 2);
+  EXPECT_EQ(map.cells[0].axis, glm::vec3(0, 0, -1));
+  EXPECT_EQ(map.cells[1].kind, WalkCellKind::kTunnel);
+  EXPECT_EQ(map.cells[1].floorRise, 1.5f);
+  EXPECT_EQ(map.cells[1].rings, (std::vector<WalkRing>{{0, 1, 1, 2.5f}, {6, 1.25f, 1, 3}}));
+  ASSERT_EQ(map.portals.size(), 1U);
+  EXPECT_EQ(map.portals[0].opening.normal, glm::vec3(-1, 0, 0)) << "into the cell that it is seen from";
+  EXPECT_EQ(map.partOfCell, (std::vector<uint32_t>{0, 0}));
+}
+
+TEST(WalkMapFile, WhatIsWrittenIsReadAgain) {
+  WalkMap map = walkMapFromJsonText(kGoodMap, "text");
+  map.cells[1].axis = {0.6f, 0, 0.8f};
+  map.cells[0].center = {0.1f, 1e-3f, 123456.7f};
+  const std::string text = jsonText(map);
+  const WalkMap again = walkMapFromJsonText(text, "text");
+  EXPECT_EQ(again.cells, map.cells);
+  EXPECT_EQ(again.partOfCell, map.partOfCell);
+  EXPECT_EQ(again.portals[0].opening.halfUp, map.portals[0].opening.halfUp);
+  EXPECT_EQ(jsonText(again), text);
+}
+
+TEST(WalkMapFile, TunnelsWithoutRingsAreStraight) {
+  nlohmann::json json = nlohmann::json::parse(kGoodMap);
+  json["cells"][1].erase("rings");
+  EXPECT_EQ(walkMapFromJsonText(json.dump(), "text").cells[1].rings,
+            (std::vector<WalkRing>{{0, 1, 1, 2.5f}, {6, 1, 1, 2.5f}}));
+}
+
+TEST(WalkMapFile, ErrorsSayFileFieldAndWhatIsWrong) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.write("map.json", changed("/portals/0/to", 7));
+  try {
+    readWalkMap(path);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr(path.string()), HasSubstr("\"to\""), HasSubstr("one of the 2 cells"),
+                                    HasSubstr("walk_map.schema.json")));
+  }
+  EXPECT_THAT(mapErrorOf(changed("/portals/0/to", 0)), HasSubstr("another cell than"));
+  EXPECT_THAT(mapErrorOf(changed("/portals/0/half_up", {0, 0, 0})), HasSubstr("longer than 0"));
+  EXPECT_THAT(mapErrorOf(changed("/portals/0/half_up", {0, 1, 1})), HasSubstr("right angles"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/axis", {1, 1})), HasSubstr("must have length 1"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2.5}})), HasSubstr("two rings at least"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{3, 1, 1, 2}, {2, 1, 1, 2}})), HasSubstr("before"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {7, 1, 1, 2}})), HasSubstr("beyond the end"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1}, {6, 1, 1, 2}})), HasSubstr("four numbers"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/kind", "room")), HasSubstr("only tunnels have rings"));
+  EXPECT_THAT(mapErrorOf(changed("/cells", nlohmann::json::array())), HasSubstr("\"cells\""));
+  EXPECT_THAT(mapErrorOf(changed("/ways", 1)), HasSubstr("\"ways\""));
+}
+
+/// The errors of a part of the map, which stands at that place.
+test::SchemaAgreement agreementOf(const nlohmann::json& schema, const char* pointer) {
+  const auto errorOf = [pointer](const std::string& text) {
+    return mapErrorOf(changed(pointer, nlohmann::json::parse(text)));
+  };
+  return {schema, errorOf, nlohmann::json::parse(kGoodMap).at(nlohmann::json::json_pointer(pointer))};
+}
+
+TEST(WalkMapFile, AgreesWithItsSchema) {
+  const nlohmann::json schema = readJsonFile(OCELLI_WALK_MAP_SCHEMA);
+  test::SchemaAgreement{schema, mapErrorOf, nlohmann::json::parse(kGoodMap)}.check();
+  nlohmann::json cell = schema.at("properties").at("cells").at("items");
+  cell.at("properties").at("center")["default"] = {0, 0, 0};  // a good one, to change one number at a time
+  // Their numbers depend on each other: see the errors above.
+  cell.at("properties").at("axis").erase("type");
+  cell.at("properties").at("rings").erase("type");
+  agreementOf(cell, "/cells/0").check();
+}
+
+TEST(WalkMapFile, TheSchemaOfPortalsNamesTheirFields) {
+  const nlohmann::json portal = readJsonFile(OCELLI_WALK_MAP_SCHEMA).at("properties").at("portals").at("items");
+  const nlohmann::json written =
+      nlohmann::json::parse(jsonText(walkMapFromJsonText(kGoodMap, "text"))).at("portals").at(0);
+  for (const auto& [name, value] : written.items()) {
+    EXPECT_TRUE(portal.at("properties").contains(name)) << name;
+    nlohmann::json without = written;
+    without.erase(name);
+    EXPECT_THAT(mapErrorOf(changed("/portals/0", without)), HasSubstr('"' + name + '"')) << "it is required";
+  }
+  EXPECT_EQ(portal.at("required").size(), written.size());
+}
+
+TEST(WalkParts, AreNumberedByTheirFirstCells) {
+  WalkMap map;
+  map.cells.resize(5);
+  map.portals.resize(2);
+  map.portals[0].from = 0;
+  map.portals[0].to = 3;
+  map.portals[1].from = 4;
+  map.portals[1].to = 1;
+  EXPECT_EQ(connectedParts(map), (std::vector<uint32_t>{0, 1, 2, 0, 1}));
+}
+
+}  // namespace
+}  // namespace ocelli
