@@ -202,7 +202,7 @@ void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, Leaves& l
 
 void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uint32_t piece, Leaves& leaves,
                            const GlMesh& mesh) const {
-  const uint64_t bit = BlockTask::kindBit(static_cast<size_t>(kind.number));
+  const uint64_t bit = RegionBuffer::kindBit(static_cast<size_t>(kind.number));
   std::vector<IndirectDraw> draws;
   std::vector<IndirectDraw> reaching;
   for (const BlockTask& task : kind.tasks) {

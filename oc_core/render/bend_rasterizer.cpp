@@ -90,7 +90,7 @@ const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, OwnScra
   return held.vertex;
 }
 
-void BendRasterizer::begin(const RegionBuffer& /*region*/, int16_t /*kind*/, Scratch& /*scratch*/) const {}
+void BendRasterizer::begin(const RegionBuffer& /*region*/, uint64_t /*kinds*/, Scratch& /*scratch*/) const {}
 
 void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const {
   auto& own = static_cast<OwnScratch&>(scratch);

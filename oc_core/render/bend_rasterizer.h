@@ -37,7 +37,7 @@ class BendRasterizer final : public PieceRasterizer {
   void findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
                   std::vector<BlockTask>& tasks) const override;
   std::unique_ptr<Scratch> makeScratch() const override;
-  void begin(const RegionBuffer& region, int16_t kind, Scratch& scratch) const override;
+  void begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const override;
   void draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const override;
 
  private:

@@ -63,10 +63,18 @@ class RegionWorker {
       const uint32_t piece = tasks_[*first].piece;
       const auto last = std::find_if(first, list.end(), [&](uint32_t task) { return tasks_[task].piece != piece; });
       const PieceRasterizer& rasterizer = *pieces_[piece];
-      buffer_.findKinds(rasterizer.kindOfLeaf(), kinds_);
-      if (!kinds_.empty()) {
+      const uint64_t kinds = buffer_.open(rasterizer.rect(), rasterizer.order(), rasterizer.kindOfLeaf());
+      if (kinds != 0) {
         std::sort(first, last, [&](uint32_t a, uint32_t b) { return tasks_[a].nearest < tasks_[b].nearest; });
-        drawPiece(piece, {first, last});
+        if (!scratch_[piece]) {
+          scratch_[piece] = rasterizer.makeScratch();
+        }
+        rasterizer.begin(buffer_, kinds, *scratch_[piece]);
+        for (auto task = first; task != last; ++task) {
+          if (buffer_.mayShow(tasks_[*task].rect, tasks_[*task].nearest)) {
+            rasterizer.draw(buffer_, tasks_[*task], *scratch_[piece]);
+          }
+        }
       }
       first = last;
     }
@@ -74,30 +82,10 @@ class RegionWorker {
   }
 
  private:
-  /// Draws the tasks of a piece, rays of one kind after the other.
-  void drawPiece(uint32_t piece, std::span<const uint32_t> list) {
-    const PieceRasterizer& rasterizer = *pieces_[piece];
-    if (!scratch_[piece]) {
-      scratch_[piece] = rasterizer.makeScratch();
-    }
-    for (const int16_t kind : kinds_) {
-      if (!buffer_.open(rasterizer.order(), rasterizer.kindOfLeaf(), kind)) {
-        continue;
-      }
-      rasterizer.begin(buffer_, kind, *scratch_[piece]);
-      for (const uint32_t task : list) {
-        if (buffer_.mayShow(tasks_[task].rect, tasks_[task].nearest)) {
-          rasterizer.draw(buffer_, tasks_[task], *scratch_[piece]);
-        }
-      }
-    }
-  }
-
   const RayPieces& pieces_;
   const std::vector<BlockTask>& tasks_;
   const PixelLeaves& leaves_;
   RegionBuffer buffer_;
-  std::vector<int16_t> kinds_;  ///< of a piece in the region
   std::vector<std::unique_ptr<PieceRasterizer::Scratch>> scratch_;
 };
 

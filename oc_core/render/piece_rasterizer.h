@@ -2,7 +2,6 @@
 // is a list of them (draw_pieces.h).
 #pragma once
 
-#include <algorithm>
 #include <memory>
 
 #include "oc_core/render/half_spaces.h"
@@ -13,13 +12,10 @@ namespace ocelli {
 
 /// A block of triangles that a piece of rays may hold something of.
 struct BlockTask {
-  /// Kinds of rays are bits; from 63 on they share the last one.
-  static uint64_t kindBit(size_t kind) { return uint64_t{1} << std::min<size_t>(kind, 63); }
-
   uint32_t piece = 0;
   uint32_t block = 0;
   bool within = false;  ///< wholly, but for where rays end
-  uint64_t clear = 0;   ///< kinds of rays (kindBit()) that do not end before the block does
+  uint64_t clear = 0;   ///< kinds of rays (RegionBuffer::kindBit()) that do not end before the block does
   uint64_t ended = 0;   ///< kinds of rays that end before it begins
   float nearest = 0;    ///< depth: nothing of the block is nearer in this piece
   PixelBounds rect;     ///< pixels in which it may be seen
@@ -68,8 +64,7 @@ class PieceRasterizer {
 
   /// In the order in which rays pass them; pieces of one order share no pixel.
   virtual uint8_t order() const = 0;
-  /// The part of the image that it may be seen in, and the kind of the rays of each leaf
-  /// (RegionBuffer::findKinds()).
+  /// The part of the image that it may be seen in, and the kind of the rays of each leaf (RegionBuffer::open()).
   virtual const PixelBounds& rect() const = 0;
   virtual std::span<const int16_t> kindOfLeaf() const = 0;
 
@@ -77,8 +72,8 @@ class PieceRasterizer {
   virtual void findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
                           std::vector<BlockTask>& tasks) const = 0;
   virtual std::unique_ptr<Scratch> makeScratch() const = 0;
-  /// Begins a region that is open for rays of this kind; `scratch` is one of its own.
-  virtual void begin(const RegionBuffer& region, int16_t kind, Scratch& scratch) const = 0;
+  /// Begins a region that is open for this piece, with rays of these kinds; `scratch` is one of its own.
+  virtual void begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const = 0;
   /// Draws a block to the region that was begun last.
   virtual void draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const = 0;
 };

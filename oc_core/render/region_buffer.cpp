@@ -54,34 +54,30 @@ void RegionBuffer::reset(const PixelBounds& rect, const PixelLeaves& leaves) {
   }
 }
 
-void RegionBuffer::findKinds(std::span<const int16_t> kindOfLeaf, std::vector<int16_t>& kinds) const {
-  kinds.clear();
+uint64_t RegionBuffer::open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf) {
+  order_ = order;
+  const bool isApart = rect.x1 <= rect_.x0 || rect.x0 >= rect_.x1 || rect.y1 <= rect_.y0 || rect.y0 >= rect_.y1;
+  if (isApart) {
+    return 0;
+  }
+  uint64_t kinds = 0;
   for (const Run& run : runs_) {
     const int16_t kind = kindOfLeaf[run.leaf];
-    if (kind >= 0 && std::find(kinds.begin(), kinds.end(), kind) == kinds.end()) {
-      kinds.push_back(kind);
-    }
-  }
-  std::sort(kinds.begin(), kinds.end());
-}
-
-bool RegionBuffer::open(uint8_t order, std::span<const int16_t> kindOfLeaf, int16_t kind) {
-  order_ = order;
-  uint32_t any = kClosed;
-  for (const Run& run : runs_) {
-    if (kindOfLeaf[run.leaf] != kind) {
+    if (kind < 0) {
       std::fill(fronts_.begin() + run.begin, fronts_.begin() + run.end, kClosed);
       continue;
     }
+    uint32_t any = kClosed;
     for (uint32_t i = run.begin; i < run.end; ++i) {
       fronts_[i] = orders_[i] == OrderedBuffer::kNone ? kOpen : kClosed;
       any |= fronts_[i];
     }
+    kinds |= any != kClosed ? kindBit(static_cast<size_t>(kind)) : 0;
   }
-  if (any != kClosed) {
+  if (kinds != 0) {
     std::fill(tiles_.begin(), tiles_.end(), Tile());
   }
-  return any != kClosed;
+  return kinds;
 }
 
 uint32_t RegionBuffer::farthestOf(int tileX, int tileY) const {

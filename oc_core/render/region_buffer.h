@@ -38,11 +38,12 @@ class RegionBuffer {
   void reset(const PixelBounds& rect, const PixelLeaves& leaves);
   const PixelBounds& rect() const { return rect_; }
 
-  /// The kinds of rays that the pixels have in a piece, each once, in order: `kindOfLeaf` tells that of the rays of
-  /// each leaf, -1 where they do not pass the piece.
-  void findKinds(std::span<const int16_t> kindOfLeaf, std::vector<int16_t>& kinds) const;
-  /// Begins to draw rays of one kind: open are their pixels that hold nothing yet. Returns whether there are any.
-  bool open(uint8_t order, std::span<const int16_t> kindOfLeaf, int16_t kind);
+  /// Begins a piece: open are the pixels of `rect` that hold nothing yet, and whose leaf has a kind of rays in this
+  /// piece (-1 for none). Returns which kinds of rays open pixels have: bit i is kind i, the last one for all from it
+  /// on; 0 where no pixel is open.
+  uint64_t open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf);
+  /// The bit of a kind in what open() returns.
+  static uint64_t kindBit(size_t kind) { return uint64_t{1} << std::min<size_t>(kind, 63); }
 
   /// Whether something in these pixels, whose depths are `nearest` or more, may be nearer than what they hold.
   bool mayShow(const PixelBounds& rect, float nearest);
@@ -70,6 +71,8 @@ class RegionBuffer {
   /// at once.
   void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
             const RasterVertex& c, std::span<const HeightLimit> limits = {});
+  uint16_t leaf(size_t pixel) const { return leaves_[pixel]; }
+
   /// A row of samples of one order, whose rays belong to one leaf.
   struct SampleRun {
     int x = 0;  ///< of the first pixel

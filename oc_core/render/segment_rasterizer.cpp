@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 
 namespace ocelli {
 namespace {
@@ -59,6 +58,8 @@ class HeightOver {
   /// Whether all pixels that see the triangle are before the plane, or beyond it.
   bool isBeforeAll() const { return std::max({at_[0], at_[1], at_[2]}) < -mostTolerance(); }
   bool isBeyondAll() const { return std::min({at_[0], at_[1], at_[2]}) > mostTolerance(); }
+  bool isBefore(const PixelWeights& weights) const { return height(weights) < -tolerance(weights); }
+  bool isBeyond(const PixelWeights& weights) const { return height(weights) > tolerance(weights); }
 
   /// What drops pixels that are beyond the plane; with a sign of -1, before it.
   HeightLimit limit(float sign) const {
@@ -68,10 +69,12 @@ class HeightOver {
   bool isBehindAll() const { return std::min({at_[0], at_[1], at_[2]}) >= 0; }
 
  private:
+  float height(const PixelWeights& weights) const { return weights.of(at_[0], at_[1], at_[2]); }
   /// More than what any pixel tolerates, and what rounding takes from heights in between.
   float mostTolerance() const {
     return std::isnan(overlap_) ? std::numeric_limits<float>::infinity() : 1.001f * (most_ + rounding_);
   }
+  float tolerance(const PixelWeights& weights) const { return std::min(overlap_ * weights.z(), most_) + rounding_; }
 
   /// How long a pixel is on the triangle, along its longest edge in the image: across a triangle that is seen nearly
   /// edge on, what a share of a pixel is on it means nothing.
@@ -106,26 +109,31 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
     uint64_t tag = ~uint64_t{0};
     RasterVertex image;
     uint8_t flags = 0;
-    float beyond = 0;  ///< height over where rays end, where that is one plane
+    float beyond = 0;  ///< least height over where rays of some kind end
   };
   static constexpr size_t kVertices = 64;
 
   // Of a region.
-  uint64_t kind = 0;              ///< of rays, its bit
-  std::span<const Plane> ends{};  ///< where they end
-  glm::dvec2 lower{0};            ///< its borders, with a margin
+  uint64_t kinds = 0;
+  std::vector<std::pair<size_t, const std::vector<Plane>*>> ends;  ///< the kinds, and where each ends
+  bool endsAreSingle = false;                                      ///< each kind ends at one plane
+  glm::dvec2 lower{0};                                             ///< its borders, with a margin
   glm::dvec2 upper{0};
 
   uint64_t serial = 0;
   std::array<Vertex, kVertices> cache;
   Clipper clipper;
   std::vector<RasterVertex> corners;
+  std::vector<HeightOver> heights;
   std::vector<HeightLimit> limits;
 };
 
-/// Whether rays end before a point.
+/// Whether rays of some kind end before a point.
 bool isBeyondEnds(const SegmentScratch& scratch, const glm::dvec3& p) {
-  return std::any_of(scratch.ends.begin(), scratch.ends.end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+  return std::any_of(scratch.ends.begin(), scratch.ends.end(), [&](const auto& kind) {
+    return std::any_of(kind.second->begin(), kind.second->end(),
+                       [&](const Plane& plane) { return plane.height(p) > 0; });
+  });
 }
 
 }  // namespace
@@ -139,7 +147,7 @@ class SegmentRasterizer::Drawing {
         region_(region),
         rect_{std::max(task.rect.x0, region.rect().x0), std::max(task.rect.y0, region.rect().y0),
               std::min(task.rect.x1, region.rect().x1), std::min(task.rect.y1, region.rect().y1)},
-        inside_(task.within && (scratch.kind & ~task.clear) == 0),
+        inside_(task.within && (scratch.kinds & ~task.clear) == 0),
         scratch_(scratch) {}
 
   void draw(uint32_t triangle);
@@ -187,10 +195,17 @@ std::unique_ptr<PieceRasterizer::Scratch> SegmentRasterizer::makeScratch() const
   return std::make_unique<SegmentScratch>();
 }
 
-void SegmentRasterizer::begin(const RegionBuffer& region, int16_t kind, Scratch& scratch) const {
+void SegmentRasterizer::begin(const RegionBuffer& region, uint64_t kinds, Scratch& scratch) const {
   auto& own = static_cast<SegmentScratch&>(scratch);
-  own.kind = BlockTask::kindBit(static_cast<size_t>(kind));
-  own.ends = segment_.ends[static_cast<size_t>(kind)];
+  own.kinds = kinds;
+  own.ends.clear();
+  own.endsAreSingle = true;
+  for (size_t kind = 0; kind < segment_.ends.size(); ++kind) {
+    if ((kinds & RegionBuffer::kindBit(kind)) != 0) {
+      own.ends.emplace_back(kind, &segment_.ends[kind]);
+      own.endsAreSingle = own.endsAreSingle && segment_.ends[kind].size() == 1;
+    }
+  }
   own.lower = glm::dvec2(region.rect().x0, region.rect().y0) - kRegionMargin;
   own.upper = glm::dvec2(region.rect().x1, region.rect().y1) + kRegionMargin;
 }
@@ -234,10 +249,16 @@ void SegmentRasterizer::Drawing::place(const glm::dvec3& p, const glm::dvec3& im
   // The borders are planes through the viewpoint: that holds behind it too.
   flags |= (image.x < scratch_.lower.x * image.z ? kLeft : 0u) | (image.x > scratch_.upper.x * image.z ? kRight : 0u) |
            (image.y < scratch_.lower.y * image.z ? kAbove : 0u) | (image.y > scratch_.upper.y * image.z ? kBelow : 0u);
-  if (scratch_.ends.size() == 1) {
-    const double beyond = scratch_.ends[0].height(p);
+  if (scratch_.endsAreSingle) {
+    double beyond = std::numeric_limits<double>::infinity();
+    bool isBeyond = false;
+    for (const auto& [kind, planes] : scratch_.ends) {
+      const double over = planes->front().height(p);
+      beyond = std::min(beyond, over);
+      isBeyond = isBeyond || over > 0;
+    }
     vertex.beyond = static_cast<float>(beyond);
-    flags |= beyond > 0 ? kBeyond : 0u;
+    flags |= isBeyond ? kBeyond : 0u;
   } else {
     flags |= isBeyondEnds(scratch_, p) ? kBeyond : 0u;
   }
@@ -271,11 +292,11 @@ void SegmentRasterizer::Drawing::draw(uint32_t triangle) {
   }
 }
 
-/// Whether rays end before a triangle, as HeightOver::isBeyondAll() would have it: a quick look that finds most.
+/// Whether all rays end before a triangle, as HeightOver::isBeyondAll() would have it: a quick look that finds most.
 bool SegmentRasterizer::Drawing::endsBefore(const Vertex& a, const Vertex& b, const Vertex& c,
                                             const std::array<glm::dvec3, 3>& points) const {
   const float beyond = std::min({a.beyond, b.beyond, c.beyond});
-  if (scratch_.ends.size() != 1 || !(beyond > 0)) {
+  if (!scratch_.endsAreSingle || !(beyond > 0)) {
     return false;
   }
   return HeightOver::mostTolerance({a.image, b.image, c.image}, points) < beyond;
@@ -317,19 +338,36 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
   if (begin.isBeforeAll()) {
     return;
   }
-  std::vector<HeightLimit>& limits = scratch_.limits;
-  limits.clear();
-  if (!begin.isBehindAll()) {
-    limits.push_back(begin.limit(-1));
-  }
-  for (const Plane& plane : scratch_.ends) {
-    const HeightOver end(plane, vertices, points);
-    if (end.isBeyondAll()) {
-      return;
+  int held = -1;  // the kind of rays whose ends these are
+  std::vector<HeightOver>& ends = scratch_.heights;
+  const auto hold = [&](size_t kind) {
+    held = static_cast<int>(kind);
+    ends.clear();
+    for (const Plane& plane : segment_.ends[kind]) {
+      ends.emplace_back(plane, vertices, points);
     }
-    limits.push_back(end.limit(1));
+  };
+  bool endsBefore = true;
+  for (auto kind = scratch_.ends.begin(); kind != scratch_.ends.end() && endsBefore; ++kind) {
+    hold(kind->first);
+    endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
   }
-  region_.fill(rect_, triangle, vertices[0], vertices[1], vertices[2], limits);
+  if (endsBefore) {
+    return;
+  }
+  region_.scan(
+      rect_, vertices[0], vertices[1], vertices[2], [&](size_t pixel, float weight, const PixelWeights& weights) {
+        if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
+          return;
+        }
+        const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
+        if (kind != held) {
+          hold(static_cast<size_t>(kind));
+        }
+        if (std::none_of(ends.begin(), ends.end(), [&](const HeightOver& end) { return end.isBeyond(weights); })) {
+          region_.put(pixel, weight, triangle, weights());
+        }
+      });
 }
 
 }  // namespace ocelli

@@ -51,9 +51,9 @@ SegmentBounds::Ends SegmentBounds::endsOf(const Box& box) const {
     for (const Plane& plane : segment_.ends[kind]) {
       const auto [least, most] = heights(plane, box);
       endsBefore = endsBefore || least > margin_;
-      ends.clear &= most <= 0 ? ~uint64_t{0} : ~BlockTask::kindBit(kind);
+      ends.clear &= most <= 0 ? ~uint64_t{0} : ~RegionBuffer::kindBit(kind);
     }
-    ends.ended &= endsBefore ? ~uint64_t{0} : ~BlockTask::kindBit(kind);
+    ends.ended &= endsBefore ? ~uint64_t{0} : ~RegionBuffer::kindBit(kind);
     ends.before = ends.before && endsBefore;
   }
   return ends;
