@@ -37,6 +37,7 @@ maze worlds/maze_corpus $seconds
 walk_map walkable/corpus $seconds
 transfer volume/transfer_corpus $seconds
 camera constructor/corpus $seconds
+drawing frustum_editor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
 gaze study_gaze/corpus $seconds
