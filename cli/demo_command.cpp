@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/values.h"
 #include "display_driver/demo/demo_page.h"
+#include "display_driver/demo/portal_demo.h"
 #include "display_driver/demo/volume_demo.h"
 #include "display_driver/demo/walk_demo.h"
 #include "oc_core/base/error.h"
@@ -27,43 +28,43 @@ struct DemoChoice {
 struct TitledScene {
   std::string title;
   std::string source;
-  std::string name;                    // of its folder
-  std::optional<WalkDemoView> walk{};  // of a scene that someone walks in
+  std::string name;  // of its folder
+  bool isWalk = false;
+  std::optional<PortalDemoView> portals = {};  // of one that knows its portals: from where
 };
 
 const std::vector<TitledScene> kBuiltinScenes{
-    {"A teapot in a room", "builtin:room", "room", {}},
-    {"Four statues", "builtin:statues", "statues", {}},
-    {"A fence before a wall", "builtin:fence", "fence", {}},
-    {"Behind a double door", "builtin:doors", "doors", {}},
-    {"A head, as a CT sees it", "builtin:volume,name=skull,size=192", "skull", {}},
-    {"A house to walk in", "builtin:house", "house",
-     WalkDemoView{{-4.8f, 1.6f, -0.4f},
-                  {-7.4f, 1.5f, 0.85f},
-                  "a corridor",
-                  "A chair and a window through the door.",
-                  "The kitchen: a table and a counter, too."}},
-    {"A city to walk in", "builtin:city", "city",
-     WalkDemoView{{9, 1.7f, 40},
-                  {4, 2.2f, 30},
-                  "a crossing",
-                  "The street to the left is hidden by the house at its "
-                  "corner.",
-                  "The street to the left, to its end."}},
+    {"A teapot in a room", "builtin:room", "room"},
+    {"Four statues", "builtin:statues", "statues"},
+    {"A fence before a wall", "builtin:fence", "fence"},
+    {"Behind a double door", "builtin:doors", "doors"},
+    {"A maze to walk in", "builtin:maze", "maze", true},
+    {"A house to walk in", "builtin:house", "house", false,
+     PortalDemoView{{-4.8f, 1.6f, -0.4f},
+                    {-7.4f, 1.5f, 0.85f},
+                    "a corridor",
+                    "A chair and a window through the door.",
+                    "The kitchen: a table and a counter, too."}},
+    {"A city to walk in", "builtin:city", "city", false,
+     PortalDemoView{{9, 1.7f, 40},
+                    {4, 2.2f, 30},
+                    "a crossing",
+                    "The street to the left is hidden by the house at its corner.",
+                    "The street to the left, to its end."}},
+    {"A head, as a CT sees it", "builtin:volume,name=skull,size=192", "skull"},
 };
 
 // A mesh file is put into a room, so that there is something that it can hide.
 TitledScene sceneOf(const std::string& argument, size_t index) {
   const std::string name = fmt::format("given-{}", index);
   if (isBuiltinScene(argument) || isVolumeSource(argument)) {
-    return {argument, argument, name, {}};
+    return {argument, argument, name};
   }
   if (argument.find(',') != std::string::npos) {
     throw InputError("the demo cannot take a path with a comma", argument,
                      "rename the file, or give it through a link");
   }
-  return {
-      std::filesystem::path(argument).filename().string() + " in a room", "builtin:room,mesh=" + argument, name, {}};
+  return {std::filesystem::path(argument).filename().string() + " in a room", "builtin:room,mesh=" + argument, name};
 }
 
 void runDemo(const DemoChoice& choice, const CommandContext& context) {
@@ -86,13 +87,17 @@ void runDemo(const DemoChoice& choice, const CommandContext& context) {
   std::vector<DemoScene> scenes;
   for (const TitledScene& each : wanted) {
     context.note(fmt::format("{} ({})", each.title, each.source));
-    if (each.walk) {
-      scenes.push_back(
-          runWalkDemo(each.title, each.source, *each.walk, choice.output, each.name, options, context.progress()));
-      continue;
-    }
     if (isVolumeSource(each.source)) {
       scenes.push_back(runVolumeDemo(each.title, each.source, choice.output, each.name, options, context.progress()));
+      continue;
+    }
+    if (each.portals) {
+      scenes.push_back(
+          runPortalDemo(each.title, each.source, *each.portals, choice.output, each.name, options, context.progress()));
+      continue;
+    }
+    if (each.isWalk) {
+      scenes.push_back(runWalkDemo(each.title, each.source, choice.output, each.name, options, context.progress()));
       continue;
     }
     scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, context.progress()));

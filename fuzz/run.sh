@@ -34,8 +34,10 @@ wire display_driver_wire/corpus $((2 * seconds))
 svol display_sim_frames/corpus $seconds
 opack pack/corpus $seconds
 maze worlds/maze_corpus $seconds
+walk_map walkable/corpus $seconds
 transfer volume/transfer_corpus $seconds
 camera constructor/corpus $seconds
+drawing frustum_editor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
 gaze study_gaze/corpus $seconds

@@ -1,49 +1,56 @@
 #include "display_driver/demo/walk_demo.h"
 
+#include <array>
+
 #include "display_driver/demo/demo_folder.h"
-#include "oc_core/constructor/portal_constructor.h"
-#include "oc_core/image/color.h"
-#include "oc_core/render/rasterize.h"
-#include "oc_core/render/rasterize_graph.h"
-#include "oc_core/worlds/scene_source.h"
+#include "oc_core/explore/explore_renderer.h"
+#include "oc_core/explore/explorer.h"
 
 namespace ocelli {
 namespace {
 
-constexpr double kWalkFovDegrees = 50;
-// Metres.
-constexpr float kWalkNear = 0.05f;
-constexpr float kWalkFar = 1000;
-const glm::vec3 kWalkSky = linearFromSrgb({0.8f, 0.87f, 0.95f});
+struct WalkDemoImage {
+  const char* constructor;
+  const char* name;
+  const char* caption;
+};
+constexpr std::array kImages{
+    WalkDemoImage{"pinhole", "Pinhole", "Walls hide what is behind the crossing."},
+    WalkDemoImage{"maze", "Maze camera",
+                  "Above, all ways out of the crossing ahead; below, those behind, turned so that they meet."},
+    WalkDemoImage{"comprehensive", "Comprehensive camera", "The whole maze from its entrance, each place once."},
+};
+
+constexpr double kFrame = 1.0 / 30;
+constexpr int kMaxFrames = 600;  // until a camera has deployed: a few seconds' worth are enough
 
 }  // namespace
 
-DemoScene runWalkDemo(const std::string& title, const std::string& source, const WalkDemoView& view,
-                      const std::filesystem::path& folder, const std::string& name, const DemoOptions& options,
-                      const Progress& progress) {
+DemoScene runWalkDemo(const std::string& title, const std::string& source, const std::filesystem::path& folder,
+                      const std::string& name, const DemoOptions& options, const Progress& progress) {
   const DemoFolder images(folder, name);
-  const GuidedScene walked = loadGuidedScene(source, {.fit = false}, progress);
-  const PinholeCamera pinhole(View{.eye = view.eye,
-                                   .target = view.target,
-                                   .fovVerticalDegrees = kWalkFovDegrees,
-                                   .zNear = kWalkNear,
-                                   .zFar = kWalkFar},
-                              options.width, options.height);
-  const GraphCamera graph = buildPortalCamera({}, walked.guides, pinhole);
-  const auto write = [&](const std::string& file, const FragmentImage& seen, const std::string& what,
-                         const std::string& caption) {
-    return images.write(file, colorImage(seen, walked.mesh, kWalkSky), what, caption);
-  };
+  SceneOptions sceneOptions;
+  sceneOptions.fit = false;
+  ExploreScene world(loadGuidedScene(source, sceneOptions, progress));
+  Explorer explorer(world, {.width = options.width, .height = options.height, .waitForWays = true});
+  ExploreRenderer renderer(world);
   DemoScene scene;
   scene.title = title;
   scene.source = source;
-  scene.geometryTriangles = walked.mesh.triangles.size();
-  scene.rows.push_back({"Walk in: " + view.place,
-                        "A graph camera joins several pinholes in one image without a gap. Here its rays turn in doors "
-                        "and mouths of streets to look straight in, so that someone who walks by sees what is there "
-                        "without going to look.",
-                        {write("pinhole", rasterize(pinhole, walked.mesh), "Pinhole", view.seen),
-                         write("graph", rasterize(graph, walked.mesh), "Graph camera", view.seenBesides)}});
+  DemoRow row{
+      "Around corners",
+      "Cameras whose rays bend show what is behind the next corner before one is there. All three images are of "
+      "the same place. \"ocelli explore\" is a window to walk in with them.",
+      {}};
+  for (const WalkDemoImage& each : kImages) {
+    explorer.choose(each.constructor);
+    for (int frame = 0; frame == 0 || (frame < kMaxFrames && !explorer.atRest()); ++frame) {
+      explorer.advance({}, kFrame);
+    }
+    row.images.push_back(
+        images.write(each.constructor, renderer.draw(explorer.frame()).image, each.name, each.caption));
+  }
+  scene.rows.push_back(std::move(row));
   return scene;
 }
 

@@ -1,4 +1,4 @@
-#include "display_driver/demo/walk_demo.h"
+#include "display_driver/demo/portal_demo.h"
 
 #include <gtest/gtest.h>
 
@@ -8,14 +8,14 @@
 namespace ocelli {
 namespace {
 
-TEST(WalkDemo, GraphCameraShowsOtherThingsThanThePinholeBesideADoor) {
+TEST(PortalDemo, GraphCameraShowsOtherThingsThanThePinholeBesideADoor) {
   const test::TemporaryFolder folder;
   DemoOptions options;
   options.width = 90;
   options.height = 60;
   // In the corridor of the house, beside the door of its kitchen.
-  const WalkDemoView view{{-4.8f, 1.6f, -0.4f}, {-7.4f, 1.5f, 0.85f}, "a corridor", "A chair.", "The kitchen."};
-  const DemoScene scene = runWalkDemo("A house", "builtin:house", view, folder.path(), "house", options, {});
+  const PortalDemoView view{{-4.8f, 1.6f, -0.4f}, {-7.4f, 1.5f, 0.85f}, "a corridor", "A chair.", "The kitchen."};
+  const DemoScene scene = runPortalDemo("A house", "builtin:house", view, folder.path(), "house", options, {});
   ASSERT_EQ(scene.rows.size(), 1u);
   ASSERT_EQ(scene.rows[0].images.size(), 2u);
   EXPECT_TRUE(scene.figures.empty());
