@@ -1,8 +1,9 @@
 // Ten cities and ten houses, of which no more is known than their triangles: where one can walk is found, and compared
 // with the plans; the comprehensive camera shows the middle of each cell, or the report says why not.
+#include "bench/walk_acceptance.h"
+
 #include <gtest/gtest.h>
 
-#include "bench/walk_acceptance.h"
 #include "oc_core/walkable/walkable.h"
 
 namespace ocelli {
