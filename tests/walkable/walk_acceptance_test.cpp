@@ -54,8 +54,9 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
   totals.seen += result.seenCells();
 }
 
-// The bounds are what bench/walk_acceptance_bench measured (docs/results.md, "Where one can walk"), less some percent:
-// they are to catch what becomes worse.
+// The bounds catch what becomes worse: they are what was measured, less some percent. Cities: floor 98.8 % and 91.4 %,
+// cells 81.8 %, openings 74.8 %, seen 32.8 %. Houses: floor 92.0 % and 99.6 %, cells 99.5 %, openings 100 %, seen 24.8
+// %. The aim is that all cells are seen; docs/results.md, "Where one can walk", tells what is missing.
 
 TEST(WalkAcceptance, FindsCities) {
   if (!canFindWalkable()) {
@@ -71,6 +72,7 @@ TEST(WalkAcceptance, FindsCities) {
   EXPECT_GE(totals.planned(), 0.85);
   EXPECT_GE(totals.cellRecall(), 0.8);
   EXPECT_GE(totals.portalRecall(), 0.7);
+  EXPECT_GE(totals.seenShare(), 0.2);
 }
 
 TEST(WalkAcceptance, FindsHouses) {
@@ -83,10 +85,11 @@ TEST(WalkAcceptance, FindsHouses) {
   }
   std::printf("floor %.3f %.3f, cells %.3f, openings %.3f, seen %.3f\n", totals.covered(), totals.planned(),
               totals.cellRecall(), totals.portalRecall(), totals.seenShare());
-  EXPECT_GE(totals.covered(), 0.85);
-  EXPECT_GE(totals.planned(), 0.95);
-  EXPECT_GE(totals.cellRecall(), 0.9);
-  EXPECT_GE(totals.portalRecall(), 0.9);
+  EXPECT_GE(totals.covered(), 0.9);
+  EXPECT_GE(totals.planned(), 0.97);
+  EXPECT_GE(totals.cellRecall(), 0.95);
+  EXPECT_GE(totals.portalRecall(), 0.97);
+  EXPECT_GE(totals.seenShare(), 0.2);
 }
 
 }  // namespace
