@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
 #include <optional>
@@ -97,12 +98,49 @@ bool crosses(const Corners& corners, const glm::dvec3& from, const glm::dvec3& t
   return u >= 0 && v >= 0 && u + v <= 1 && along >= 0 && along <= 1;
 }
 
-/// Whether the ray meets an object before it comes to the point.
-bool isHidden(const RayPath& path, const glm::vec3& point, const std::vector<ObjectSurface>& surfaces) {
+/// Whether a segment runs through a wall between two cells of the maze, or a post. The outer walls are left out: rays
+/// come in over them or at the entrance.
+bool meetsWall(const Maze& maze, const glm::dvec3& from, const glm::dvec3& to) {
+  const double size = static_cast<double>(maze.cellSize);
+  const double half = static_cast<double>(maze.wallThickness) / 2;
+  const glm::dvec3 start = from - glm::dvec3(maze.origin);
+  const glm::dvec3 way = to - from;
+  const double top = static_cast<double>(maze.wallHeight);
+  // Across lines of the grid that run north, then across those that run east: at both faces of their walls.
+  for (const bool north : {true, false}) {
+    const int across = north ? 0 : 2;
+    const int along = north ? 2 : 0;
+    const int lines = north ? maze.columns() : maze.rows();
+    const int places = north ? maze.rows() : maze.columns();
+    for (int line = 1; way[across] != 0 && line < lines; ++line) {
+      for (const double face : {-half, half}) {
+        const double t = (line * size + face - start[across]) / way[across];
+        const glm::dvec3 at = start + way * t;
+        const int place = static_cast<int>(std::floor(at[along] / size));
+        if (!(t > 0 && t < 1) || at.y >= top || place < 0 || place >= places) {
+          continue;
+        }
+        const MazeCell cell = north ? MazeCell{place, line - 1} : MazeCell{line - 1, place};
+        const double beside = at[along] - place * size;
+        if (!maze.isOpen(cell, north ? Direction::kEast : Direction::kSouth) || beside < half || beside > size - half) {
+          return true;
+        }
+      }
+    }
+  }
+  return false;
+}
+
+/// Whether the ray meets an object or a wall before it comes to the point.
+bool isHidden(const RayPath& path, const glm::vec3& point, const Maze& maze,
+              const std::vector<ObjectSurface>& surfaces) {
   const size_t last = path.positionNear(point).segment;
   for (size_t i = 0; i <= last; ++i) {
     const glm::dvec3 from(path[i]);
     const glm::dvec3 to = i == last ? glm::mix(glm::dvec3(point), from, kBeforePoint) : glm::dvec3(path[i + 1]);
+    if (meetsWall(maze, from, to)) {
+      return true;
+    }
     for (const ObjectSurface& surface : surfaces) {
       if (!surface.box.empty() && partWithin(surface.box, from, to) &&
           std::any_of(surface.triangles.begin(), surface.triangles.end(),
@@ -135,7 +173,16 @@ std::vector<glm::vec3> pointsOn(const ObjectSurface& surface) {
   return points;
 }
 
-std::vector<size_t> pixelsOfSurfaces(const GraphCamera& camera, const std::vector<ObjectSurface>& surfaces) {
+const Maze& mazeOfObjects(const GuidedScene& scene) {
+  if (!scene.guides.maze) {
+    throw InputError("the scene has no maze", "comprehensive camera",
+                     "use builtin:maze, or builtin:maze,file=MAZE.json");
+  }
+  return *scene.guides.maze;
+}
+
+std::vector<size_t> pixelsOfSurfaces(const GraphCamera& camera, const Maze& maze,
+                                     const std::vector<ObjectSurface>& surfaces) {
   std::vector<size_t> pixels;
   for (const ObjectSurface& surface : surfaces) {
     std::set<std::pair<int, int>> seen;
@@ -143,7 +190,7 @@ std::vector<size_t> pixelsOfSurfaces(const GraphCamera& camera, const std::vecto
       const std::optional<ImagePoint> image = camera.project(point);
       if (image && image->u >= 0 && image->v >= 0 && image->u < static_cast<float>(camera.width()) &&
           image->v < static_cast<float>(camera.height()) &&
-          !isHidden(camera.rayPath({image->u, image->v}), point, surfaces)) {
+          !isHidden(camera.rayPath({image->u, image->v}), point, maze, surfaces)) {
         seen.emplace(static_cast<int>(image->u), static_cast<int>(image->v));
       }
     }
@@ -155,23 +202,19 @@ std::vector<size_t> pixelsOfSurfaces(const GraphCamera& camera, const std::vecto
 }  // namespace
 
 std::vector<size_t> pixelsOfObjects(const GraphCamera& camera, const GuidedScene& scene) {
-  return pixelsOfSurfaces(camera, surfacesOf(scene));
+  return pixelsOfSurfaces(camera, mazeOfObjects(scene), surfacesOf(scene));
 }
 
 ComprehensiveChoice chooseComprehensive(const GuidedScene& scene, const ComprehensiveOptions& options, int width,
                                         int height) {
-  if (!scene.guides.maze) {
-    throw InputError("the scene has no maze", "comprehensive camera",
-                     "use builtin:maze, or builtin:maze,file=MAZE.json");
-  }
-  const Maze& maze = *scene.guides.maze;
+  const Maze& maze = mazeOfObjects(scene);
   const std::vector<ObjectSurface> surfaces = surfacesOf(scene);
   std::optional<ComprehensiveChoice> best;
   for (const Variation& variation : kVariations) {
     ComprehensiveChoice tried{varied(options, variation), {}};
     std::vector<size_t> pixels;
     try {
-      pixels = pixelsOfSurfaces(makeComprehensiveCamera(maze, tried.options, width, height), surfaces);
+      pixels = pixelsOfSurfaces(makeComprehensiveCamera(maze, tried.options, width, height), maze, surfaces);
     } catch (const InputError&) {
       if (!best) {
         throw;  // the given options

@@ -3,8 +3,8 @@
 // with others others. So where an object is not seen, other choices are tried, from a table, and the one that leaves
 // fewest unseen is taken: the first of those that are alike. Where the given options show all, they stay.
 //
-// An object is seen where the rays of pixels reach points of its surface before they meet an object: in how many
-// pixels, that is counted. Walls hide nothing from this camera.
+// An object is seen where the rays of pixels reach points of its surface before they meet an object or a wall: in how
+// many pixels, that is counted.
 #pragma once
 
 #include <vector>
