@@ -103,17 +103,19 @@ WalkStart chooseWalkStart(const WalkMap& map, const std::vector<WalkRegion>& reg
   std::vector<Reach> reaches;
   double largest = 0;
   for (const WalkRegion& region : regions) {
-    reaches.push_back(region.border.empty() ? Reach{} : reachFrom(regions, region.cell));
+    const auto number = static_cast<uint32_t>(reaches.size());
+    reaches.push_back(region.border.empty() || number >= map.cells.size() ? Reach{} : reachFrom(regions, number));
     largest = std::max(largest, reaches.back().floor);
   }
   WalkStart best;
   auto least = std::tuple(true, std::numeric_limits<size_t>::max(), std::numeric_limits<size_t>::max());
-  for (const WalkRegion& region : regions) {
-    const Reach& reach = reaches[region.cell];
+  for (uint32_t cell = 0; cell < map.cells.size(); ++cell) {
+    const WalkRegion& region = regions[cell];
+    const Reach& reach = reaches[cell];
     if (region.border.empty() || reach.floor < (1 - 1e-9) * largest) {
       continue;
     }
-    const WalkStart side = chooseWalkSide(map, regions, region.cell);
+    const WalkStart side = chooseWalkSide(map, regions, cell);
     const auto cost = std::tuple(exitsBeside(region, planOf(side.heading)) > 0, reach.most, reach.sum);
     if (cost < least) {
       least = cost;
