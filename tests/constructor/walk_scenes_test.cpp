@@ -11,7 +11,7 @@ namespace ocelli {
 namespace {
 
 TEST(WalkScenes, debug) {
-  for (const std::string name : {"builtin:house", "builtin:house,seed=3"}) {
+  for (const std::string name : {"builtin:house", "builtin:house,seed=3", "builtin:house,seed=7"}) {
     SceneOptions options;
     options.fit = false;
     const GuidedScene scene = loadGuidedScene(name, options);
