@@ -21,6 +21,8 @@ namespace {
 constexpr const char* kWalkComprehensive = "comprehensive camera";
 /// By which the weight of a cell grows from build to build while its middle has too few pixels.
 constexpr double kGrowth = 2;
+/// So many starts are tried where none is given: until all cells are seen.
+constexpr size_t kStarts = 16;
 /// Of the overlap that counts, how much of it regions may have.
 constexpr double kAllowedOverlap = 0.25;
 
@@ -34,12 +36,18 @@ double pixelsOf(const GraphCamera::Part& part) {
   return twice / 2;
 }
 
+size_t unseenCells(const ComprehensiveWalk& walk) {
+  return static_cast<size_t>(std::count_if(walk.cells.begin(), walk.cells.end(), [](const WalkCellView& view) {
+    return view.unseen != WalkUnseen::kNothing;
+  }));
+}
+
 class WalkBuilder {
  public:
-  WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, int width, int height)
-      : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)) {
+  WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, const WalkStart& start, int width,
+              int height)
+      : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)), start_(start) {
     raiseTops();
-    start_ = options.start ? *options.start : chooseWalkStart(map, regions_);
     if (regions_[start_.cell].border.empty()) {
       throw InputError(fmt::format("cell {} has no floor", start_.cell), kWalkComprehensive, "begin in another cell");
     }
@@ -288,7 +296,24 @@ std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
                                         int height) {
   checkWalkOptions(map, options);
-  return WalkBuilder(map, options, width, height).best();
+  std::vector<WalkStart> starts = chooseWalkStarts(map, walkRegionsOf(map), kStarts);
+  if (options.start) {
+    starts = {*options.start};
+  }
+  if (starts.empty()) {
+    throw InputError("no cell of the map has floor", kWalkComprehensive, "use another map, or another camera");
+  }
+  std::optional<ComprehensiveWalk> best;
+  for (const WalkStart& start : starts) {
+    ComprehensiveWalk walk = WalkBuilder(map, options, start, width, height).best();
+    if (!best || unseenCells(walk) < unseenCells(*best)) {
+      best = std::move(walk);
+    }
+    if (unseenCells(*best) == 0) {
+      break;
+    }
+  }
+  return *std::move(best);
 }
 
 }  // namespace ocelli
