@@ -104,6 +104,11 @@ std::optional<uint32_t> WalkSpace::regionAt(const glm::dvec3& eye) const {
   return best;
 }
 
+std::optional<uint32_t> WalkSpace::cellAt(const glm::dvec3& eye) const {
+  const std::optional<uint32_t> region = regionAt(eye);
+  return region ? std::optional(regions_[*region].cell) : std::nullopt;
+}
+
 WalkAhead lookAhead(const WalkSpace& space, uint32_t region, const glm::dvec2& eye, const glm::dvec2& heading) {
   const WalkCell& tunnel = space.map().cells[space.regions()[region].cell];
   const glm::dvec2 axis = axisOf(space, region);

@@ -23,6 +23,8 @@ class WalkSpace {
 
   /// The region whose floor is below the eye, with its ceiling above; of several the one whose floor is nearest.
   std::optional<uint32_t> regionAt(const glm::dvec3& eye) const;
+  /// Its cell.
+  std::optional<uint32_t> cellAt(const glm::dvec3& eye) const;
 
  private:
   WalkMap map_;
