@@ -5,7 +5,10 @@
 // of a 16th of the image's width where it is largest. Pixels are averages of --samples x --samples rays, so that what
 // is finer than a pixel counts as what it looks like. A step with a turn of the head is told from one without.
 //
-// To compare curves, name JSON files of portal cameras after --camera, or curves by name.
+// "motion" is by how many pixels what is shown moves, whatever it looks like (tests/constructor/image_motion.h).
+//
+// To compare curves, name JSON files of portal cameras after --camera, or curves by name. `--svg` draws them; with
+// `--walks 0` that is all.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -15,12 +18,16 @@
 #include <glm/geometric.hpp>
 
 #include "bench/bench_program.h"
+#include "bench/portal_curve_figure.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/maze_openings.h"
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/render/rasterize.h"
 #include "oc_core/render/rasterize_graph.h"
 #include "oc_core/worlds/scene_source.h"
+#include "tests/constructor/image_change.h"
+#include "tests/constructor/image_motion.h"
 #include "tests/constructor/random_walk.h"
 
 namespace ocelli {
@@ -28,6 +35,7 @@ namespace {
 
 struct PortalWalkChoice {
   std::vector<std::string> cameras;
+  std::string svg;
   int walks = 12;
   int first = 1;
   int cells = 6;
@@ -37,40 +45,16 @@ struct PortalWalkChoice {
   int height = 90;
 };
 
-struct Curve {
-  std::string name;
-  PortalOptions options;
-};
-
-Curve curveOf(const std::string& nameOrFile) {
+NamedPortalCurve curveOf(const std::string& nameOrFile) {
   if (!nameOrFile.ends_with(".json")) {
     return {nameOrFile, portalCurve(nameOrFile)};
   }
   const nlohmann::json json = readJsonFile(nameOrFile);
   JsonFields fields(json, nameOrFile);
   fields.text("camera");
-  Curve curve{nameOrFile, readPortalOptions(fields)};
+  NamedPortalCurve curve{nameOrFile, readPortalOptions(fields)};
   fields.rejectUnknown();
   return curve;
-}
-
-/// The share by which rays have turned, for who stands in the middle of a corridor of 3 m cells, `cells` before the
-/// middle of an opening in its wall: 2.7 m wide and 2.4 m high.
-double shareAhead(const PortalOptions& options, double cells) {
-  const Portal opening{{0, 1.2f, 0}, {1, 0, 0}, {0, 0, -1.35f}, {0, 1.2f, 0}};
-  const glm::dvec3 eye(1.35, 1.5, cells * 3);
-  const double presence = portalPresence(opening, eye, options);
-  return std::max(0.0, (presence - options.handOver) / (1 - options.handOver));
-}
-
-Image<glm::vec3> averaged(const Image<glm::vec3>& fine, int samples) {
-  Image<glm::vec3> coarse(fine.width() / samples, fine.height() / samples, glm::vec3(0));
-  for (int y = 0; y < coarse.height() * samples; ++y) {
-    for (int x = 0; x < coarse.width() * samples; ++x) {
-      coarse(x / samples, y / samples) += fine(x, y) / static_cast<float>(samples * samples);
-    }
-  }
-  return coarse;
 }
 
 struct Change {
@@ -78,57 +62,6 @@ struct Change {
   double block = 0;   ///< the mean of the block where it is largest
   double motion = 0;  ///< pixels by which what is shown moves, the mean over the image
 };
-
-/// Where a point that a frame showed at a pixel is in the next frame: by the frustum that begins at the same plane. So
-/// what a portal shows is followed in that portal. Nothing where the next frame does not show the place.
-std::optional<glm::dvec2> followed(const GraphCamera& before, const glm::vec2& pixel, const glm::dvec3& point,
-                                   const GraphCamera& now) {
-  const int child = before.childAt(GraphCamera::kRoot, pixel);
-  const GraphCamera::Frustum* in = child < 0 ? nullptr : &before.frusta()[static_cast<size_t>(child)];
-  const bool bent = in != nullptr && in->plane.height(point) > 0;
-  for (size_t i = 0; i < now.frusta().size(); ++i) {
-    const GraphCamera::Frustum& frustum = now.frusta()[i];
-    if (bent != (i > 0) || (bent && glm::distance(frustum.plane.normal, in->plane.normal) +
-                                            std::abs(frustum.plane.distance - in->plane.distance) >
-                                        1e-9)) {
-      continue;
-    }
-    const glm::dvec4 image = frustum.pixelFromWorld * glm::dvec4(point, 1);
-    if (!(image.w > 0)) {
-      continue;
-    }
-    const glm::dvec2 there = glm::dvec2(image) / image.w;
-    if (!(there.x >= 0 && there.y >= 0 && there.x < now.width() && there.y < now.height())) {
-      continue;
-    }
-    const int taken = now.childAt(GraphCamera::kRoot, there);
-    if (bent ? taken == static_cast<int>(i)
-             : taken < 0 || now.frusta()[static_cast<size_t>(taken)].plane.height(point) <= 0) {
-      return there;
-    }
-  }
-  return std::nullopt;
-}
-
-/// The mean over the pixels of a grid, in pixels of `samples` rays.
-double motionOf(const GraphCamera& before, const FragmentImage& fragments, const Mesh& mesh, const GraphCamera& now,
-                int samples) {
-  double sum = 0;
-  size_t count = 0;
-  for (int y = samples; y < fragments.height(); y += 2 * samples) {
-    for (int x = samples; x < fragments.width(); x += 2 * samples) {
-      const Fragment& fragment = fragments(x, y);
-      const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
-      // What shows no surface shows the end of its ray.
-      const glm::vec3 point = fragment.covered() ? positionOf(fragment, mesh) : before.rayPath(pixel).back();
-      if (const auto there = followed(before, pixel, glm::dvec3(point), now)) {
-        sum += glm::distance(*there, glm::dvec2(pixel)) / samples;
-        ++count;
-      }
-    }
-  }
-  return sum / static_cast<double>(std::max<size_t>(count, 1));
-}
 
 Change changeOf(const Image<glm::vec3>& a, const Image<glm::vec3>& b) {
   const int side = std::max(1, a.width() / 16);
@@ -152,10 +85,10 @@ class Frames {
   std::vector<Change> changes;
 
   void add(const GraphCamera& camera, FragmentImage fragments, const Mesh& mesh, int samples) {
-    Image<glm::vec3> image = averaged(colorImage(fragments, mesh, glm::vec3(0)), samples);
+    Image<glm::vec3> image = test::averaged(colorImage(fragments, mesh, glm::vec3(0)), samples);
     if (camera_) {
       changes.push_back(changeOf(image_, image));
-      changes.back().motion = motionOf(*camera_, fragments_, mesh, camera, samples);
+      changes.back().motion = test::meanMotion(*camera_, fragments_, mesh, camera, samples);
     }
     camera_ = camera;
     fragments_ = std::move(fragments);
@@ -203,7 +136,7 @@ double largest(const std::vector<Change>& changes, double Change::*what, const s
 }
 
 void measure(const PortalWalkChoice& choice) {
-  std::vector<Curve> curves;
+  std::vector<NamedPortalCurve> curves;
   for (const std::string& each : choice.cameras) {
     curves.push_back(curveOf(each));
   }
@@ -212,12 +145,18 @@ void measure(const PortalWalkChoice& choice) {
       curves.push_back({curve.name, curve.options});
     }
   }
-  for (const Curve& curve : curves) {
+  for (const NamedPortalCurve& curve : curves) {
     fmt::print("{}: turned by, %, for openings 1 to 8, 16 and 32 cells ahead:", curve.name);
     for (const int cells : {1, 2, 3, 4, 5, 6, 7, 8, 16, 32}) {
       fmt::print(" {:.0f}", 100 * shareAhead(curve.options, cells));
     }
     fmt::print("\n");
+  }
+  if (!choice.svg.empty()) {
+    writeFile(choice.svg, svgText(portalCurveFigure(curves)));
+  }
+  if (choice.walks == 0) {
+    return;
   }
   std::vector<Ratios> ratios(curves.size());
   for (int walk = choice.first; walk < choice.first + choice.walks; ++walk) {
@@ -280,7 +219,8 @@ int main(int argc, char** argv) {
   ocelli::PortalWalkChoice choice;
   CLI::App program{"Portal cameras on random walks in mazes, beside a pinhole", "portal_walk_bench"};
   program.add_option("--camera", choice.cameras, "Names of curves, or JSON files of portal cameras");
-  program.add_option("--walks", choice.walks, "How many")->check(CLI::Range(1, 100000))->capture_default_str();
+  program.add_option("--svg", choice.svg, "Draws how much rays turn from where");
+  program.add_option("--walks", choice.walks, "How many")->check(CLI::Range(0, 100000))->capture_default_str();
   program.add_option("--first", choice.first, "Seed of the first maze")->capture_default_str();
   program.add_option("--cells", choice.cells, "Of a walk")->check(CLI::Range(2, 1000))->capture_default_str();
   program.add_option("--samples", choice.samples, "Of a pixel, along each axis")->check(CLI::Range(1, 16));

@@ -6,6 +6,7 @@
 #include "cli/values.h"
 #include "display_driver/demo/demo_page.h"
 #include "display_driver/demo/volume_demo.h"
+#include "display_driver/demo/walk_demo.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/evaluation/evaluation_table.h"
@@ -27,6 +28,7 @@ struct TitledScene {
   std::string title;
   std::string source;
   std::string name;  // of its folder
+  bool isWalk = false;
 };
 
 const std::vector<TitledScene> kBuiltinScenes{
@@ -34,6 +36,7 @@ const std::vector<TitledScene> kBuiltinScenes{
     {"Four statues", "builtin:statues", "statues"},
     {"A fence before a wall", "builtin:fence", "fence"},
     {"Behind a double door", "builtin:doors", "doors"},
+    {"A maze to walk in", "builtin:maze", "maze", true},
     {"A head, as a CT sees it", "builtin:volume,name=skull,size=192", "skull"},
 };
 
@@ -72,6 +75,10 @@ void runDemo(const DemoChoice& choice, const CommandContext& context) {
     context.note(fmt::format("{} ({})", each.title, each.source));
     if (isVolumeSource(each.source)) {
       scenes.push_back(runVolumeDemo(each.title, each.source, choice.output, each.name, options, context.progress()));
+      continue;
+    }
+    if (each.isWalk) {
+      scenes.push_back(runWalkDemo(each.title, each.source, choice.output, each.name, options, context.progress()));
       continue;
     }
     scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, context.progress()));

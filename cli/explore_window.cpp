@@ -76,9 +76,9 @@ void playScriptInWindow(const ExploreWindowChoice& choice, const ExploreWindowWh
   if (what.options.measureTimes) {
     context.print(
         fmt::format("frames            {}\nwalk and images   {:.1f} ms median, {:.1f} of 90 %\n"
-                    "window            {:.1f} ms median, {:.1f} of 90 %\n",
+                    "window            {:.1f} ms median, {:.1f} of 90 %, {:.1f} ms of all cores\n",
                     times.walk.size(), percentileOf(times.walk, 0.5), percentileOf(times.walk, 0.9),
-                    percentileOf(times.window, 0.5), percentileOf(times.window, 0.9)));
+                    percentileOf(times.window, 0.5), percentileOf(times.window, 0.9), times.windowCpu));
   }
 }
 #else

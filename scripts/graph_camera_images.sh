@@ -1,5 +1,5 @@
 #!/bin/sh
-# Makes the images of docs/graph_cameras.md anew, in docs/images. Build the program first.
+# Makes the images of docs/graph_cameras.md and docs/drawing_cameras.md anew, in docs/images. Build the program first.
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -27,6 +27,13 @@ pinhole() {
 
 images portal builtin:maze 800x450 "" --no-fit --view $examples/portal_maze_view.json
 pinhole portal builtin:maze 800x450 --no-fit --view $examples/portal_maze_view.json
+corridor="builtin:maze,file=$examples/corridor_maze.json"
+pinhole portal_beyond "$corridor" 800x450 --no-fit --view $examples/corridor_view.json
+for curve in beyond band; do
+  # shellcheck disable=SC2086  # the program and an option
+  $ocelli render "$corridor" --no-fit --view $examples/corridor_view.json --camera "$examples/portal_$curve.json" \
+    --size 800x450 -o "$images/graph-portal_$curve.png"
+done
 images occluder builtin:town 800x450 "" --no-fit --view $examples/occluder_view.json
 pinhole occluder builtin:town 800x450 --no-fit --view $examples/occluder_view.json
 images target builtin:boxes,count=700,floor=1 800x450 "" --view $examples/target_view.json
@@ -38,3 +45,11 @@ $ocelli render builtin:canyon --no-fit --view $examples/path_view.json --camera 
 images maze_forward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
 images maze_backward "builtin:maze,file=$examples/street_maze.json" 800x500 "" --no-fit
 images comprehensive builtin:maze 1200x750 ""
+
+# What is drawn by hand (docs/drawing_cameras.md): the scripts write the images beside the camera.
+drawn=$(mktemp -d)
+trap 'rm -r "$drawn"' EXIT
+for name in town street; do
+  $ocelli camera draw builtin:town --no-fit --script "$examples/draw_$name.json" -o "$drawn/$name.json"
+done
+cp "$drawn"/draw-*.png "$images"

@@ -6,6 +6,7 @@
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
+#include "oc_core/constructor/comprehensive_objects.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/constructor/maze_constructor.h"
@@ -55,7 +56,8 @@ bool isGrid(JsonFields& fields, const GuidedScene& scene, std::initializer_list<
 
 MultiperspectiveCamera comprehensiveCamera(JsonFields& fields, const GuidedScene& scene,
                                            const PinholeCamera& reference) {
-  const ComprehensiveOptions options = readComprehensiveOptions(fields);
+  ComprehensiveOptions options = readComprehensiveOptions(fields);
+  const bool showsObjects = fields.boolean("show_objects", true);
   const WalkStartFields start = readWalkStart(fields);
   WalkComprehensiveOptions walk;
   walk.minPixels = fields.number("min_pixels", 0, 1e6, walk.minPixels);
@@ -63,6 +65,9 @@ MultiperspectiveCamera comprehensiveCamera(JsonFields& fields, const GuidedScene
   const int width = reference.width();
   const int height = reference.height();
   if (isGrid(fields, scene, {"ways", "start_cell", "start_point", "heading_degrees", "min_pixels"})) {
+    if (showsObjects) {
+      options = chooseComprehensive(scene, options, width, height).options;
+    }
     return makeComprehensiveCamera(*scene.guides.maze, options, width, height);
   }
   const WalkMap map = walkMapFor(scene, std::move(ways));

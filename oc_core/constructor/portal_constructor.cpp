@@ -48,6 +48,11 @@ double rising(double from, double to, double x) {
   return glm::smoothstep(from, to, x);
 }
 
+/// By which rays have turned.
+double shareOf(double presence, double handOver) {
+  return std::max(0.0, (presence - handOver) / (1 - handOver));
+}
+
 /// A portal of the image.
 struct SeenPortal {
   const Portal* portal;
@@ -56,8 +61,7 @@ struct SeenPortal {
   Plane plane;  ///< its normal points in
   double handOver;
 
-  /// By which its rays have turned.
-  double share() const { return std::max(0.0, (presence - handOver) / (1 - handOver)); }
+  double share() const { return shareOf(presence, handOver); }
   /// What it leaves to those behind it.
   double leaves() const { return std::max(0.0, 1 - presence / handOver); }
 };
@@ -205,6 +209,10 @@ double portalPresence(const Portal& portal, const glm::dvec3& eye, const PortalO
          (1 - rising(kFadingShare * options.farthest, options.farthest, distance)) *
          rising(options.straightDegrees, options.bentDegrees, degrees) *
          (1 - rising(options.edgeDegrees - options.edgeFadeDegrees, options.edgeDegrees, degrees));
+}
+
+double portalShare(const Portal& portal, const glm::dvec3& eye, const PortalOptions& options) {
+  return shareOf(portalPresence(portal, eye, options), options.handOver);
 }
 
 glm::dvec3 portalViewpoint(const Portal& portal, const glm::dvec3& eye, double share) {

@@ -2,11 +2,16 @@
 // to look straight in, along the portal's normal, so that one sees what lies behind doors and down side corridors.
 //
 // A leaf's viewpoint is the eye, turned about the vertical through the middle of its portal until it faces it. How far
-// it has turned is a function of where the eye is, and of nothing else: not at all next to the portal, far away, edge
-// on, and where the eye faces it anyway. So images change smoothly with the view, and one walks through a portal
-// without noticing: there is no state, and no frame depends on the one before.
+// it has turned is a function of where the eye is, and of nothing else: not at all next to the portal, where the eye
+// faces it anyway, and where it is edge on and has no image. So images change smoothly with the view, and one walks
+// through a portal without noticing: there is no state, and no frame depends on the one before. As the direction of the
+// view has no part in it, no ray moves in the scene when the head turns, and a portal at the border of the image comes
+// in as it is. From behind a wall likewise: what a wall hides, it hides of bent rays too, as they bend behind it.
 //
-// Where portals are one before the other the nearer one has the rays. It holds them from half of its presence on; below
+// How far they turn from where is a curve (portalCurves()): "beyond" shows every portal in view that is farther away
+// than where it collapses, "band" those in a band of distances and angles alone.
+//
+// Where portals are one before the other the nearer one has the rays. It holds them from a given presence on; below
 // that the farther one takes over, so that it comes into being while the nearer one lets go.
 //
 // DEVIATION: the eye keeps its height over the portal's middle, in the direction of its side `halfUp`, so that what is
@@ -28,14 +33,14 @@ class JsonFields;
 /// of portalCurves().
 struct PortalOptions {
   std::vector<Portal> portals;  ///< where empty, those of the scene, or else the openings of its maze
-  double straightWithin = 0.8;  ///< nearer than that rays go straight through
-  double bentBeyond = 2;        ///< from there on nearness does not matter
+  double straightWithin = 0.5;  ///< nearer than that rays go straight through
+  double bentBeyond = 3;        ///< from there on nearness does not matter
   double farthest = 1e6;  ///< rays go straight through portals that are farther away; from 3/4 of it they bend less
-  double straightDegrees = 20;   ///< rays go straight where the eye faces the portal
-  double bentDegrees = 40;       ///< from there on facing it does not matter
+  double straightDegrees = 25;   ///< rays go straight where the eye faces the portal
+  double bentDegrees = 65;       ///< from there on facing it does not matter
   double edgeDegrees = 89.9;     ///< rays go straight again where the portal is nearly edge on
   double edgeFadeDegrees = 0.4;  ///< so much before that they are bent
-  double handOver = 0.2;         ///< the presence from which on a portal has the rays, and those behind it do not
+  double handOver = 0.3;         ///< the presence from which on a portal has the rays, and those behind it do not
 };
 
 /// How much a portal bends rays from where, by a name.
@@ -51,9 +56,12 @@ const std::vector<PortalCurve>& portalCurves();
 /// Throws InputError where there is none of that name.
 const PortalOptions& portalCurve(const std::string& name);
 
-/// How much of the camera a portal is, from 0 to 1. In the lower half it only holds back those behind it; over the
-/// upper half its rays turn. 0 where the eye is behind it.
+/// How much of the camera a portal is, from 0 to 1. Below `handOver` it only holds back those behind it; from there on
+/// its rays turn. 0 where the eye is behind it.
 double portalPresence(const Portal& portal, const glm::dvec3& eye, const PortalOptions& options = {});
+
+/// By which share of the way from straight to its normal the rays of a portal turn that has none before it.
+double portalShare(const Portal& portal, const glm::dvec3& eye, const PortalOptions& options = {});
 
 /// Where the rays through a portal come from once they have turned by a share of the way.
 glm::dvec3 portalViewpoint(const Portal& portal, const glm::dvec3& eye, double share);

@@ -31,7 +31,7 @@ ExploreScript::Step readStep(JsonFields& fields) {
 Registry<ExploreStepKind>& exploreStepKinds() {
   static Registry<ExploreStepKind> kinds("step of explore scripts", [] {
     std::vector<ExploreStepKind> rows = exploreWalkSteps();
-    for (std::vector<ExploreStepKind> others : {exploreChoiceSteps(), exploreEventSteps()}) {
+    for (std::vector<ExploreStepKind> others : {exploreChoiceSteps(), exploreDrawSteps(), exploreEventSteps()}) {
       rows.insert(rows.end(), std::make_move_iterator(others.begin()), std::make_move_iterator(others.end()));
     }
     return rows;

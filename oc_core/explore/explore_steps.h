@@ -17,6 +17,8 @@ void showFrames(ExploreSession& session, const WalkInput& input, double seconds)
 std::vector<ExploreStepKind> exploreWalkSteps();
 /// Constructors, picks, options, what is expected, and files.
 std::vector<ExploreStepKind> exploreChoiceSteps();
+/// Cameras that are drawn.
+std::vector<ExploreStepKind> exploreDrawSteps();
 /// Keys and the pointer, where there is a window.
 std::vector<ExploreStepKind> exploreEventSteps();
 

@@ -70,6 +70,24 @@ void drawLines(std::string_view title, const std::vector<HelpLine>& lines, float
   ImGui::Dummy({0, 4 * scale});
 }
 
+/// In two columns, in place of all else: they are what keys do now.
+void drawPaneLines(const ExploreOverlayFrame& frame) {
+  if (!ImGui::BeginTable("explore pane help", 2, ImGuiTableFlags_SizingStretchSame)) {
+    return;
+  }
+  const size_t half = (frame.paneHelp.size() + 1) / 2;
+  std::vector<HelpLine> lines;
+  for (size_t i = 0; i < frame.paneHelp.size(); ++i) {
+    lines.push_back({frame.paneHelp[i].keys, frame.paneHelp[i].meaning, ""});
+    if (i + 1 == half || i + 1 == frame.paneHelp.size()) {
+      ImGui::TableNextColumn();
+      drawLines(i + 1 == half ? "Keys of this pane" : "More of them; F6 goes to the next pane", lines, frame.scale);
+      lines.clear();
+    }
+  }
+  ImGui::EndTable();
+}
+
 void drawCameraLines(const ExploreOverlayFrame& frame) {
   const WindowPicture* picture = frame.target.picture;
   if (picture == nullptr) {
@@ -110,6 +128,11 @@ void drawExploreHelp(const ExploreOverlayFrame& frame) {
       "through doors before you are there.",
       kGuiText);
   ImGui::Dummy({0, 4 * scale});
+  if (!frame.paneHelp.empty()) {
+    drawPaneLines(frame);
+    ImGui::End();
+    return;
+  }
   const std::vector<std::string_view> groups = exploreHelpGroups();
   const int columns = width >= 900 * scale ? 2 : 1;
   if (ImGui::BeginTable("explore help columns", columns, ImGuiTableFlags_SizingStretchSame)) {

@@ -94,6 +94,30 @@ void togglePane(ExploreWindowState& state, const char* name) {
   }
 }
 
+/// The pane to draw in needs the room of the others.
+void toggleDrawing(ExploreKeyTarget& target, int) {
+  ExploreWindowState& state = target.state;
+  if (state.shown.erase("draw") > 0) {
+    state.shown.insert("plan");
+    state.active = "view";
+  } else {
+    state.shown = {"draw"};
+    state.active = "draw";
+  }
+}
+
+void drawAnew(ExploreKeyTarget& target, int curved) {
+  target.state.shown = {"draw"};
+  target.state.active = "draw";
+  target.state.drawAnew = curved != 0 ? ExploreWindowState::DrawAnew::kCurved : ExploreWindowState::DrawAnew::kGraph;
+}
+
+/// Keys go to the next of the panes that take any.
+void nextPane(ExploreKeyTarget& target, int) {
+  ExploreWindowState& state = target.state;
+  state.active = state.active == "view" && state.shown.contains("draw") ? "draw" : "view";
+}
+
 void zoomPlan(ExploreKeyTarget& target, int steps) {
   target.state.planZoom =
       std::clamp(target.state.planZoom * std::pow(1.5f, static_cast<float>(steps)), 1.0f, kMaxPlanZoom);
@@ -108,6 +132,8 @@ void escape(ExploreKeyTarget& target, int) {
   } else if (state.messageIsError) {
     state.message.clear();
     state.messageIsError = false;
+  } else if (state.active != "view") {
+    state.active = "view";
   } else {
     state.form = false;
   }
@@ -155,6 +181,11 @@ const std::vector<ExploreKeyAction>& actionRows() {
        [](ExploreKeyTarget& target, int) { target.state.help = !target.state.help; }, 7, "Start"},
       {kScreen, "", "", Key::kF1, false, false, 0,
        [](ExploreKeyTarget& target, int) { target.state.help = !target.state.help; }},
+
+      {kScreen, "G", "draw a camera by hand, and end it", Key::kG, false, false, 0, toggleDrawing},
+      {kScreen, "Shift + G  Ctrl + G", "draw a new graph, curved ray camera", Key::kG, true, false, 0, drawAnew},
+      {kScreen, "", "", Key::kG, false, true, 1, drawAnew},
+      {kScreen, "F6", "keys to where one draws, and back", Key::kF6, false, false, 0, nextPane},
 
       {kFiles, "P", "save an image of the window", Key::kP, false, false, 0,
        [](ExploreKeyTarget& target, int) { target.wishes.saveImage = true; }},

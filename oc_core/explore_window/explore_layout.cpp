@@ -10,7 +10,6 @@ constexpr float kChoicesHeight = 40;
 constexpr float kStatusHeight = 30;
 constexpr float kTitleHeight = 26;
 constexpr float kPaneGap = 2;
-constexpr float kColumnShare = 0.34f;  // of the width
 constexpr float kMinColumnWidth = 240;
 
 ExplorePaneRect atLeastOne(ExplorePaneRect rect) {
@@ -26,8 +25,8 @@ const ExploreWindowLayout::Pane* ExploreWindowLayout::paneAt(const glm::vec2& at
   return found == panes.end() ? nullptr : &*found;
 }
 
-ExploreWindowLayout exploreWindowLayout(const std::vector<size_t>& kinds, const glm::vec2& windowSize,
-                                        float lengthScale) {
+ExploreWindowLayout exploreWindowLayout(const std::vector<size_t>& kinds, float columnShare,
+                                        const glm::vec2& windowSize, float lengthScale) {
   const glm::vec2 size(std::max(windowSize.x, 4.0f), std::max(windowSize.y, 4.0f));
   const float above = std::min(std::round(kChoicesHeight * lengthScale), std::floor(size.y / 4));
   const float below = std::min(std::round(kStatusHeight * lengthScale), std::floor(size.y / 4));
@@ -37,7 +36,7 @@ ExploreWindowLayout exploreWindowLayout(const std::vector<size_t>& kinds, const 
   layout.choices = {0, 0, size.x, above};
   layout.status = {0, size.y - below, size.x, below};
   const size_t beside = kinds.empty() ? 0 : kinds.size() - 1;
-  const float wanted = std::max(std::round(kColumnShare * size.x), kMinColumnWidth * lengthScale);
+  const float wanted = std::max(std::round(columnShare * size.x), kMinColumnWidth * lengthScale);
   const float column = beside == 0 ? 0 : std::min(wanted, std::floor(size.x / 2));
   const float height = size.y - above - below;
   if (!kinds.empty()) {

@@ -34,9 +34,10 @@ struct ExploreWindowLayout {
   const Pane* paneAt(const glm::vec2& at) const;
 };
 
-/// `kinds` are the panes that show, the large one first. `lengthScale` as of GuiLayer. Every rectangle is at least one
+/// `kinds` are the panes that show, the large one first; the column takes that share of the width. `lengthScale` as of
+/// GuiLayer. Every rectangle is at least one
 /// unit wide and tall, however small the window is.
-ExploreWindowLayout exploreWindowLayout(const std::vector<size_t>& kinds, const glm::vec2& windowSize,
-                                        float lengthScale);
+ExploreWindowLayout exploreWindowLayout(const std::vector<size_t>& kinds, float columnShare,
+                                        const glm::vec2& windowSize, float lengthScale);
 
 }  // namespace ocelli

@@ -3,9 +3,11 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "oc_core/explore_window/explore_keys.h"
 #include "oc_core/explore_window/explore_layout.h"
+#include "oc_core/explore_window/explore_pane.h"
 
 namespace ocelli {
 
@@ -13,10 +15,11 @@ struct ExploreOverlayFrame {
   const ExploreWindowLayout& layout;
   ExploreKeyTarget& target;
   const ExploreWindowStatus& status;
-  float scale = 1;             ///< as of ExplorePaneFrame
-  float width = 1;             ///< of the window
-  bool showTimes = true;       ///< figures that differ from run to run
-  double framesPerSecond = 0;  ///< 0: not known
+  float scale = 1;                               ///< as of ExplorePaneFrame
+  float width = 1;                               ///< of the window
+  bool showTimes = true;                         ///< figures that differ from run to run
+  double framesPerSecond = 0;                    ///< 0: not known
+  const std::vector<ExplorePaneHelp>& paneHelp;  ///< of the pane that has the keyboard
 };
 
 /// In this order, each in windows of Dear ImGui of its own.

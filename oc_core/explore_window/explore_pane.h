@@ -12,6 +12,8 @@
 #include <glm/vec2.hpp>
 #include <memory>
 #include <span>
+#include <string>
+#include <vector>
 
 #include "oc_core/base/input_event.h"
 #include "oc_core/explore_window/explore_layout.h"
@@ -40,6 +42,12 @@ struct ExplorePaneFrame {
   void copy(const ExploreTexture& image, GlContext& context, const GlObject& framebuffer) const;
 };
 
+/// A line of the help while a pane has the keyboard.
+struct ExplorePaneHelp {
+  std::string keys;
+  std::string meaning;
+};
+
 class ExplorePane {
  public:
   virtual ~ExplorePane() = default;
@@ -54,6 +62,8 @@ class ExplorePane {
   virtual bool handlePointer(const ExplorePaneFrame& frame, const InputEvent& event, const glm::vec2& pointer);
   /// A key, while this pane has the keyboard (state.active). Whether it has used it: else it is one of the window's.
   virtual bool handleKey(const ExplorePaneFrame& frame, const KeyEvent& event);
+  /// What handleKey() does; empty for nothing.
+  virtual std::vector<ExplorePaneHelp> help() const { return {}; }
 };
 
 /// One row of explorePanes().
@@ -62,6 +72,7 @@ struct ExplorePaneKind {
   const char* title;  ///< over it: "Plan"
   const char* keys;   ///< beside that, how the help names the key that toggles it: "M"
   bool isAlways;      ///< shows whatever is chosen: the view
+  float widthShare;   ///< of the window: how wide the column is where it stands, at least
   std::unique_ptr<ExplorePane> (*make)();
 };
 

@@ -2,6 +2,7 @@
 #include <array>
 #include <cmath>
 
+#include "oc_core/explore_window/draw_pane.h"
 #include "oc_core/explore_window/explore_image_fit.h"
 #include "oc_core/explore_window/explore_pane.h"
 #include "oc_core/explore_window/explore_texture.h"
@@ -39,9 +40,10 @@ bool ExplorePane::handleKey(const ExplorePaneFrame&, const KeyEvent&) {
 
 std::span<const ExplorePaneKind> explorePanes() {
   static const std::array kinds{
-      ExplorePaneKind{"view", "View", "", true, makeViewPane},
-      ExplorePaneKind{"pinhole", "Pinhole", "Tab", false, makePinholePane},
-      ExplorePaneKind{"plan", "Plan", "M", false, makePlanPane},
+      ExplorePaneKind{"view", "View", "", true, 0, makeViewPane},
+      ExplorePaneKind{"pinhole", "Pinhole", "Tab", false, 0.34f, makePinholePane},
+      ExplorePaneKind{"plan", "Plan", "M", false, 0.34f, makePlanPane},
+      ExplorePaneKind{"draw", "Draw a camera", "G", false, 0.5f, makeDrawPane},
   };
   return kinds;
 }

@@ -21,6 +21,15 @@ constexpr double kMessageSeconds = 4;
 constexpr double kHintOver = 60;
 constexpr double kFrameSmoothing = 0.1;  // share of the newest picture in the rate that is shown
 
+/// Returns where.
+std::string writeCamera(const std::filesystem::path& folder, const std::string& text) {
+  const std::filesystem::path path = makeFreeFile(folder, "camera", ".json");
+  OutputFile file(path);
+  file.write(text);
+  file.commit();
+  return path.string();
+}
+
 }  // namespace
 
 ExploreWindow::ExploreWindow(GlContext& context, ExploreWindowOptions options)
@@ -52,7 +61,12 @@ std::vector<size_t> ExploreWindow::shownKinds() const {
 }
 
 ExploreWindowLayout ExploreWindow::layout() const {
-  return exploreWindowLayout(shownKinds(), {window_.width, window_.height}, lengthScale());
+  const std::vector<size_t> shown = shownKinds();
+  float share = 0;
+  for (const size_t kind : shown) {
+    share = std::max(share, explorePanes()[kind].widthShare);
+  }
+  return exploreWindowLayout(shown, share, {window_.width, window_.height}, lengthScale());
 }
 
 ExplorePaneFrame ExploreWindow::frameOf(const ExploreWindowLayout::Pane& pane) {
@@ -187,15 +201,24 @@ void ExploreWindow::draw() {
   gui_.beginFrame(seconds_);
   seconds_ = 0;
   ExploreKeyTarget target = keyTarget();
+  std::vector<ExplorePaneHelp> paneHelp;
+  for (const ExploreWindowLayout::Pane& pane : places.panes) {
+    if (state_.active == explorePanes()[pane.kind].name) {
+      paneHelp = panes_[pane.kind]->help();
+    }
+  }
   const ExploreOverlayFrame overlay{places,
                                     target,
                                     status_,
                                     lengthScale(),
                                     static_cast<float>(window_.width),
                                     options_.showTimes,
-                                    secondsOfFrame_ > 0 ? 1 / secondsOfFrame_ : 0};
+                                    secondsOfFrame_ > 0 ? 1 / secondsOfFrame_ : 0,
+                                    paneHelp};
   for (const ExploreWindowLayout::Pane& pane : places.panes) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});  // what is drawn ends with the pane
     beginExploreArea(explorePanes()[pane.kind].name, pane.rect, kGuiBackground, 0, false);
+    ImGui::PopStyleVar();
     panes_[pane.kind]->draw(frameOf(pane));
     ImGui::End();
   }
@@ -224,6 +247,9 @@ void ExploreWindow::performWishes() {
     if (std::exchange(wishes_.saveCamera, false)) {
       saveCamera();
     }
+    if (const std::optional<std::string> text = std::exchange(state_.cameraToSave, std::nullopt)) {
+      say("saved " + writeCamera(options_.folder, *text) + ", for --camera", false);
+    }
   } catch (const Error& error) {
     say(error.what(), true);
   }
@@ -238,12 +264,7 @@ void ExploreWindow::saveImage() {
 void ExploreWindow::saveCamera() {
   // On the thread that walks, so that it is the camera of a moment.
   work_.tell([folder = options_.folder](const ExploreWindowModel& model) {
-    const std::string text = model.cameraFile();
-    const std::filesystem::path path = makeFreeFile(folder, "camera", ".json");
-    OutputFile file(path);
-    file.write(text);
-    file.commit();
-    return "saved " + path.string() + ", for --camera";
+    return "saved " + writeCamera(folder, model.cameraFile()) + ", for --camera";
   });
 }
 

@@ -1,5 +1,6 @@
 #include "oc_core/explore_window/explore_window_session.h"
 
+#include <ctime>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -42,7 +43,9 @@ class WindowSession final : public ExploreSession {
     const double begin = millisecondsNow();
     window_.update(kSessionFrame);
     const double updated = millisecondsNow();
+    const std::clock_t cpu = std::clock();
     window_.draw();
+    cpuSeconds_ += static_cast<double>(std::clock() - cpu) / CLOCKS_PER_SEC;
     times_.walk.push_back(updated - begin);
     times_.window.push_back(millisecondsNow() - updated);
     window_.hold({});
@@ -90,6 +93,7 @@ class WindowSession final : public ExploreSession {
     if (recorder_.isOn()) {
       stopRecording();
     }
+    times_.windowCpu = 1000 * cpuSeconds_ / static_cast<double>(times_.window.size());
     return std::move(times_);
   }
 
@@ -107,6 +111,7 @@ class WindowSession final : public ExploreSession {
   ExplorerWindowModel* model_ = nullptr;  ///< of the window
   ExploreWindow window_;
   ExploreWindowTimes times_;
+  double cpuSeconds_ = 0;
 };
 
 }  // namespace

@@ -22,6 +22,7 @@ struct ExploreWindowSessionOptions {
 struct ExploreWindowTimes {
   std::vector<double> walk;    ///< the explorer: camera and image
   std::vector<double> window;  ///< panes, panels and texts
+  double windowCpu = 0;        ///< of these, the time of all cores together, milliseconds for each frame
 };
 
 /// Plays it in a window of the script's size. Throws as the script and its steps do, and GlError.

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
+#include <optional>
 #include <set>
 #include <string>
 
@@ -20,6 +22,9 @@ struct ExploreWindowState {
   double hintSeconds = 0;      ///< that the hint of the first run has been there
   float planZoom = 1;          ///< how much larger than the whole scene
   bool recording = false;
+  enum class DrawAnew : uint8_t { kGraph, kCurved };
+  std::optional<DrawAnew> drawAnew;         ///< a camera to be drawn by hand is begun, from where the walker is
+  std::optional<std::string> cameraToSave;  ///< the text of a file that the window is to save
 
   std::string message;  ///< what has just happened
   bool messageIsError = false;

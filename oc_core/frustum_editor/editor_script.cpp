@@ -7,7 +7,7 @@
 namespace ocelli {
 namespace {
 
-constexpr const char* kScriptDescription = "docs/explore.md";
+constexpr const char* kScriptDescription = "oc_core/frustum_editor/editor_script.schema.json";
 constexpr size_t kMaxSteps = 10000;
 
 /// The step's kind and what it does.
@@ -57,7 +57,7 @@ EditorSession::EditorSession(const std::string& text, const std::string& where, 
                              const Mesh& mesh, const SceneGuides& guides, std::filesystem::path folder)
     : mesh_(&mesh), folder_(std::move(folder)), editor_(text, where, reference, mesh, guides) {}
 
-std::filesystem::path EditorSession::pathOf(const std::string& file) const {
+std::filesystem::path EditorSession::pathOf(const std::string& file) {
   const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
   if (path.empty() || path.is_absolute() || *path.begin() == ".." || !path.has_filename()) {
     throw InputError("\"" + file + "\" is no file in the folder of the script's output", "script",
@@ -70,6 +70,7 @@ std::filesystem::path EditorSession::pathOf(const std::string& file) const {
     throw WorkError("the folder cannot be made: " + error.message(), whole.parent_path().string(),
                     "choose another folder");
   }
+  written_.push_back(whole);
   return whole;
 }
 
@@ -91,6 +92,9 @@ EditorScript editorScriptFromJsonText(const std::string& text, const std::string
       const std::vector<double> size = fields.numbers("size", 2, 1, PinholeCamera::kMaxPixelsASide);
       script.width = static_cast<int>(size[0]);
       script.height = static_cast<int>(size[1]);
+      if (script.width != size[0] || script.height != size[1]) {
+        fields.fail("size", "must be two whole numbers");
+      }
     }
     if (fields.has("view")) {
       script.view = viewFromJsonText(fields.value("view").dump(), where + ", \"view\"");

@@ -6,7 +6,7 @@
 //
 // "camera" is "graph" or "curved" for one to begin, or a camera file. Points of plans are in the scene's units: [x, z]
 // in the plan "top", [x, y] in "front" and [z, y] in "right". A step that cannot be done is an error, but where it has
-// "refused": true, and then it is one where it can be done. editorStepKinds() lists all steps.
+// "refused": true, and then it is one where it can be done. editor_script.schema.json lists all steps.
 #pragma once
 
 #include <filesystem>
@@ -31,12 +31,15 @@ class EditorSession {
   FrustumEditor& editor() { return editor_; }
   const Mesh& mesh() const { return *mesh_; }
   /// The folder of the file is made. Throws InputError for a path that leads out of the folder.
-  std::filesystem::path pathOf(const std::string& file) const;
+  std::filesystem::path pathOf(const std::string& file);
+  /// The files that pathOf() gave so far.
+  const std::vector<std::filesystem::path>& written() const { return written_; }
   const PlanBackdrop& backdrop(PlanSide side);
 
  private:
   const Mesh* mesh_;
   std::filesystem::path folder_;
+  std::vector<std::filesystem::path> written_;
   FrustumEditor editor_;
   std::map<PlanSide, PlanBackdrop> backdrops_;
 };

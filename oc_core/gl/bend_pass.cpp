@@ -46,10 +46,8 @@ std::array<glm::vec4, 3> rowsOf(const glm::dmat4& pixelFromWorld) {
   return {inSingle(glm::dvec3(rows[0])), inSingle(glm::dvec3(rows[1])), inSingle(glm::dvec3(rows[3]))};
 }
 
-BendBlock blockOf(const CurvedRayCamera& camera, size_t bend, uint32_t piece) {
-  const RayTransition& transition = camera.bends()[bend];
+BendBlock blockOf(const RayTransition& transition, const BendProjection& projection, uint32_t piece) {
   const TransitionPlanes& planes = transition.planes();
-  const BendProjection projection(camera, bend);
   const BendBounds& bounds = projection.bounds();
   const glm::dvec3& origin = transition.before();
   const auto moved = [&](const glm::dvec4& space) {
@@ -87,7 +85,7 @@ SplitPrograms makePrograms(GlContext& context, ArcModel model) {
                        arcs + define);
   };
   const std::string decide = std::string(shaders::kBendDecideComp) + std::string(shaders::kSplitStore);
-  const std::string triangles = "#define SOURCE TRIANGLES\n";
+  const std::string triangles = "#define SOURCE TRIANGLES\n#define BLOCKS\n";
   const std::string pieces = "#define SOURCE PIECES\n";
   SplitPrograms programs;
   programs.decideTriangles = compute("bend_decide", decide, triangles);
@@ -112,9 +110,16 @@ BendPass::BendPass(GlContext& context)
       conic_(makePrograms(context, ArcModel::kConic)),
       vertexArray_(makeVertexArray(context)) {}
 
-void BendPass::draw(const CurvedRayCamera& camera, size_t bend, uint32_t piece, const GlMesh& mesh) const {
-  const BendBlock block = blockOf(camera, bend, piece);
+void BendPass::draw(const CurvedRayCamera& camera, size_t bend, const BendProjection& projection, uint32_t piece,
+                    const GlMesh& mesh, const MeshBlocks& blocks) const {
+  const BendBlock block = blockOf(camera.bends()[bend], projection, piece);
+  std::vector<uint32_t> seen;
+  blocks.forEachWithin(projection.bounds().spaces(), [&](uint32_t i, Placement) { seen.push_back(i); });
+  if (seen.empty()) {
+    return;
+  }
   const GlObject uniforms = makeBuffer(context_, sizeof(block), &block);
+  const GlObject seenBuffer = makeBuffer(context_, seen);
   const GladGLContext& gl = context_.gl();
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
   bindMesh(context_, mesh);
@@ -122,7 +127,7 @@ void BendPass::draw(const CurvedRayCamera& camera, size_t bend, uint32_t piece, 
   if (camera.arcModel() == ArcModel::kBezier && !bezier_) {
     bezier_ = makePrograms(context_, ArcModel::kBezier);
   }
-  splitter_.draw(camera.arcModel() == ArcModel::kConic ? conic_ : *bezier_, mesh);
+  splitter_.drawBlocks(camera.arcModel() == ArcModel::kConic ? conic_ : *bezier_, seenBuffer, seen.size());
   context_.check("drawing a turn of rays");
 }
 

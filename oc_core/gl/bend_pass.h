@@ -5,6 +5,7 @@
 
 #include "oc_core/camera/curved_ray_camera.h"
 #include "oc_core/gl/piece_splitter.h"
+#include "oc_core/render/bend_projection.h"
 
 namespace ocelli {
 
@@ -14,7 +15,9 @@ class BendPass {
   explicit BendPass(GlContext& context);
 
   /// Draws to the bound framebuffer, as samples of so numbered a piece, with the bound uniforms of the root.
-  void draw(const CurvedRayCamera& camera, size_t bend, uint32_t piece, const GlMesh& mesh) const;
+  /// `projection` is that of the bend, `blocks` are the mesh's.
+  void draw(const CurvedRayCamera& camera, size_t bend, const BendProjection& projection, uint32_t piece,
+            const GlMesh& mesh, const MeshBlocks& blocks) const;
 
  private:
   GlContext& context_;

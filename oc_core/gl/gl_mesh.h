@@ -24,7 +24,8 @@ class GlMesh {
   size_t vertexCount() const { return vertexCount_; }
   size_t triangleCount() const { return triangleCount_; }
 
-  /// A vertex array for glDrawElements(): location 0 is the position, location 1 the colour.
+  /// A vertex array for glDrawElements(): location 0 is the position, location 1 the colour, and location 2 of instance
+  /// i is i, for draws that begin with a block of triangles (oc_core/render/mesh_blocks.h).
   const GlObject& vertexArray() const { return vertexArray_; }
 
  private:
@@ -34,6 +35,7 @@ class GlMesh {
   GlObject positions_;
   GlObject colors_;
   GlObject triangles_;
+  GlObject blockNumbers_;
   GlObject vertexArray_;
 };
 

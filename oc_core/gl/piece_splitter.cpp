@@ -4,6 +4,7 @@
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/piece_lists.h"
+#include "oc_core/render/mesh_blocks.h"
 
 namespace ocelli {
 namespace {
@@ -27,10 +28,20 @@ PieceSplitter::PieceSplitter(GlContext& context)
       leaves_(makeBuffer(context, kPieceCapacity * kPieceBytes)) {}
 
 void PieceSplitter::draw(const SplitPrograms& programs, const GlMesh& mesh) {
+  blocks_ = nullptr;
+  drawTriangles(programs, static_cast<uint32_t>(mesh.triangleCount()));
+}
+
+void PieceSplitter::drawBlocks(const SplitPrograms& programs, const GlObject& blocks, size_t count) {
+  blocks_ = &blocks;
+  drawTriangles(programs, static_cast<uint32_t>(count * MeshBlocks::kTriangles));
+}
+
+void PieceSplitter::drawTriangles(const SplitPrograms& programs, uint32_t count) {
   programs_ = &programs;
   levels_.clear();  // of a drawing that failed
   leafCount_ = 0;
-  levels_.push_back({Level::Kind::kTriangles, 0, {}, 0, static_cast<uint32_t>(mesh.triangleCount())});
+  levels_.push_back({Level::Kind::kTriangles, 0, {}, 0, count});
   while (!levels_.empty()) {
     if (levels_.back().next < levels_.back().count) {
       splitNext();
@@ -95,6 +106,8 @@ void PieceSplitter::run(const GlObject& program, const Level& level, uint32_t it
   gl.UseProgram(program.id());
   if (level.items) {
     gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kSourceBinding, level.items.id());
+  } else if (blocks_ != nullptr) {
+    gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kSourceBinding, blocks_->id());
   }
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kGroupsBinding, groups_.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, kCodes, codes_.id());

@@ -30,6 +30,9 @@ class PieceSplitter {
 
   /// Draws to the bound framebuffer, with the bound uniforms of the camera; the mesh is bound too (bindMesh()).
   void draw(const SplitPrograms& programs, const GlMesh& mesh);
+  /// The same for the triangles of so many blocks (mesh_blocks.h), whose numbers are listed; for programs that are made
+  /// with BLOCKS (shaders/split_codes.glsl).
+  void drawBlocks(const SplitPrograms& programs, const GlObject& blocks, size_t count);
 
  private:
   /// What waits to be split or clipped. Pieces of triangles, but the triangles of the scene at depth 0, and indices of
@@ -48,6 +51,7 @@ class PieceSplitter {
     uint32_t clips = 0;
   };
 
+  void drawTriangles(const SplitPrograms& programs, uint32_t count);
   static uint32_t groupOf(const Level& level);
   void splitNext();
   Counts countNext(const Level& level, uint32_t items);
@@ -57,6 +61,7 @@ class PieceSplitter {
 
   GlContext& context_;
   const SplitPrograms* programs_ = nullptr;  ///< while drawing
+  const GlObject* blocks_ = nullptr;         ///< whose triangles are drawn; null for all
   GlObject groups_;
   GlObject codes_;
   GlObject leaves_;

@@ -1,7 +1,10 @@
 #include "oc_core/gl/segment_pass.h"
 
 #include <algorithm>
+#include <array>
 #include <glm/mat3x3.hpp>
+#include <limits>
+#include <span>
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
@@ -13,16 +16,20 @@ namespace {
 
 /// As shaders/straight_segment.glsl has it, in the layout std140.
 struct SegmentBlock {
+  static constexpr size_t kEndPlanes = 4;
+
   glm::vec4 rowU;
   glm::vec4 rowV;
   glm::vec4 rowW;
   glm::vec4 viewpoint;
   glm::vec4 begin;
-  float margin;
-  float nearWeight;
-  uint32_t piece;
-  uint32_t firstOfLeaves;
+  float margin = 0;
+  float nearWeight = 0;
+  uint32_t piece = 0;
+  uint32_t planeCount = 0;
+  std::array<glm::vec4, kEndPlanes> endPlanes{};
 };
+static_assert(sizeof(SegmentBlock) == 160);
 
 glm::vec4 planeFrom(const glm::dvec3& viewpoint, const Plane& plane) {
   return {glm::vec3(plane.normal), static_cast<float>(plane.height(viewpoint))};
@@ -39,90 +46,218 @@ double nearWeight(const StraightSegment& segment, const glm::dmat3& imageFromWor
   return least;
 }
 
-/// The vertices of the triangles of blocks, as ranges.
-struct VertexRanges {
-  std::vector<GLint> first;
-  std::vector<GLsizei> count;
-
-  void add(uint32_t triangle) {
-    const auto vertex = static_cast<GLint>(3 * triangle);
-    if (!first.empty() && first.back() + count.back() == vertex) {
-      count.back() += 3;
-    } else {
-      first.push_back(vertex);
-      count.push_back(3);
-    }
-  }
+/// As OpenGL takes it.
+struct IndirectDraw {
+  GLuint count = 0;
+  GLuint instances = 1;
+  GLuint firstIndex = 0;
+  GLint baseVertex = 0;
+  GLuint baseInstance = 0;  ///< the block, which location 2 tells the shader
 };
+
+/// What a draw of blocks needs that lie side by side.
+void addBlock(std::vector<IndirectDraw>& draws, uint32_t block, const GlMesh& mesh) {
+  constexpr auto kIndices = static_cast<GLuint>(3 * MeshBlocks::kTriangles);
+  const GLuint first = block * kIndices;
+  const GLuint count = std::min(kIndices, static_cast<GLuint>(3 * mesh.triangleCount()) - first);
+  if (!draws.empty() && draws.back().firstIndex + draws.back().count == first) {
+    draws.back().count += count;
+  } else {
+    draws.push_back({count, 1, first, 0, block});
+  }
+}
+
+/// Runs of blocks from the near to the far. Blocks of a run stay in their order: the more of them lie side by side, the
+/// fewer draws there are.
+void sortRuns(std::vector<BlockTask>& tasks) {
+  struct Run {
+    size_t first;
+    size_t last;
+    float nearest;
+  };
+  std::vector<Run> runs;
+  for (size_t i = 0; i < tasks.size(); ++i) {
+    if (runs.empty() || tasks[runs.back().first].block / MeshBlocks::kRun != tasks[i].block / MeshBlocks::kRun) {
+      runs.push_back({i, i, tasks[i].nearest});
+    }
+    runs.back().last = i + 1;
+    runs.back().nearest = std::min(runs.back().nearest, tasks[i].nearest);
+  }
+  std::stable_sort(runs.begin(), runs.end(), [](const Run& a, const Run& b) { return a.nearest < b.nearest; });
+  std::vector<BlockTask> sorted;
+  sorted.reserve(tasks.size());
+  for (const Run& run : runs) {
+    sorted.insert(sorted.end(), tasks.begin() + static_cast<std::ptrdiff_t>(run.first),
+                  tasks.begin() + static_cast<std::ptrdiff_t>(run.last));
+  }
+  tasks.swap(sorted);
+}
+
+GlObject makeSegmentProgram(GlContext& context, const std::string& defines) {
+  return makeProgram(
+      context, "segment",
+      {{GL_VERTEX_SHADER, {shaders::kPinhole, shaders::kStraightSegment, shaders::kStraightSegmentVert}},
+       {GL_FRAGMENT_SHADER, {shaders::kStraightSegment, shaders::kOverlap, shaders::kStraightSegmentFrag}}},
+      defines);
+}
 
 }  // namespace
 
 SegmentPass::SegmentPass(GlContext& context)
     : context_(context),
-      program_(makeProgram(
-          context, "segment",
-          {{GL_VERTEX_SHADER,
-            {shaders::kPinhole, shaders::kMesh, shaders::kStraightSegment, shaders::kStraightSegmentVert}},
-           {GL_FRAGMENT_SHADER, {shaders::kStraightSegment, shaders::kOverlap, shaders::kStraightSegmentFrag}}})),
-      vertexArray_(makeVertexArray(context)) {}
+      whole_(makeSegmentProgram(context, "")),
+      tested_(makeSegmentProgram(context, "#define TESTED\n")),
+      mask_(makeProgram(
+          context, "segment_mask",
+          {{GL_VERTEX_SHADER, {shaders::kSegmentMaskVert}}, {GL_FRAGMENT_SHADER, {shaders::kSegmentMaskFrag}}})),
+      noVertices_(makeVertexArray(context)) {}
 
-GlObject SegmentPass::upload(const PixelLeaves& leaves) const {
-  GlObject texture = makeTexture(context_, GL_R16UI, leaves.width(), leaves.height());
+/// The rays of a segment that end alike.
+struct SegmentPass::Kind {
+  int16_t number = 0;
+  PixelBounds rect;              ///< around their pixels
+  bool fills = false;            ///< these are all of it
+  std::vector<uint32_t> ofLeaf;  ///< whether the rays of each leaf are of this kind
+  double margin = 0;             ///< how far before the first plane triangles are drawn
+  std::span<const BlockTask> tasks;
+};
+
+SegmentPass::Leaves SegmentPass::upload(const PixelLeaves& leaves) const {
+  Leaves uploaded{makeTexture(context_, GL_R16UI, leaves.width(), leaves.height()), {}, {}};
   context_.gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
-  context_.gl().TextureSubImage2D(texture.id(), 0, 0, 0, leaves.width(), leaves.height(), GL_RED_INTEGER,
+  context_.gl().TextureSubImage2D(uploaded.texture.id(), 0, 0, 0, leaves.width(), leaves.height(), GL_RED_INTEGER,
                                   GL_UNSIGNED_SHORT, leaves.data());
-  return texture;
+  for (int y = 0; y < leaves.height(); ++y) {
+    for (int x = 0; x < leaves.width();) {
+      const uint16_t leaf = leaves(x, y);
+      const int first = x;
+      while (x < leaves.width() && leaves(x, y) == leaf) {
+        ++x;
+      }
+      if (leaf >= uploaded.rects.size()) {
+        uploaded.rects.resize(leaf + size_t{1}, {leaves.width(), leaves.height(), 0, 0});
+        uploaded.pixels.resize(leaf + size_t{1}, 0);
+      }
+      PixelBounds& rect = uploaded.rects[leaf];
+      rect = {std::min(rect.x0, first), std::min(rect.y0, y), std::max(rect.x1, x), std::max(rect.y1, y + 1)};
+      uploaded.pixels[leaf] += static_cast<size_t>(x - first);
+    }
+  }
+  return uploaded;
 }
 
-void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, const GlObject& leaves, const GlMesh& mesh,
+/// Lays out depths: nothing is drawn where rays of this kind do not pass.
+void SegmentPass::closeOtherPixels(const Kind& kind, Leaves& leaves) const {
+  const GladGLContext& gl = context_.gl();
+  const GlObject isOfKind = makeBuffer(context_, kind.ofLeaf);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, isOfKind.id());
+  gl.BindTextureUnit(0, leaves.texture.id());
+  gl.UseProgram(mask_.id());
+  gl.BindVertexArray(noVertices_.id());
+  gl.Disable(GL_STENCIL_TEST);
+  gl.DepthFunc(GL_ALWAYS);
+  gl.ColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+  gl.DrawArrays(GL_TRIANGLES, 0, 3);
+  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+  gl.DepthFunc(GL_GREATER);
+  gl.Enable(GL_STENCIL_TEST);
+  leaves.isMasked = true;
+}
+
+void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, Leaves& leaves, const GlMesh& mesh,
                        const MeshBlocks& blocks) const {
   const SegmentBounds bounds(segment);
+  const PixelBounds rect = bounds.rectIn(PinholeCamera::kMaxPixelsASide, PinholeCamera::kMaxPixelsASide);
   std::vector<BlockTask> tasks;
-  bounds.findBlocks(blocks, {0, blocks.runCount()}, piece, bounds.rectIn(PinholeCamera::kMaxPixelsASide, PinholeCamera::kMaxPixelsASide), tasks);
-  VertexRanges ranges;
-  for (const BlockTask& task : tasks) {
-    blocks.forEachTriangle(task.block, [&](uint32_t triangle) { ranges.add(triangle); });
+  bounds.findBlocks(blocks, {0, blocks.runCount()}, piece, rect, tasks);
+  sortRuns(tasks);
+  const GladGLContext& gl = context_.gl();
+  gl.Enable(GL_SCISSOR_TEST);
+  for (size_t number = 0; number < segment.ends.size(); ++number) {
+    Kind kind{static_cast<int16_t>(number),
+              {std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 0, 0},
+              false,
+              {},
+              bounds.margin(),
+              tasks};
+    size_t pixels = 0;
+    for (size_t leaf = 0; leaf < leaves.rects.size(); ++leaf) {
+      kind.ofLeaf.push_back(segment.endsOfLeaf[leaf] == kind.number ? 1 : 0);
+      if (kind.ofLeaf.back() != 0 && leaves.pixels[leaf] > 0) {
+        const PixelBounds& of = leaves.rects[leaf];
+        kind.rect = {std::min(kind.rect.x0, of.x0), std::min(kind.rect.y0, of.y0), std::max(kind.rect.x1, of.x1),
+                     std::max(kind.rect.y1, of.y1)};
+        pixels += leaves.pixels[leaf];
+      }
+    }
+    if (pixels > 0) {
+      kind.fills =
+          pixels == static_cast<size_t>(kind.rect.x1 - kind.rect.x0) * static_cast<size_t>(kind.rect.y1 - kind.rect.y0);
+      drawKind(segment, kind, piece, leaves, mesh);
+    }
   }
-  if (ranges.first.empty()) {
+  gl.Disable(GL_SCISSOR_TEST);
+  context_.check("drawing a segment of straight rays");
+}
+
+void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uint32_t piece, Leaves& leaves,
+                           const GlMesh& mesh) const {
+  const uint64_t bit = RegionBuffer::kindBit(static_cast<size_t>(kind.number));
+  std::vector<IndirectDraw> draws;
+  std::vector<IndirectDraw> reaching;
+  for (const BlockTask& task : kind.tasks) {
+    const bool isApart = task.rect.x0 >= kind.rect.x1 || task.rect.x1 <= kind.rect.x0 || task.rect.y0 >= kind.rect.y1 ||
+                         task.rect.y1 <= kind.rect.y0;
+    if (!isApart && (task.ended & bit) == 0) {
+      addBlock(task.within && (task.clear & bit) != 0 ? draws : reaching, task.block, mesh);
+    }
+  }
+  if (draws.empty() && reaching.empty()) {
     return;
   }
   // From the viewpoint, which every projection of the segment passes, the matrix is a linear one.
   const glm::dmat4 rows = glm::transpose(segment.pixelFromWorld);
   const glm::dmat3 imageFromWorld =
       glm::transpose(glm::dmat3(glm::dvec3(rows[0]), glm::dvec3(rows[1]), glm::dvec3(rows[3])));
-  const SegmentBlock block{glm::vec4(glm::vec3(rows[0]), 0),
-                           glm::vec4(glm::vec3(rows[1]), 0),
-                           glm::vec4(glm::vec3(rows[3]), 0),
-                           glm::vec4(glm::vec3(segment.viewpoint), 0),
-                           planeFrom(segment.viewpoint, segment.begin),
-                           static_cast<float>(bounds.margin()),
-                           static_cast<float>(0.9 * nearWeight(segment, imageFromWorld)),
-                           piece,
-                           0};
-  const std::vector<int32_t> endsOfLeaves(segment.endsOfLeaf.begin(), segment.endsOfLeaf.end());
-  std::vector<glm::uvec2> kinds;
+  SegmentBlock block{glm::vec4(glm::vec3(rows[0]), 0),
+                     glm::vec4(glm::vec3(rows[1]), 0),
+                     glm::vec4(glm::vec3(rows[3]), 0),
+                     glm::vec4(glm::vec3(segment.viewpoint), 0),
+                     planeFrom(segment.viewpoint, segment.begin),
+                     static_cast<float>(kind.margin),
+                     static_cast<float>(0.9 * nearWeight(segment, imageFromWorld)),
+                     piece};
   std::vector<glm::vec4> planes;
-  for (const std::vector<Plane>& ends : segment.ends) {
-    kinds.emplace_back(planes.size(), ends.size());
-    for (const Plane& plane : ends) {
-      planes.push_back(planeFrom(segment.viewpoint, plane));
-    }
+  for (const Plane& plane : segment.ends[static_cast<size_t>(kind.number)]) {
+    planes.push_back(planeFrom(segment.viewpoint, plane));
   }
+  block.planeCount = static_cast<uint32_t>(planes.size());
+  std::copy_n(planes.begin(), std::min(planes.size(), SegmentBlock::kEndPlanes), block.endPlanes.begin());
+  const size_t whole = draws.size();
+  draws.insert(draws.end(), reaching.begin(), reaching.end());
   const GlObject uniforms = makeBuffer(context_, sizeof(block), &block);
-  const GlObject leafBuffer = makeBuffer(context_, endsOfLeaves);
-  const GlObject kindBuffer = makeBuffer(context_, kinds);
   const GlObject planeBuffer = makeBuffer(context_, planes);
+  const GlObject drawBuffer = makeBuffer(context_, draws);
   const GladGLContext& gl = context_.gl();
-  gl.UseProgram(program_.id());
-  bindMesh(context_, mesh);
+  gl.Scissor(kind.rect.x0, kind.rect.y0, kind.rect.x1 - kind.rect.x0, kind.rect.y1 - kind.rect.y0);
+  if (!kind.fills || leaves.isMasked) {
+    closeOtherPixels(kind, leaves);
+  }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, leafBuffer.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, kindBuffer.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, planeBuffer.id());
-  gl.BindTextureUnit(0, leaves.id());
-  gl.BindVertexArray(vertexArray_.id());
-  gl.MultiDrawArrays(GL_TRIANGLES, ranges.first.data(), ranges.count.data(), static_cast<GLsizei>(ranges.first.size()));
-  context_.check("drawing a segment of straight rays");
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, planeBuffer.id());
+  gl.BindVertexArray(mesh.vertexArray().id());
+  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, drawBuffer.id());
+  const auto drawSome = [&](const GlObject& program, size_t first, size_t count) {
+    if (count > 0) {
+      gl.UseProgram(program.id());
+      gl.MultiDrawElementsIndirect(GL_TRIANGLES, GL_UNSIGNED_INT,
+                                   reinterpret_cast<const void*>(first * sizeof(IndirectDraw)),
+                                   static_cast<GLsizei>(count), 0);
+    }
+  };
+  drawSome(whole_, 0, whole);
+  drawSome(tested_, whole, draws.size() - whole);
+  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
 }
 
 }  // namespace ocelli

@@ -74,8 +74,7 @@ BendCorners cornersOf(const CurvedRayCamera& camera, size_t bend, const glm::dve
   return corners;
 }
 
-BendBounds::BendBounds(const CurvedRayCamera& camera, size_t bend)
-    : bend_(bend), before_(camera.pixelFromWorld(bend)) {
+BendBounds::BendBounds(const CurvedRayCamera& camera, size_t bend) : bend_(bend), before_(camera.pixelFromWorld(bend)) {
   const RayTransition& transition = camera.bends()[bend];
   const TransitionPlanes& planes = transition.planes();
   after_ = camera.pixelFromWorld(bend + 1) / -planes.middle.height(transition.beyond());
@@ -90,8 +89,15 @@ BendBounds::BendBounds(const CurvedRayCamera& camera, size_t bend)
   shortestEdge_ = 0.25 * least / static_cast<double>(camera.root().focalPixels());
 }
 
+HalfSpaces BendBounds::spaces() const {
+  HalfSpaces spaces = slab_;
+  spaces.insert(spaces.end(), sides_.begin(), sides_.end());
+  return spaces;
+}
+
 HalfSpaces BendBounds::sidesOf(const CurvedRayCamera& camera, const PixelBounds& rect) const {
-  const Corners part = cornersOf(glm::dvec2(rect.x0, rect.y0) - kSidesMargin, glm::dvec2(rect.x1, rect.y1) + kPartMargin);
+  const Corners part =
+      cornersOf(glm::dvec2(rect.x0, rect.y0) - kSidesMargin, glm::dvec2(rect.x1, rect.y1) + kPartMargin);
   return around(hullOf(camera, bend_, part), sidesBy(part, before_, after_));
 }
 

@@ -25,6 +25,8 @@ class BendBounds {
   const HalfSpaces& slab() const { return slab_; }
   /// Around all of its rays.
   const HalfSpaces& sides() const { return sides_; }
+  /// Both together: what the bend may show lies within.
+  HalfSpaces spaces() const;
   /// Around those of the pixels of a rectangle.
   HalfSpaces sidesOf(const CurvedRayCamera& camera, const PixelBounds& rect) const;
   /// A quarter of a pixel's footprint where it is smallest, world units.

@@ -43,7 +43,11 @@ struct BendRasterizer::OwnScratch final : PieceRasterizer::Scratch {
 
 BendRasterizer::BendRasterizer(const CurvedRayCamera& camera, size_t bend, uint8_t order, const Mesh& mesh,
                                const MeshBlocks& blocks)
-    : mesh_(mesh), blocks_(blocks), projection_(camera, bend), order_(order), rect_{0, 0, camera.width(), camera.height()} {
+    : mesh_(mesh),
+      blocks_(blocks),
+      projection_(camera, bend),
+      order_(order),
+      rect_{0, 0, camera.width(), camera.height()} {
   const RegionGrid grid(camera.width(), camera.height());
   for (int row = 0; row < grid.down(); ++row) {
     const PixelBounds strip{0, grid.rect(0, row).y0, camera.width(), grid.rect(0, row).y1};
@@ -56,11 +60,9 @@ BendRasterizer::BendRasterizer(const CurvedRayCamera& camera, size_t bend, uint8
 
 void BendRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& grid,
                                 std::vector<BlockTask>& tasks) const {
-  HalfSpaces spaces = bounds().slab();
-  spaces.insert(spaces.end(), bounds().sides().begin(), bounds().sides().end());
-  blocks_.forEachWithin(runs, spaces, [&](uint32_t block, Placement) {
+  blocks_.forEachWithin(runs, bounds().spaces(), [&](uint32_t block, Placement) {
     const Box& box = blocks_[block].box;
-    BlockTask task{piece, block, false, 0, bounds().leastShare(box), {}};
+    BlockTask task{piece, block, false, 0, 0, bounds().leastShare(box), {}};
     for (int row = 0; row < grid.down(); ++row) {
       if (placementOf(box, sidesOfRows_[static_cast<size_t>(row)]) == Placement::kOutside) {
         continue;

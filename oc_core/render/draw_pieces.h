@@ -1,6 +1,7 @@
-// Draws pieces of rays (piece_rasterizer.h) on all threads, region by region of the image: first where the blocks of the
-// mesh may be seen, then each region piece after piece, and within a piece blocks from the near to the far, so that
-// what lies behind is passed over. Each region is drawn by one thread, so images are the same for any number of threads.
+// Draws pieces of rays (piece_rasterizer.h) on all threads, region by region of the image: first where the blocks of
+// the mesh may be seen, then each region piece after piece, and within a piece blocks from the near to the far, so that
+// what lies behind is passed over. Each region is drawn by one thread, so images are the same for any number of
+// threads.
 #pragma once
 
 #include <functional>
@@ -15,7 +16,8 @@ namespace ocelli {
 
 using RayPieces = std::vector<std::unique_ptr<PieceRasterizer>>;
 
-/// Calls `finish(region)` once a region of the image, on several threads at once. Pieces come in their order along rays.
+/// Calls `finish(region)` once a region of the image, on several threads at once. Pieces come in their order along
+/// rays.
 void drawPieces(const RayPieces& pieces, const PixelLeaves& leaves, const MeshBlocks& blocks,
                 const std::function<void(const RegionBuffer& region)>& finish);
 

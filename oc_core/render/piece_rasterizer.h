@@ -1,5 +1,5 @@
-// Draws what one piece of rays shows: a straight segment (straight_segment.h) or a bend (bend_rasterizer.h). A camera is
-// a list of them (draw_pieces.h).
+// Draws what one piece of rays shows: a straight segment (straight_segment.h) or a bend (bend_rasterizer.h). A camera
+// is a list of them (draw_pieces.h).
 #pragma once
 
 #include <memory>
@@ -16,6 +16,7 @@ struct BlockTask {
   uint32_t block = 0;
   bool within = false;  ///< wholly, but for where rays end
   uint64_t clear = 0;   ///< kinds of rays (RegionBuffer::kindBit()) that do not end before the block does
+  uint64_t ended = 0;   ///< kinds of rays that end before it begins
   float nearest = 0;    ///< depth: nothing of the block is nearer in this piece
   PixelBounds rect;     ///< pixels in which it may be seen
 };
@@ -28,7 +29,10 @@ class RegionGrid {
   static constexpr int kHeight = 96;
 
   RegionGrid(int width, int height)
-      : width_(width), height_(height), across_((width + kWidth - 1) / kWidth), down_((height + kHeight - 1) / kHeight) {}
+      : width_(width),
+        height_(height),
+        across_((width + kWidth - 1) / kWidth),
+        down_((height + kHeight - 1) / kHeight) {}
 
   int across() const { return across_; }
   int down() const { return down_; }

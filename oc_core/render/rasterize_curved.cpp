@@ -18,8 +18,8 @@ struct CurvedDrawing {
     parallelFor(pieces.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         if (i % 2 == 0) {
-          pieces[i] = std::make_unique<SegmentRasterizer>(segments[i / 2], mesh, blocks, camera.width(),
-                                                          camera.height());
+          pieces[i] =
+              std::make_unique<SegmentRasterizer>(segments[i / 2], mesh, blocks, camera.width(), camera.height());
         } else {
           pieces[i] = std::make_unique<BendRasterizer>(camera, i / 2, static_cast<uint8_t>(i), mesh, blocks);
         }
@@ -97,7 +97,8 @@ FragmentImage fragmentsOf(const CurvedRayCamera& camera, const OrderedBuffer& bu
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {
   const CurvedDrawing drawing(camera, mesh, blocks);
-  return drawFragments(drawing.pieces, drawing.leaves, mesh, blocks, static_cast<double>(camera.root().view().zFar), CurvedDepths(camera));
+  return drawFragments(drawing.pieces, drawing.leaves, mesh, blocks, static_cast<double>(camera.root().view().zFar),
+                       CurvedDepths(camera));
 }
 
 FragmentImage rasterize(const CurvedRayCamera& camera, const Mesh& mesh) {

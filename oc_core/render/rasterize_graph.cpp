@@ -16,7 +16,8 @@ struct GraphDrawing {
     for (const StraightSegment& segment : segments) {
       pieces.push_back(std::make_unique<SegmentRasterizer>(segment, mesh, blocks, camera.width(), camera.height()));
     }
-    std::stable_sort(pieces.begin(), pieces.end(), [](const auto& a, const auto& b) { return a->order() < b->order(); });
+    std::stable_sort(pieces.begin(), pieces.end(),
+                     [](const auto& a, const auto& b) { return a->order() < b->order(); });
   }
 
   PixelLeaves leaves;
@@ -56,7 +57,8 @@ OrderedBuffer drawOrdered(const GraphCamera& camera, const Mesh& mesh, const Mes
 }
 
 FragmentImage fragmentsOf(const GraphCamera& camera, const OrderedBuffer& buffer, const Mesh& mesh) {
-  return fragmentsOf(buffer, leavesOf(camera), mesh, static_cast<double>(camera.root().view().zFar), GraphDepths(camera));
+  return fragmentsOf(buffer, leavesOf(camera), mesh, static_cast<double>(camera.root().view().zFar),
+                     GraphDepths(camera));
 }
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks) {

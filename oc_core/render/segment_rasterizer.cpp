@@ -61,6 +61,13 @@ class HeightOver {
   bool isBefore(const PixelWeights& weights) const { return height(weights) < -tolerance(weights); }
   bool isBeyond(const PixelWeights& weights) const { return height(weights) > tolerance(weights); }
 
+  /// What drops pixels that are beyond the plane; with a sign of -1, before it.
+  HeightLimit limit(float sign) const {
+    return {{sign * at_[0], sign * at_[1], sign * at_[2]}, overlap_, most_, rounding_};
+  }
+  /// Whether no pixel can be before it.
+  bool isBehindAll() const { return std::min({at_[0], at_[1], at_[2]}) >= 0; }
+
  private:
   float height(const PixelWeights& weights) const { return weights.of(at_[0], at_[1], at_[2]); }
   /// More than what any pixel tolerates, and what rounding takes from heights in between.
@@ -118,12 +125,14 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
   Clipper clipper;
   std::vector<RasterVertex> corners;
   std::vector<HeightOver> heights;
+  std::vector<HeightLimit> limits;
 };
 
 /// Whether rays of some kind end before a point.
 bool isBeyondEnds(const SegmentScratch& scratch, const glm::dvec3& p) {
   return std::any_of(scratch.ends.begin(), scratch.ends.end(), [&](const auto& kind) {
-    return std::any_of(kind.second->begin(), kind.second->end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+    return std::any_of(kind.second->begin(), kind.second->end(),
+                       [&](const Plane& plane) { return plane.height(p) > 0; });
   });
 }
 
@@ -346,20 +355,19 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
   if (endsBefore) {
     return;
   }
-  region_.scan(rect_, vertices[0], vertices[1], vertices[2],
-               [&](size_t pixel, float weight, const PixelWeights& weights) {
-                 if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
-                   return;
-                 }
-                 const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
-                 if (kind != held) {
-                   hold(static_cast<size_t>(kind));
-                 }
-                 if (std::none_of(ends.begin(), ends.end(),
-                                  [&](const HeightOver& end) { return end.isBeyond(weights); })) {
-                   region_.put(pixel, weight, triangle, weights());
-                 }
-               });
+  region_.scan(
+      rect_, vertices[0], vertices[1], vertices[2], [&](size_t pixel, float weight, const PixelWeights& weights) {
+        if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
+          return;
+        }
+        const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
+        if (kind != held) {
+          hold(static_cast<size_t>(kind));
+        }
+        if (std::none_of(ends.begin(), ends.end(), [&](const HeightOver& end) { return end.isBeyond(weights); })) {
+          region_.put(pixel, weight, triangle, weights());
+        }
+      });
 }
 
 }  // namespace ocelli

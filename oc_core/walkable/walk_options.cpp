@@ -15,8 +15,7 @@ constexpr std::array<WalkOption, 6> kWalkOptions{{
     {"slope_degrees", "how steep a floor it walks on", 0, 80, false, &WalkOptions::slopeDegrees},
     {"cell_size", "squares of the height field in which floors are found", 0.01, 50, true, &WalkOptions::cellSize},
     {"part_share",
-     "parts out of reach that are smaller than this share of the largest part are left out, and so are roofs; 0: "
-     "none is",
+     "parts out of reach that are smaller than this share of the largest part, roofs and attics are left out; 0: none",
      0, 1, false, &WalkOptions::partShare},
 }};
 

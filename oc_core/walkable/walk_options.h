@@ -15,7 +15,7 @@ struct WalkOptions {
   double stepHeight = 0.35;
   double slopeDegrees = 40;
   double cellSize = 0.1;   ///< of the height field, level; its heights are in halves of it
-  double partShare = 0.5;  ///< of the largest part's area: smaller parts, and roofs, are left out; 0: none is
+  double partShare = 0.5;  ///< of the largest part's area: smaller parts, roofs and attics are left out; 0: none
 };
 
 /// One option as users see it.

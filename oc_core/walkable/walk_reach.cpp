@@ -64,28 +64,54 @@ void spread(const WalkField& field, int radius, std::vector<uint32_t>& labels) {
   }
 }
 
-/// Which parts lie under the open sky, and for more than half of them over the floor of other parts.
-std::vector<uint8_t> roofs(const WalkField& field, const std::vector<uint32_t>& labels,
-                           const std::vector<size_t>& sizes) {
+/// Which parts lie, for more than half of them, over the floor of part `below`, or of any other and under the open sky
+/// where that is kNoSquare.
+std::vector<uint8_t> partsAbove(const WalkField& field, const std::vector<uint32_t>& labels,
+                                const std::vector<size_t>& sizes, uint32_t below) {
   std::vector<size_t> above(sizes.size(), 0);
   for (uint32_t i = 0; i < labels.size(); ++i) {
     const WalkSquare& square = field.squares[i];
-    if (labels[i] == kNoSquare || square.ceiling != kNoCeiling) {
+    if (labels[i] == kNoSquare || (below == kNoSquare && square.ceiling != kNoCeiling)) {
       continue;
     }
     // Squares of one column stand in a row, from the lowest up.
     for (uint32_t k = i; k-- > 0 && field.squares[k].x == square.x && field.squares[k].z == square.z;) {
-      if (labels[k] != kNoSquare && labels[k] != labels[i]) {
+      if (labels[k] != kNoSquare && labels[k] != labels[i] && (below == kNoSquare || labels[k] == below)) {
         ++above[labels[i]];
         break;
       }
     }
   }
-  std::vector<uint8_t> isRoof(sizes.size(), 0);
+  std::vector<uint8_t> isAbove(sizes.size(), 0);
   for (size_t part = 0; part < sizes.size(); ++part) {
-    isRoof[part] = 2 * above[part] > sizes[part];
+    isAbove[part] = 2 * above[part] > sizes[part];
   }
-  return isRoof;
+  return isAbove;
+}
+
+/// Which parts to keep, as reachOf() says.
+std::vector<uint8_t> keptParts(const WalkField& field, const std::vector<uint32_t>& labels,
+                               const std::vector<size_t>& sizes, double partShare) {
+  std::vector<uint8_t> isKept(sizes.size(), 1);
+  if (partShare == 0 || sizes.empty()) {
+    return isKept;
+  }
+  const std::vector<uint8_t> isRoof = partsAbove(field, labels, sizes, kNoSquare);
+  uint32_t largest = kNoSquare;
+  for (uint32_t part = 0; part < sizes.size(); ++part) {
+    if (isRoof[part] == 0 && (largest == kNoSquare || sizes[part] > sizes[largest])) {
+      largest = part;
+    }
+  }
+  if (largest == kNoSquare) {  // each over another: there is nothing to choose by
+    return isKept;
+  }
+  const std::vector<uint8_t> isAttic = partsAbove(field, labels, sizes, largest);
+  for (uint32_t part = 0; part < sizes.size(); ++part) {
+    const bool isSmall = static_cast<double>(sizes[part]) < partShare * static_cast<double>(sizes[largest]);
+    isKept[part] = part == largest || (isRoof[part] == 0 && isAttic[part] == 0 && !isSmall);
+  }
+  return isKept;
 }
 
 }  // namespace
@@ -106,19 +132,11 @@ WalkReach reachOf(const WalkField& field, int radius, double partShare) {
       ++sizes[label];
     }
   }
-  const std::vector<uint8_t> isRoof = partShare > 0 ? roofs(field, labels, sizes) : std::vector<uint8_t>(parts, 0);
-  size_t largest = 0;
-  for (uint32_t part = 0; part < parts; ++part) {
-    largest = std::max(largest, isRoof[part] != 0 ? 0 : sizes[part]);
-  }
+  const std::vector<uint8_t> isKept = keptParts(field, labels, sizes, partShare);
   size_t small = 0;
-  std::vector<uint8_t> isKept(parts, 1);
   for (uint32_t part = 0; part < parts; ++part) {
-    if (isRoof[part] != 0 || static_cast<double>(sizes[part]) < partShare * static_cast<double>(largest)) {
-      isKept[part] = 0;
-      small += sizes[part];
-      ++reach.smallParts;
-    }
+    small += isKept[part] != 0 ? 0 : sizes[part];
+    reach.smallParts += isKept[part] != 0 ? 0 : 1;
   }
   WalkField separate = field;
   std::vector<uint8_t> kept(labels.size(), 0);

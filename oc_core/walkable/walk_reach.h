@@ -14,8 +14,9 @@ struct WalkReach {
   size_t smallParts = 0;
 };
 
-/// The agent covers a square of 2 `radius` + 1 squares. Parts smaller than `partShare` of the
-/// largest are left out, and where that is not 0 also roofs: what lies under the open sky, and mostly over other parts.
+/// The agent covers a square of 2 `radius` + 1 squares. Parts smaller than `partShare` of the largest are left out, and
+/// where that is not 0 also roofs, which lie under the open sky and mostly over other parts, and attics, which lie
+/// mostly over the largest part.
 WalkReach reachOf(const WalkField& field, int radius, double partShare);
 
 }  // namespace ocelli

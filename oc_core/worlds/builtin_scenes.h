@@ -5,7 +5,8 @@
 //      oc_core/worlds/builtin_list.h;
 //   2. oc_core/worlds/builtin_scenes.cpp: add it to the list.
 // Those of one object fit the unit sphere, with their front towards +z, whence the default view looks. Those to walk
-// through (mazes, the town, the city, the house, the canyon) are in metres; fitting a scene scales them down, and GuidedScene says how.
+// through (mazes, the town, the city, the house, the canyon) are in metres; fitting a scene scales them down, and
+// GuidedScene says how.
 #pragma once
 
 #include <functional>

@@ -21,17 +21,32 @@ inline double meanDifference(const Image<glm::vec3>& a, const Image<glm::vec3>& 
   return sum / static_cast<double>(a.size());
 }
 
+/// Each pixel the mean of samples x samples: what is finer than a pixel counts as what it looks like.
+inline Image<glm::vec3> averaged(const Image<glm::vec3>& fine, int samples) {
+  Image<glm::vec3> coarse(fine.width() / samples, fine.height() / samples, glm::vec3(0));
+  for (int y = 0; y < coarse.height() * samples; ++y) {
+    for (int x = 0; x < coarse.width() * samples; ++x) {
+      coarse(x / samples, y / samples) += fine(x, y) / static_cast<float>(samples * samples);
+    }
+  }
+  return coarse;
+}
+
 class ImageChange {
  public:
+  /// Of images that are so many times as wide and high.
+  explicit ImageChange(int samples = 1) : samples_(samples) {}
+
   /// From the frame before; nothing for the first.
   std::optional<double> next(const FragmentImage& fragments, const Mesh& mesh) {
-    Image<glm::vec3> colors = colorImage(fragments, mesh, glm::vec3(0));
+    Image<glm::vec3> colors = averaged(colorImage(fragments, mesh, glm::vec3(0)), samples_);
     const std::optional<double> change = last_.empty() ? std::nullopt : std::optional(meanDifference(last_, colors));
     last_ = std::move(colors);
     return change;
   }
 
  private:
+  int samples_;
   Image<glm::vec3> last_;
 };
 

@@ -14,7 +14,7 @@ bool overlap(const ExplorePaneRect& a, const ExplorePaneRect& b) {
 }
 
 TEST(ExploreLayout, panesCoverWhatIsBetweenTheBars) {
-  const ExploreWindowLayout layout = exploreWindowLayout({0, 1, 2}, {1280, 720}, 1);
+  const ExploreWindowLayout layout = exploreWindowLayout({0, 1, 2}, 0.34f, {1280, 720}, 1);
   ASSERT_EQ(layout.panes.size(), 3U);
   EXPECT_EQ(layout.choices, (ExplorePaneRect{0, 0, 1280, 40}));
   EXPECT_EQ(layout.status, (ExplorePaneRect{0, 690, 1280, 30}));
@@ -27,14 +27,14 @@ TEST(ExploreLayout, panesCoverWhatIsBetweenTheBars) {
 }
 
 TEST(ExploreLayout, theViewAloneFillsAll) {
-  const ExploreWindowLayout layout = exploreWindowLayout({0}, {1280, 720}, 1);
+  const ExploreWindowLayout layout = exploreWindowLayout({0}, 0, {1280, 720}, 1);
   EXPECT_EQ(layout.panes.front().rect, (ExplorePaneRect{0, 40, 1280, 650}));
 }
 
 TEST(ExploreLayout, nothingOverlapsOrIsEmptyInAnySize) {
   for (const glm::vec2 size : {glm::vec2(1, 1), glm::vec2(200, 90), glm::vec2(640, 360), glm::vec2(3840, 2160)}) {
     for (const float scale : {1.0f, 2.0f}) {
-      const ExploreWindowLayout layout = exploreWindowLayout({0, 1, 2, 3}, size, scale);
+      const ExploreWindowLayout layout = exploreWindowLayout({0, 1, 2, 3}, 0.5f, size, scale);
       for (size_t i = 0; i < layout.panes.size(); ++i) {
         EXPECT_GE(layout.panes[i].rect.width, 1);
         EXPECT_GE(layout.panes[i].rect.height, 1);

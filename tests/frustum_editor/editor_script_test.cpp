@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_document.h"
 #include "oc_core/drawing/drawing.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/frustum_editor/editor_scene.h"
@@ -87,6 +88,34 @@ TEST_F(EditorScriptTest, goesOnWithACameraFile) {
       "next.json");
   EditorSession session = playEditorScript(script, folder.path(), test::editorView(), mesh, {}, folder.path());
   EXPECT_NE(session.editor().drawn().find("ahead"), nullptr);
+}
+
+TEST(EditorScriptSchema, hasEveryStepToolAndHandle) {
+  const nlohmann::json schema = readJsonFile(OCELLI_EDITOR_SCRIPT_SCHEMA);
+  const nlohmann::json& step = schema.at("properties").at("steps").at("items").at("properties");
+  std::set<std::string> described;
+  for (const auto& [name, property] : step.items()) {
+    described.insert(name);
+  }
+  // What belongs to steps besides their own fields.
+  for (const char* name : {"plan", "snap", "reach", "of", "index", "is", "from", "to", "refused", "comment"}) {
+    EXPECT_EQ(described.erase(name), 1U) << name;
+  }
+  std::set<std::string> steps;
+  for (const EditorStepKind& kind : editorStepKinds()) {
+    steps.insert(kind.name);
+  }
+  EXPECT_EQ(described, steps);
+  std::vector<std::string> tools;
+  for (const EditorTool& tool : editorTools()) {
+    tools.push_back(tool.name);
+  }
+  EXPECT_EQ(step.at("tool").at("enum").get<std::vector<std::string>>(), tools);
+  std::vector<std::string> handles;
+  for (const HandleKind& kind : handleKinds()) {
+    handles.push_back(kind.name);
+  }
+  EXPECT_EQ(step.at("handle").at("enum").get<std::vector<std::string>>(), handles);
 }
 
 TEST_F(EditorScriptTest, drawsOverlapsInRedWithTheirWitness) {

@@ -204,17 +204,6 @@ TEST(Walkable, RoofsAreLeftOutUnlessAllPartsAreAskedFor) {
   EXPECT_EQ(findWalkMap(mesh, all).cells.size(), 2U);
 }
 
-TEST(Walkable, HugeScenesGetACoarserGridWithANote) {
-  Mesh mesh;
-  test::addFloor(mesh, {0, 0}, {3000, 3000});
-  const WalkSurvey survey = surveyWalkable(mesh, {});
-  EXPECT_GT(survey.cellSize, 1.2);
-  EXPECT_LE(std::pow(3000 / survey.cellSize, 2), 6e6);
-  ASSERT_EQ(survey.notes.size(), 1U);
-  EXPECT_THAT(survey.notes[0], HasSubstr("the scene is large"));
-  EXPECT_EQ(survey.map.cells.size(), 1U);
-}
-
 TEST(WalkableErrors, WallsAloneHaveNoFloor) {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {4, 0, 0}, {4, 3, 0}};

@@ -63,7 +63,11 @@ uint decide(vec3 pa, vec3 pb, vec3 pc) {
 
 #if SOURCE == TRIANGLES
 uint decideItem(uint item) {
-  uvec3 vertices = triangleVertices(item);
+  uint triangle = sourceTriangle(item);
+  if (3u * triangle >= uint(triangles.length())) {
+    return kDrop;  // the last block is shorter
+  }
+  uvec3 vertices = triangleVertices(triangle);
   vec3 a = position(vertices.x) - before.xyz;
   vec3 b = position(vertices.y) - before.xyz;
   vec3 c = position(vertices.z) - before.xyz;

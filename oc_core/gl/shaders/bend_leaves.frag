@@ -2,7 +2,8 @@
 layout(location = 0) flat in uint triangle;
 layout(location = 1) in vec2 weights;
 layout(location = 2) in vec2 heights;
-layout(location = 0) out uvec4 sample_;
+layout(location = 0) out uvec2 sample_;
+layout(location = 1) out vec2 weights_;
 
 void main() {
   vec2 across = dFdx(heights);
@@ -13,5 +14,6 @@ void main() {
   }
   float first = max(heights.x, 0.0);
   gl_FragDepth = 1.0 - 0.999 * (first > 0.0 ? first / (first + max(heights.y, 0.0)) : 0.0);
-  sample_ = uvec4(piece, triangle, floatBitsToUint(weights));
+  sample_ = uvec2(piece, triangle);
+  weights_ = weights;
 }

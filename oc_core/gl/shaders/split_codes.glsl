@@ -23,3 +23,17 @@ uint codeOf(uint kept) {
 uint beforeOf(uint kept) {
   return kept >> 5;
 }
+
+// The triangle of the scene that an item stands for, where items are triangles: with BLOCKS, those of listed blocks.
+#ifdef BLOCKS
+const uint kBlockTriangles = 32u;  // oc_core/render/mesh_blocks.h
+layout(std430, binding = 2) readonly buffer Blocks { uint blocks[]; };
+
+uint sourceTriangle(uint item) {
+  return blocks[item / kBlockTriangles] * kBlockTriangles + item % kBlockTriangles;
+}
+#else
+uint sourceTriangle(uint item) {
+  return item;
+}
+#endif

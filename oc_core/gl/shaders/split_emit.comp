@@ -35,7 +35,7 @@ void main() {
   }
   uvec4 places = groups[gl_WorkGroupID.x] + unpackCounts(beforeOf(kept));
 #if SOURCE == TRIANGLES
-  triangle = first + item;
+  triangle = sourceTriangle(first + item);
   vec2 a = vec2(0, 0);
   vec2 b = vec2(1, 0);
   vec2 c = vec2(0, 1);

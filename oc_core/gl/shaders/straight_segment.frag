@@ -1,33 +1,31 @@
-// Keeps what lies in the segment: behind its first plane, before those where the rays of the pixel end.
-layout(location = 0) flat in uint triangle;
-layout(location = 1) in vec2 weights;
-layout(location = 2) in vec3 place;
-layout(binding = 0) uniform usampler2D leaves;
-// Of each leaf: the kind of its rays in this segment, -1 where they do not pass it.
-layout(std430, binding = 2) readonly buffer EndsOfLeaves { int endsOfLeaves[]; };
-// Of each kind: where its planes begin, and how many there are.
-layout(std430, binding = 3) readonly buffer Kinds { uvec2 kinds[]; };
-layout(std430, binding = 4) readonly buffer Planes { vec4 planes[]; };
-layout(location = 0) out uvec4 sample_;
+// What lies in a segment. TESTED: triangles may reach out of it; kept is what lies behind its first plane and before
+// those where rays end.
+layout(location = 0) flat in uint firstTriangle;
+layout(location = 0) out uvec2 sample_;
+#ifdef TESTED
+layout(location = 1) in vec3 place;
+// Where rays end, beyond the first planes.
+layout(std430, binding = 2) readonly buffer Planes { vec4 planes[]; };
 
-void main() {
+bool isInSegment() {
   vec3 across = dFdx(place);
   vec3 down = dFdy(place);
   float size = length(place + viewpoint.xyz);
-  if (dot(begin.xyz, place) + begin.w < -overlapOf(dot(begin.xyz, across), dot(begin.xyz, down), size)) {
-    discard;
-  }
-  int kind = endsOfLeaves[firstOfLeaves + texelFetch(leaves, ivec2(gl_FragCoord.xy), 0).x];
-  if (kind < 0) {
-    discard;
-  }
-  uvec2 range = kinds[kind];
-  for (uint i = 0u; i < range.y; ++i) {
-    vec4 plane = planes[range.x + i];
+  bool inside = dot(begin.xyz, place) + begin.w >= -overlapOf(dot(begin.xyz, across), dot(begin.xyz, down), size);
+  for (uint i = 0u; i < planeCount; ++i) {
+    vec4 plane = i < kEndPlanes ? endPlanes[i] : planes[i];
     float height = dot(plane.xyz, place) + plane.w;
-    if (height > overlapOf(dot(plane.xyz, across), dot(plane.xyz, down), size)) {
-      discard;
-    }
+    inside = inside && height <= overlapOf(dot(plane.xyz, across), dot(plane.xyz, down), size);
   }
-  sample_ = uvec4(piece, triangle, floatBitsToUint(weights));
+  return inside;
+}
+#endif
+
+void main() {
+#ifdef TESTED
+  if (!isInSegment()) {
+    discard;
+  }
+#endif
+  sample_ = uvec2(piece, firstTriangle + uint(gl_PrimitiveID));
 }

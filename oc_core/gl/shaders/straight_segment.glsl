@@ -1,4 +1,6 @@
-// A segment: its matrix, for points from its viewpoint, and its first plane.
+// A segment: its matrix, for points from its viewpoint, its first plane, and where its rays of one kind end.
+const uint kBlockTriangles = 32u;  // oc_core/render/mesh_blocks.h
+const uint kEndPlanes = 4u;
 layout(std140, binding = 1) uniform StraightSegment {
   vec4 rowU;
   vec4 rowV;
@@ -8,5 +10,6 @@ layout(std140, binding = 1) uniform StraightSegment {
   float margin;      // before the first plane
   float nearWeight;  // least weight
   uint piece;
-  uint firstOfLeaves;
+  uint planeCount;
+  vec4 endPlanes[kEndPlanes];
 };

@@ -1,15 +1,20 @@
-// Corners of triangles, pulled from the scene, as a segment of straight rays projects them
-// (oc_core/render/straight_segment.h).
-layout(location = 0) flat out uint triangle;
-layout(location = 1) out vec2 weights;
-layout(location = 2) out vec3 place;  // from the viewpoint
+// Corners of triangles as a segment of straight rays projects them (oc_core/render/straight_segment.h).
+layout(location = 0) in vec3 worldPoint;
+layout(location = 2) in uint block;  // that a draw begins with
+layout(location = 0) flat out uint firstTriangle;
+#ifdef TESTED
+layout(location = 1) out vec3 place;  // from the viewpoint
+#endif
 
 void main() {
-  triangle = uint(gl_VertexID) / 3u;
-  uint corner = uint(gl_VertexID) % 3u;
-  weights = vec2(corner == 1u ? 1 : 0, corner == 2u ? 1 : 0);
-  place = position(triangles[gl_VertexID]) - viewpoint.xyz;
-  vec3 image = vec3(dotInOrder(place, rowU.xyz), dotInOrder(place, rowV.xyz), dotInOrder(place, rowW.xyz));
+  firstTriangle = block * kBlockTriangles;
+  vec3 p = worldPoint - viewpoint.xyz;
+  vec3 image = vec3(dotInOrder(p, rowU.xyz), dotInOrder(p, rowV.xyz), dotInOrder(p, rowW.xyz));
   gl_Position = vec4(2.0 * image.xy / pinholeSize - image.z, nearWeight, image.z);
-  gl_ClipDistance[0] = dot(begin.xyz, place) + begin.w + margin;
+#ifdef TESTED
+  place = p;
+  gl_ClipDistance[0] = dot(begin.xyz, p) + begin.w + margin;
+#else
+  gl_ClipDistance[0] = 1.0;
+#endif
 }

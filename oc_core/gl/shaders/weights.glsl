@@ -35,3 +35,28 @@ vec3 weightsAt(vec3 a, vec3 b, vec3 c, vec2 at) {
   }
   return weights / (weights.x + weights.y + weights.z);
 }
+
+// The same for corners given as image coordinates times their weights, and the weights, of any projection: weights of
+// corners in space.
+vec3 weightsOfImages(vec3 a, vec3 b, vec3 c, vec2 at) {
+  vec3 weights;
+  bool inFront = min(a.z, min(b.z, c.z)) > 0.0;
+  vec2 qa = vec2(0);
+  vec2 qb = vec2(0);
+  vec2 qc = vec2(0);
+  if (inFront) {
+    qa = snapped(a.xy / a.z) - at;
+    qb = snapped(b.xy / b.z) - at;
+    qc = snapped(c.xy / c.z) - at;
+  }
+  if (inFront && max(largest(qa), max(largest(qb), largest(qc))) < 8192.0) {
+    weights = vec3(planarCross(qb, qc), planarCross(qc, qa), planarCross(qa, qb));
+    float area = weights.x + weights.y + weights.z;
+    weights = max(weights / area, 0.0) / vec3(a.z, b.z, c.z);
+  } else {
+    vec3 ray = vec3(at, 1.0);
+    weights = vec3(dot(cross(b, c), ray), dot(cross(c, a), ray), dot(cross(a, b), ray));
+    weights = max(weights * sign(weights.x + weights.y + weights.z), 0.0);
+  }
+  return weights / (weights.x + weights.y + weights.z);
+}

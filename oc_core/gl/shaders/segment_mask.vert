@@ -1,0 +1,5 @@
+// All pixels of the scissor's rectangle.
+void main() {
+  gl_Position = vec4(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0, 0.0, 1.0);
+  gl_ClipDistance[0] = 1.0;
+}

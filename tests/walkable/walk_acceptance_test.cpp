@@ -1,0 +1,92 @@
+// Ten cities and ten houses, of which no more is known than their triangles: where one can walk is found, and compared
+// with the plans; the comprehensive camera shows the middle of each cell, or the report says why not.
+#include <gtest/gtest.h>
+
+#include "bench/walk_acceptance.h"
+#include "oc_core/walkable/walkable.h"
+
+namespace ocelli {
+namespace {
+
+constexpr uint64_t kScenes = 10;
+constexpr float kCitySize = 100;  // metres; a smaller one than by default, for the time that it takes
+constexpr size_t kPixels = 4;     // WalkComprehensiveOptions::minPixels
+
+struct FoundTotals {
+  double knownArea = 0;
+  double coveredArea = 0;
+  double foundArea = 0;
+  double plannedArea = 0;
+  size_t knownCells = 0;
+  size_t matchedCells = 0;
+  size_t knownPortals = 0;
+  size_t matchedPortals = 0;
+  size_t cells = 0;
+  size_t seen = 0;
+
+  double covered() const { return coveredArea / knownArea; }
+  double planned() const { return plannedArea / foundArea; }
+  double cellRecall() const { return static_cast<double>(matchedCells) / static_cast<double>(knownCells); }
+  double portalRecall() const { return static_cast<double>(matchedPortals) / static_cast<double>(knownPortals); }
+  double seenShare() const { return static_cast<double>(seen) / static_cast<double>(cells); }
+};
+
+void accept(const bench::WalkScene& scene, FoundTotals& totals) {
+  const bench::WalkAcceptance result = bench::acceptWalks(scene, 1920, 1080);
+  const WalkAgreement& agreement = result.agreement;
+  ASSERT_FALSE(agreement.reached.empty()) << scene.source;
+  ASSERT_EQ(result.cells.size(), agreement.reached.size());
+  for (const bench::SeenCell& cell : result.cells) {
+    EXPECT_EQ(cell.why.empty(), cell.pixels >= kPixels) << scene.source << ": seen, or it is said why not";
+  }
+  EXPECT_GE(agreement.coveredShare, 0.8) << scene.source;
+  EXPECT_GE(agreement.knownShare, 0.8) << scene.source;
+  totals.knownArea += agreement.knownArea;
+  totals.coveredArea += agreement.coveredShare * agreement.knownArea;
+  totals.foundArea += agreement.reachedArea;
+  totals.plannedArea += agreement.knownShare * agreement.reachedArea;
+  totals.knownCells += scene.known.cells.size();
+  totals.matchedCells += agreement.matchedCells();
+  totals.knownPortals += scene.known.portals.size();
+  totals.matchedPortals += agreement.matchedPortals();
+  totals.cells += result.cells.size();
+  totals.seen += result.seenCells();
+}
+
+// The bounds are what bench/walk_acceptance_bench measured (docs/results.md, "Where one can walk"), less some percent:
+// they are to catch what becomes worse.
+
+TEST(WalkAcceptance, FindsCities) {
+  if (!canFindWalkable()) {
+    GTEST_SKIP() << "built without Recast";
+  }
+  FoundTotals totals;
+  for (uint64_t seed = 1; seed <= kScenes; ++seed) {
+    accept(bench::cityToWalk(seed, kCitySize), totals);
+  }
+  std::printf("floor %.3f %.3f, cells %.3f, openings %.3f, seen %.3f\n", totals.covered(), totals.planned(),
+              totals.cellRecall(), totals.portalRecall(), totals.seenShare());
+  EXPECT_GE(totals.covered(), 0.95);
+  EXPECT_GE(totals.planned(), 0.85);
+  EXPECT_GE(totals.cellRecall(), 0.8);
+  EXPECT_GE(totals.portalRecall(), 0.7);
+}
+
+TEST(WalkAcceptance, FindsHouses) {
+  if (!canFindWalkable()) {
+    GTEST_SKIP() << "built without Recast";
+  }
+  FoundTotals totals;
+  for (uint64_t seed = 1; seed <= kScenes; ++seed) {
+    accept(bench::houseToWalk(seed), totals);
+  }
+  std::printf("floor %.3f %.3f, cells %.3f, openings %.3f, seen %.3f\n", totals.covered(), totals.planned(),
+              totals.cellRecall(), totals.portalRecall(), totals.seenShare());
+  EXPECT_GE(totals.covered(), 0.85);
+  EXPECT_GE(totals.planned(), 0.95);
+  EXPECT_GE(totals.cellRecall(), 0.9);
+  EXPECT_GE(totals.portalRecall(), 0.9);
+}
+
+}  // namespace
+}  // namespace ocelli
