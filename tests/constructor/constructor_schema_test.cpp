@@ -125,7 +125,8 @@ TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
                         nlohmann::json::parse(R"({"camera": "path", "path": [[0, 0, 1], [1, 0, 0], [1, 0, -3]]})")}
       .check();
   const PathOptions options;
-  expectDefaults("path", {{"position", options.position},
+  expectDefaults("path", {{"deployed", options.deployed},
+                          {"position", options.position},
                           {"preview", options.preview},
                           {"turns", options.turns},
                           {"eye_height", options.eyeHeight},
