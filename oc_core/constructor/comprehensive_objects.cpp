@@ -8,7 +8,6 @@
 #include <set>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/maze_options.h"
 
 namespace ocelli {
 namespace {
