@@ -31,7 +31,7 @@ class ExploreRun {
 
   void run() {
     auto last = RunClock::now();
-    while (!explore_.wantsClose()) {
+    while (!explore_.wantsClose() && (!options_.goesOn || options_.goesOn())) {
       takeEvents();
       const auto now = RunClock::now();
       const double seconds = std::chrono::duration<double>(now - last).count();
