@@ -1,6 +1,7 @@
 #include "oc_core/explore_window/explore_window_run.h"
 
 #include <chrono>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/free_file_name.h"
