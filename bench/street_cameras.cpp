@@ -1,5 +1,7 @@
 #include "bench/street_cameras.h"
 
+#include <string>
+
 namespace ocelli {
 namespace {
 
@@ -46,6 +48,38 @@ GraphCamera streetGraph(const Street& street, int width, int height) {
   graph.bend(ahead, {frame.plane(0.1, 2.5, 1, 1), frame.point(-0.3, 2.55)}, "far right", columns(farRight, right));
   graph.bend(ahead, {frame.plane(0, 2.9, 0, 1), frame.point(0, 0.6)}, "far ahead", columns(farLeft, farRight));
   return graph;
+}
+
+GraphCamera columnsGraph(const Street& street, int width, int height, int frusta) {
+  const PinholeCamera camera(street.view, width, height);
+  const Frame frame(street, camera);
+  GraphCamera graph(camera);
+  const int levels = (frusta - 1) % 2 == 0 ? 2 : 1;
+  const int columns = (frusta - 1) / levels;
+  const auto slopeOf = [&](double column) {
+    return (column - static_cast<double>(camera.centerPixels().x)) / static_cast<double>(camera.focalPixels());
+  };
+  const double bottom = height;
+  for (int i = 0; i < columns; ++i) {
+    const double from = static_cast<double>(width) * i / columns;
+    const double to = static_cast<double>(width) * (i + 1) / columns;
+    const GraphCamera::Part part{{from, 0}, {to, 0}, {to, bottom}, {from, bottom}};
+    const double middle = slopeOf((from + to) / 2);
+    const double aside = i % 2 == 0 ? 0.06 : -0.06;
+    int last = 0;
+    for (int level = 0; level < levels; ++level) {
+      const double d = 0.9 + level;
+      last = graph.bend(last, {frame.plane(0, d, 0, 1), frame.point(middle * (d - 0.6) + aside, d - 0.6)},
+                        "column " + std::to_string(i) + ", " + std::to_string(level), part);
+    }
+  }
+  return graph;
+}
+
+GraphCamera graphOf(const Street& street, int width, int height, int frusta) {
+  return frusta == 1   ? GraphCamera(PinholeCamera(street.view, width, height))
+         : frusta == 7 ? streetGraph(street, width, height)
+                       : columnsGraph(street, width, height, frusta);
 }
 
 CurvedRayCamera streetCurves(const Street& street, int width, int height, int turns) {

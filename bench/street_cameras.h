@@ -16,6 +16,12 @@ struct Street {
 /// by what goes ahead at the first.
 GraphCamera streetGraph(const Street& street, int width, int height);
 
+/// So many frusta: columns of the image, each of which sees what lies farther ahead from its own viewpoint, to the
+/// right and to the left in turn; once, or twice where that gives the number.
+GraphCamera columnsGraph(const Street& street, int width, int height, int frusta);
+/// One of those by the number of frusta; 1 is the pinhole itself.
+GraphCamera graphOf(const Street& street, int width, int height, int frusta);
+
 /// Rays swerve to the right and back, so many times; the first turn is at the crossing.
 CurvedRayCamera streetCurves(const Street& street, int width, int height, int turns);
 

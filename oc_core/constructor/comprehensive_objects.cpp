@@ -8,7 +8,6 @@
 #include <set>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/maze_options.h"
 
 namespace ocelli {
 namespace {
@@ -163,7 +162,7 @@ ComprehensiveChoice chooseComprehensive(const GuidedScene& scene, const Comprehe
                                         int height) {
   if (!scene.guides.maze) {
     throw InputError("the scene has no maze", "comprehensive camera",
-                     "choose a scene that has one, such as builtin:maze");
+                     "use builtin:maze, or builtin:maze,file=MAZE.json");
   }
   const Maze& maze = *scene.guides.maze;
   const std::vector<ObjectSurface> surfaces = surfacesOf(scene);

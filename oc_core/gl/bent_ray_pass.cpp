@@ -37,11 +37,10 @@ class BentRayPass::Target {
   Target(const Target&) = delete;
   Target& operator=(const Target&) = delete;
 
-  /// What is drawn next comes in this order along rays: not over what came before.
+  /// What is drawn next comes in this order along rays: not over what came before. So depths need not be cleared: where
+  /// something came, nothing comes any more.
   void begin(uint8_t order) {
     const GladGLContext& gl = context_.gl();
-    const GLfloat farthest = 0;
-    gl.ClearNamedFramebufferfv(framebuffer_.id(), GL_DEPTH, 0, &farthest);
     gl.Enable(GL_STENCIL_TEST);
     gl.StencilFunc(GL_GEQUAL, 0xff - order, 0xff);  // earlier pieces have left more
     gl.StencilOp(GL_KEEP, GL_KEEP, GL_REPLACE);
@@ -102,7 +101,7 @@ GlFragments BentRayPass::draw(const GraphCamera& camera, const GlMesh& mesh, con
   const GlObject uniforms = pinholeUniforms(context_, camera.root());
   context_.gl().BindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   Target target(context_, camera.width(), camera.height(), false);
-  const SegmentPass::Leaves leafTexture = segments_.upload(leaves);
+  SegmentPass::Leaves leafTexture = segments_.upload(leaves);
   size_t drawn = 0;
   for (uint8_t order = 0; drawn < segments.size(); ++order) {
     target.begin(order);
@@ -136,7 +135,7 @@ GlFragments BentRayPass::draw(const CurvedRayCamera& camera, const GlMesh& mesh,
   const GlObject uniforms = pinholeUniforms(context_, camera.root());
   context_.gl().BindBufferBase(GL_UNIFORM_BUFFER, 0, uniforms.id());
   Target target(context_, camera.width(), camera.height(), !bends.empty());
-  const SegmentPass::Leaves leafTexture = segments_.upload(PixelLeaves(camera.width(), camera.height(), 0));
+  SegmentPass::Leaves leafTexture = segments_.upload(PixelLeaves(camera.width(), camera.height(), 0));
   std::vector<std::optional<BendProjection>> projections(bends.size());
   parallelFor(bends.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <glm/mat3x3.hpp>
+#include <limits>
+#include <span>
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
@@ -24,11 +26,10 @@ struct SegmentBlock {
   float margin = 0;
   float nearWeight = 0;
   uint32_t piece = 0;
-  uint32_t kindCount = 0;
-  glm::uvec4 planeCount{0};
+  uint32_t planeCount = 0;
   std::array<glm::vec4, kEndPlanes> endPlanes{};
 };
-static_assert(sizeof(SegmentBlock) == 176);
+static_assert(sizeof(SegmentBlock) == 160);
 
 glm::vec4 planeFrom(const glm::dvec3& viewpoint, const Plane& plane) {
   return {glm::vec3(plane.normal), static_cast<float>(plane.height(viewpoint))};
@@ -111,25 +112,45 @@ SegmentPass::SegmentPass(GlContext& context)
           {{GL_VERTEX_SHADER, {shaders::kSegmentMaskVert}}, {GL_FRAGMENT_SHADER, {shaders::kSegmentMaskFrag}}})),
       noVertices_(makeVertexArray(context)) {}
 
+/// The rays of a segment that end alike.
+struct SegmentPass::Kind {
+  int16_t number = 0;
+  PixelBounds rect;              ///< around their pixels
+  bool fills = false;            ///< these are all of it
+  std::vector<uint32_t> ofLeaf;  ///< whether the rays of each leaf are of this kind
+  double margin = 0;             ///< how far before the first plane triangles are drawn
+  std::span<const BlockTask> tasks;
+};
+
 SegmentPass::Leaves SegmentPass::upload(const PixelLeaves& leaves) const {
-  Leaves uploaded{
-      makeTexture(context_, GL_R16UI, leaves.width(), leaves.height()), {}, leaves.width(), leaves.height()};
+  Leaves uploaded{makeTexture(context_, GL_R16UI, leaves.width(), leaves.height()), {}, {}};
   context_.gl().PixelStorei(GL_UNPACK_ALIGNMENT, 1);
   context_.gl().TextureSubImage2D(uploaded.texture.id(), 0, 0, 0, leaves.width(), leaves.height(), GL_RED_INTEGER,
                                   GL_UNSIGNED_SHORT, leaves.data());
-  for (const uint16_t leaf : leaves) {
-    if (leaf >= uploaded.seen.size()) {
-      uploaded.seen.resize(leaf + size_t{1}, 0);
+  for (int y = 0; y < leaves.height(); ++y) {
+    for (int x = 0; x < leaves.width();) {
+      const uint16_t leaf = leaves(x, y);
+      const int first = x;
+      while (x < leaves.width() && leaves(x, y) == leaf) {
+        ++x;
+      }
+      if (leaf >= uploaded.rects.size()) {
+        uploaded.rects.resize(leaf + size_t{1}, {leaves.width(), leaves.height(), 0, 0});
+        uploaded.pixels.resize(leaf + size_t{1}, 0);
+      }
+      PixelBounds& rect = uploaded.rects[leaf];
+      rect = {std::min(rect.x0, first), std::min(rect.y0, y), std::max(rect.x1, x), std::max(rect.y1, y + 1)};
+      uploaded.pixels[leaf] += static_cast<size_t>(x - first);
     }
-    uploaded.seen[leaf] = 1;
   }
   return uploaded;
 }
 
-/// Lays out depths: nothing is drawn where the rays of the segment do not pass.
-void SegmentPass::closeOtherPixels(const GlObject& endsOfLeaves, const Leaves& leaves) const {
+/// Lays out depths: nothing is drawn where rays of this kind do not pass.
+void SegmentPass::closeOtherPixels(const Kind& kind, Leaves& leaves) const {
   const GladGLContext& gl = context_.gl();
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, endsOfLeaves.id());
+  const GlObject isOfKind = makeBuffer(context_, kind.ofLeaf);
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, isOfKind.id());
   gl.BindTextureUnit(0, leaves.texture.id());
   gl.UseProgram(mask_.id());
   gl.BindVertexArray(noVertices_.id());
@@ -140,23 +161,58 @@ void SegmentPass::closeOtherPixels(const GlObject& endsOfLeaves, const Leaves& l
   gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
   gl.DepthFunc(GL_GREATER);
   gl.Enable(GL_STENCIL_TEST);
+  leaves.isMasked = true;
 }
 
-void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, const Leaves& leaves, const GlMesh& mesh,
+void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, Leaves& leaves, const GlMesh& mesh,
                        const MeshBlocks& blocks) const {
   const SegmentBounds bounds(segment);
-  const PixelBounds rect = bounds.rectIn(leaves.width, leaves.height);
+  const PixelBounds rect = bounds.rectIn(PinholeCamera::kMaxPixelsASide, PinholeCamera::kMaxPixelsASide);
   std::vector<BlockTask> tasks;
   bounds.findBlocks(blocks, {0, blocks.runCount()}, piece, rect, tasks);
   sortRuns(tasks);
-  std::vector<IndirectDraw> whole;
-  std::vector<IndirectDraw> reaching;
-  for (const BlockTask& task : tasks) {
-    if (task.rect.x0 < task.rect.x1 && task.rect.y0 < task.rect.y1) {
-      addBlock(task.within && task.clear == ~uint64_t{0} ? whole : reaching, task.block, mesh);
+  const GladGLContext& gl = context_.gl();
+  gl.Enable(GL_SCISSOR_TEST);
+  for (size_t number = 0; number < segment.ends.size(); ++number) {
+    Kind kind{static_cast<int16_t>(number),
+              {std::numeric_limits<int>::max(), std::numeric_limits<int>::max(), 0, 0},
+              false,
+              {},
+              bounds.margin(),
+              tasks};
+    size_t pixels = 0;
+    for (size_t leaf = 0; leaf < leaves.rects.size(); ++leaf) {
+      kind.ofLeaf.push_back(segment.endsOfLeaf[leaf] == kind.number ? 1 : 0);
+      if (kind.ofLeaf.back() != 0 && leaves.pixels[leaf] > 0) {
+        const PixelBounds& of = leaves.rects[leaf];
+        kind.rect = {std::min(kind.rect.x0, of.x0), std::min(kind.rect.y0, of.y0), std::max(kind.rect.x1, of.x1),
+                     std::max(kind.rect.y1, of.y1)};
+        pixels += leaves.pixels[leaf];
+      }
+    }
+    if (pixels > 0) {
+      kind.fills =
+          pixels == static_cast<size_t>(kind.rect.x1 - kind.rect.x0) * static_cast<size_t>(kind.rect.y1 - kind.rect.y0);
+      drawKind(segment, kind, piece, leaves, mesh);
     }
   }
-  if (whole.empty() && reaching.empty()) {
+  gl.Disable(GL_SCISSOR_TEST);
+  context_.check("drawing a segment of straight rays");
+}
+
+void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uint32_t piece, Leaves& leaves,
+                           const GlMesh& mesh) const {
+  const uint64_t bit = RegionBuffer::kindBit(static_cast<size_t>(kind.number));
+  std::vector<IndirectDraw> draws;
+  std::vector<IndirectDraw> reaching;
+  for (const BlockTask& task : kind.tasks) {
+    const bool isApart = task.rect.x0 >= kind.rect.x1 || task.rect.x1 <= kind.rect.x0 || task.rect.y0 >= kind.rect.y1 ||
+                         task.rect.y1 <= kind.rect.y0;
+    if (!isApart && (task.ended & bit) == 0) {
+      addBlock(task.within && (task.clear & bit) != 0 ? draws : reaching, task.block, mesh);
+    }
+  }
+  if (draws.empty() && reaching.empty()) {
     return;
   }
   // From the viewpoint, which every projection of the segment passes, the matrix is a linear one.
@@ -168,47 +224,29 @@ void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, const Lea
                      glm::vec4(glm::vec3(rows[3]), 0),
                      glm::vec4(glm::vec3(segment.viewpoint), 0),
                      planeFrom(segment.viewpoint, segment.begin),
-                     static_cast<float>(bounds.margin()),
+                     static_cast<float>(kind.margin),
                      static_cast<float>(0.9 * nearWeight(segment, imageFromWorld)),
                      piece};
-  const std::vector<int32_t> endsOfLeaves(segment.endsOfLeaf.begin(), segment.endsOfLeaf.end());
-  std::vector<glm::uvec2> kinds;
   std::vector<glm::vec4> planes;
-  for (const std::vector<Plane>& ends : segment.ends) {
-    kinds.emplace_back(planes.size(), ends.size());
-    for (const Plane& plane : ends) {
-      planes.push_back(planeFrom(segment.viewpoint, plane));
-    }
+  for (const Plane& plane : segment.ends[static_cast<size_t>(kind.number)]) {
+    planes.push_back(planeFrom(segment.viewpoint, plane));
   }
-  if (kinds.size() == 1 && planes.size() <= SegmentBlock::kEndPlanes) {
-    block.kindCount = 1;
-    block.planeCount.x = static_cast<uint32_t>(planes.size());
-    std::copy(planes.begin(), planes.end(), block.endPlanes.begin());
-  }
-  const size_t wholeDraws = whole.size();
-  whole.insert(whole.end(), reaching.begin(), reaching.end());
+  block.planeCount = static_cast<uint32_t>(planes.size());
+  std::copy_n(planes.begin(), std::min(planes.size(), SegmentBlock::kEndPlanes), block.endPlanes.begin());
+  const size_t whole = draws.size();
+  draws.insert(draws.end(), reaching.begin(), reaching.end());
   const GlObject uniforms = makeBuffer(context_, sizeof(block), &block);
-  const GlObject leafBuffer = makeBuffer(context_, endsOfLeaves);
-  const GlObject kindBuffer = makeBuffer(context_, kinds);
   const GlObject planeBuffer = makeBuffer(context_, planes);
-  const GlObject draws = makeBuffer(context_, whole);
+  const GlObject drawBuffer = makeBuffer(context_, draws);
   const GladGLContext& gl = context_.gl();
-  gl.Enable(GL_SCISSOR_TEST);
-  gl.Scissor(rect.x0, rect.y0, rect.x1 - rect.x0, rect.y1 - rect.y0);
-  bool passesAll = true;
-  for (size_t leaf = 0; leaf < leaves.seen.size(); ++leaf) {
-    passesAll = passesAll && (leaves.seen[leaf] == 0 || segment.endsOfLeaf[leaf] >= 0);
-  }
-  if (!passesAll) {
-    closeOtherPixels(leafBuffer, leaves);
+  gl.Scissor(kind.rect.x0, kind.rect.y0, kind.rect.x1 - kind.rect.x0, kind.rect.y1 - kind.rect.y0);
+  if (!kind.fills || leaves.isMasked) {
+    closeOtherPixels(kind, leaves);
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, leafBuffer.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 3, kindBuffer.id());
-  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 4, planeBuffer.id());
-  gl.BindTextureUnit(0, leaves.texture.id());
+  gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, planeBuffer.id());
   gl.BindVertexArray(mesh.vertexArray().id());
-  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, draws.id());
+  gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, drawBuffer.id());
   const auto drawSome = [&](const GlObject& program, size_t first, size_t count) {
     if (count > 0) {
       gl.UseProgram(program.id());
@@ -217,11 +255,9 @@ void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, const Lea
                                    static_cast<GLsizei>(count), 0);
     }
   };
-  drawSome(whole_, 0, wholeDraws);
-  drawSome(tested_, wholeDraws, whole.size() - wholeDraws);
+  drawSome(whole_, 0, whole);
+  drawSome(tested_, whole, draws.size() - whole);
   gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
-  gl.Disable(GL_SCISSOR_TEST);
-  context_.check("drawing a segment of straight rays");
 }
 
 }  // namespace ocelli

@@ -2,8 +2,8 @@
 // triangles that the CPU finds, projected by the matrix of the segment, runs of blocks from the near to the far. Blocks
 // that reach out of the segment are clipped with its first plane and tested by pixels, and no others are.
 //
-// Where a segment is one of several, depths are laid out first: pixels that its rays do not pass hold what is nearer
-// than all else.
+// Rays of a segment that end elsewhere are drawn by themselves, with the blocks that they meet. Where their pixels do
+// not fill a rectangle, depths are laid out first: all other pixels hold what is nearer than anything.
 #pragma once
 
 #include "oc_core/gl/gl_mesh.h"
@@ -20,19 +20,22 @@ class SegmentPass {
   /// The leaves of one camera, for all of its segments.
   struct Leaves {
     GlObject texture;
-    std::vector<char> seen;  ///< by some pixel
-    int width = 0;
-    int height = 0;
+    std::vector<PixelBounds> rects;  ///< around the pixels of each
+    std::vector<size_t> pixels;      ///< how many these are
+    bool isMasked = false;           ///< depths were laid out for some segment
   };
   Leaves upload(const PixelLeaves& leaves) const;
 
   /// Draws to the bound framebuffer, as samples (piece, triangle) of so numbered a piece, with the bound uniforms of
-  /// the root. Depths are to be cleared before the first segment of each order.
-  void draw(const StraightSegment& segment, uint32_t piece, const Leaves& leaves, const GlMesh& mesh,
+  /// the root. Depths are 0 where nothing was drawn.
+  void draw(const StraightSegment& segment, uint32_t piece, Leaves& leaves, const GlMesh& mesh,
             const MeshBlocks& blocks) const;
 
  private:
-  void closeOtherPixels(const GlObject& endsOfLeaves, const Leaves& leaves) const;
+  struct Kind;
+  void drawKind(const StraightSegment& segment, const Kind& kind, uint32_t piece, Leaves& leaves,
+                const GlMesh& mesh) const;
+  void closeOtherPixels(const Kind& kind, Leaves& leaves) const;
 
   GlContext& context_;
   GlObject whole_;   ///< for blocks that lie in the segment

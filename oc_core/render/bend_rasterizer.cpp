@@ -62,7 +62,7 @@ void BendRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const Reg
                                 std::vector<BlockTask>& tasks) const {
   blocks_.forEachWithin(runs, bounds().spaces(), [&](uint32_t block, Placement) {
     const Box& box = blocks_[block].box;
-    BlockTask task{piece, block, false, 0, bounds().leastShare(box), {}};
+    BlockTask task{piece, block, false, 0, 0, bounds().leastShare(box), {}};
     for (int row = 0; row < grid.down(); ++row) {
       if (placementOf(box, sidesOfRows_[static_cast<size_t>(row)]) == Placement::kOutside) {
         continue;

@@ -16,6 +16,7 @@ struct BlockTask {
   uint32_t block = 0;
   bool within = false;  ///< wholly, but for where rays end
   uint64_t clear = 0;   ///< kinds of rays (RegionBuffer::kindBit()) that do not end before the block does
+  uint64_t ended = 0;   ///< kinds of rays that end before it begins
   float nearest = 0;    ///< depth: nothing of the block is nearer in this piece
   PixelBounds rect;     ///< pixels in which it may be seen
 };

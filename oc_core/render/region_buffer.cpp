@@ -1,5 +1,6 @@
 #include "oc_core/render/region_buffer.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstring>
@@ -139,8 +140,16 @@ void RegionBuffer::touch(const PixelBounds& rect) {
 class RegionBuffer::Filling {
  public:
   Filling(RegionBuffer& region, uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-          float perArea)
-      : region_(region), triangle_(triangle), a_(a), b_(b), c_(c), perArea_(perArea) {}
+          bool turned, float perArea, std::span<const HeightLimit> limits)
+      : region_(region),
+        triangle_(triangle),
+        a_(a),
+        b_(b),
+        c_(c),
+        second_(turned ? 2 : 1),
+        third_(turned ? 1 : 2),
+        perArea_(perArea),
+        limits_(limits) {}
 
   /// Up to kLanes pixels, of which the first has these edge functions of b and c. `mask` has a bit for each pixel that
   /// the triangle covers.
@@ -166,6 +175,15 @@ class RegionBuffer::Filling {
     if (nearer == 0) {
       return;
     }
+    for (const HeightLimit& limit : limits_) {
+      const FloatLanes height = (ia * limit.at[0] + ib * limit.at[second_] + ic * limit.at[third_]) * z;
+      const FloatLanes overlap = z * limit.overlap;
+      const FloatLanes most = FloatLanes{} + limit.most;
+      const auto exceeds = height > (most < overlap ? most : overlap) + limit.rounding;
+      for (int i = 0; i < kLanes; ++i) {
+        nearer &= exceeds[i] == 0 ? ~0u : ~(1u << i);
+      }
+    }
     const FloatLanes b1 = (ia * a_.b1 + ib * b_.b1 + ic * c_.b1) * z;
     const FloatLanes b2 = (ia * a_.b2 + ib * b_.b2 + ic * c_.b2) * z;
     for (; nearer != 0; nearer &= nearer - 1) {
@@ -182,11 +200,14 @@ class RegionBuffer::Filling {
   const RasterVertex& a_;
   const RasterVertex& b_;
   const RasterVertex& c_;
+  size_t second_;  ///< corner of the triangle that b_ is
+  size_t third_;
   float perArea_;
+  std::span<const HeightLimit> limits_;
 };
 
 void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b0,
-                        const RasterVertex& c0) {
+                        const RasterVertex& c0, std::span<const HeightLimit> limits) {
   constexpr int64_t kOne = 1 << kSubPixelBits;
   struct Corner {
     int64_t x;
@@ -209,7 +230,9 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
   constexpr int64_t kExact = kExactPixels * kOne;
   if (x1 - x0 < kMinColumns || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
     scan(rect, a, b0, c0, [&](size_t pixel, float z, const PixelWeights& weights) {
-      if (isNearest(pixel, z, triangle)) {
+      if (isNearest(pixel, z, triangle) && std::none_of(limits.begin(), limits.end(), [&](const HeightLimit& limit) {
+            return limit.isExceeded(weights);
+          })) {
         put(pixel, z, triangle, weights());
       }
     });
@@ -221,7 +244,8 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
   }
   const RasterVertex* b = &b0;
   const RasterVertex* c = &c0;
-  if (area < 0) {
+  const bool turned = area < 0;
+  if (turned) {
     std::swap(pb, pc);
     std::swap(b, c);
     area = -area;
@@ -243,7 +267,7 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
   };
   std::array<Edge, 3> edges{edge(pb, pc), edge(pc, pa), edge(pa, pb)};
   const bool isWide = x1 - x0 >= kWideRow;
-  Filling filling(*this, triangle, a, *b, *c, 1.0f / static_cast<float>(area));
+  Filling filling(*this, triangle, a, *b, *c, turned, 1.0f / static_cast<float>(area), limits);
   for (int64_t y = y0; y <= y1; ++y) {
     int64_t first = 0;
     int64_t last = x1 - x0;

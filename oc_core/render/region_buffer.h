@@ -17,6 +17,19 @@ namespace ocelli {
 /// The leaf that the ray of each pixel passes: for cameras whose rays are all of one kind, 0.
 using PixelLeaves = Image<uint16_t>;
 
+/// Pixels of a triangle are dropped where a height over a plane, given at its corners, is more than what they tolerate:
+/// `overlap` times their depth, `most` at most, and what rounding leaves.
+struct HeightLimit {
+  std::array<float, 3> at{};
+  float overlap = 0;
+  float most = 0;
+  float rounding = 0;
+
+  bool isExceeded(const PixelWeights& weights) const {
+    return weights.of(at[0], at[1], at[2]) > std::min(overlap * weights.z(), most) + rounding;
+  }
+};
+
 class RegionBuffer {
  public:
   static constexpr int kTile = 8;  ///< pixels a side
@@ -54,10 +67,10 @@ class RegionBuffer {
     orders_[pixel] = order_;
     samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
   }
-  /// Draws a triangle to the pixels of `rect`, as scan(), isNearest() and put() would: its depths are those of
-  /// scanTriangle(). Many pixels at once.
+  /// Draws a triangle to the pixels of `rect` that exceed no limit, as scan(), isNearest() and put() would: many pixels
+  /// at once.
   void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
-            const RasterVertex& c);
+            const RasterVertex& c, std::span<const HeightLimit> limits = {});
   uint16_t leaf(size_t pixel) const { return leaves_[pixel]; }
 
   /// A row of samples of one order, whose rays belong to one leaf.

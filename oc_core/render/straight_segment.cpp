@@ -53,6 +53,7 @@ SegmentBounds::Ends SegmentBounds::endsOf(const Box& box) const {
       endsBefore = endsBefore || least > margin_;
       ends.clear &= most <= 0 ? ~uint64_t{0} : ~RegionBuffer::kindBit(kind);
     }
+    ends.ended &= endsBefore ? ~uint64_t{0} : ~RegionBuffer::kindBit(kind);
     ends.before = ends.before && endsBefore;
   }
   return ends;
@@ -99,8 +100,9 @@ void SegmentBounds::findBlocks(const MeshBlocks& blocks, MeshBlocks::Runs runs, 
     const Box& box = blocks[block].box;
     const Ends ends = endsOf(box);
     if (!ends.before) {
-      BlockTask task{piece,      block, placement == Placement::kInside && heights(segment_.begin, box).first >= 0,
-                     ends.clear, 0,     rect};
+      BlockTask task{piece,      block,      placement == Placement::kInside && heights(segment_.begin, box).first >= 0,
+                     ends.clear, ends.ended, 0,
+                     rect};
       placeInImage(box, task);
       tasks.push_back(task);
     }

@@ -35,9 +35,11 @@ class SegmentBounds {
                   std::vector<BlockTask>& tasks) const;
 
  private:
-  /// How a box lies to where rays end: whether rays of all kinds end before it, and which kinds do not before it ends.
+  /// How a box lies to where rays end: whether rays of all kinds end before it, which kinds do, and which kinds do not
+  /// end before the box does.
   struct Ends {
     bool before = true;
+    uint64_t ended = ~uint64_t{0};
     uint64_t clear = ~uint64_t{0};
   };
   Ends endsOf(const Box& box) const;

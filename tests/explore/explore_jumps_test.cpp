@@ -64,9 +64,10 @@ GuidedScene unfitted(const char* name) {
 
 const Walk kWalks[] = {
     {"portal", test::twoRooms,
-     R"({"size": [320, 180], "steps": [{"go": {"to": [4, 1.6, 4], "heading": -30}}, {"choose": "portal"},
-         {"walk": {"forward": 2}}, {"turn": -25}, {"walk": {"forward": 2}}, {"turn": 40}, {"walk": {"right": -2}},
-         {"walk": {"forward": 4}}, {"turn": 30}, {"choose": "pinhole"}, {"wait": "rest"}]})"},
+     R"({"size": [320, 180], "steps": [{"go": {"to": [6, 1.6, 1], "heading": -57}}, {"choose": "portal"},
+         {"wait": "rest"}, {"expect": "rays bend at 1 part"}, {"walk": {"forward": 2}}, {"turn": -25},
+         {"walk": {"forward": 2}}, {"turn": 40}, {"walk": {"right": -2}}, {"walk": {"forward": 3}}, {"turn": 30},
+         {"walk": {"forward": 4}}, {"choose": "pinhole"}, {"wait": "rest"}]})"},
     {"portal_of_a_maze", [] { return unfitted("builtin:maze,seed=5"); },
      R"({"size": [320, 180], "steps": [{"choose": "portal"}, {"walk": {"forward": 5}}, {"turn": 90},
          {"walk": {"forward": 4}}, {"turn": -90}, {"choose": "pinhole"}, {"wait": "rest"}]})"},

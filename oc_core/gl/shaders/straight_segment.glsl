@@ -1,6 +1,6 @@
-// A segment: its matrix, for points from its viewpoint, and its first plane.
+// A segment: its matrix, for points from its viewpoint, its first plane, and where its rays of one kind end.
 const uint kBlockTriangles = 32u;  // oc_core/render/mesh_blocks.h
-const int kEndPlanes = 4;
+const uint kEndPlanes = 4u;
 layout(std140, binding = 1) uniform StraightSegment {
   vec4 rowU;
   vec4 rowV;
@@ -10,10 +10,6 @@ layout(std140, binding = 1) uniform StraightSegment {
   float margin;      // before the first plane
   float nearWeight;  // least weight
   uint piece;
-  uint kindCount;    // kinds of rays; where it is 1, they end at the planes that follow
   uint planeCount;
-  uint unused0;
-  uint unused1;
-  uint unused2;
   vec4 endPlanes[kEndPlanes];
 };
