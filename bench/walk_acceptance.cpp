@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "bench/timing.h"
-#include "oc_core/constructor/walk_comprehensive.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/walkable/walkable.h"
 #include "oc_core/worlds/city_plan.h"
@@ -66,7 +65,7 @@ size_t WalkAcceptance::seenCells() const {
       std::count_if(cells.begin(), cells.end(), [](const SeenCell& cell) { return cell.why.empty(); }));
 }
 
-WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, size_t minPixels) {
+WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const WalkComprehensiveOptions& options) {
   WalkAcceptance result;
   result.findMilliseconds = milliseconds([&] { result.found = findWalkMap(scene.mesh, WalkOptions{}); });
   result.agreement = compareWalkMaps(scene.known, result.found);
@@ -88,8 +87,6 @@ WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, size_t
     opening.to = numberOf[opening.to];
     reached.portals.push_back(opening);
   }
-  WalkComprehensiveOptions options;
-  options.minPixels = static_cast<double>(minPixels);
   std::optional<ComprehensiveWalk> made;
   result.cameraMilliseconds =
       milliseconds([&] { made.emplace(makeComprehensiveWalk(reached, options, width, height)); });
@@ -101,7 +98,7 @@ WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, size_t
     seen.cell = result.agreement.reached[i];
     seen.pixels = pixels[i];
     seen.expected = walk.cells[i].pixels;
-    if (seen.pixels < minPixels) {
+    if (static_cast<double>(seen.pixels) < options.minPixels) {
       seen.why =
           walk.cells[i].unseen != WalkUnseen::kNothing ? textOf(walk.cells[i].unseen) : "something stands before it";
     }

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/constructor/walk_comprehensive.h"
 #include "oc_core/scene/mesh.h"
 #include "oc_core/scene/walk_map.h"
 #include "oc_core/walkable/walk_agreement.h"
@@ -42,7 +43,7 @@ struct WalkAcceptance {
   size_t seenCells() const;
 };
 
-/// An image of that size; the middle of a cell is seen where `minPixels` pixels show it.
-WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, size_t minPixels);
+/// An image of that size; the middle of a cell is seen where as many pixels as the options want show it.
+WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const WalkComprehensiveOptions& options = {});
 
 }  // namespace ocelli::bench

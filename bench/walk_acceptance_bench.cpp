@@ -19,7 +19,7 @@ struct WalkChoice {
   int width = 1920;
   int height = 1080;
   int threads = 0;
-  size_t minPixels = 4;
+  WalkComprehensiveOptions camera;
   bool isVerbose = false;
 };
 
@@ -93,7 +93,7 @@ void tellDisagreement(const WalkScene& scene, const WalkAcceptance& result) {
 }
 
 void measureScene(const WalkScene& scene, const WalkChoice& choice, WalkTotals& totals) {
-  const WalkAcceptance result = acceptWalks(scene, choice.width, choice.height, choice.minPixels);
+  const WalkAcceptance result = acceptWalks(scene, choice.width, choice.height, choice.camera);
   totals.add(scene, result);
   WalkTotals one;
   one.add(scene, result);
@@ -113,7 +113,7 @@ void measureScene(const WalkScene& scene, const WalkChoice& choice, WalkTotals& 
 void measureWalks(const WalkChoice& choice) {
   fmt::print(
       "Found from triangles alone; images of {} x {}; a cell is seen where {} pixels show the middle of its floor.\n",
-      choice.width, choice.height, choice.minPixels);
+      choice.width, choice.height, choice.camera.minPixels);
   fmt::print(
       "{:<32} floor rec. prec. | cells: known found both rec. prec. | openings: known found both rec. prec. | seen\n",
       "");
@@ -141,9 +141,13 @@ int main(int argumentCount, char** arguments) {
   program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
   program.add_option("--width", choice.width, "Pixels")->check(CLI::Range(16, 8192))->capture_default_str();
   program.add_option("--height", choice.height, "Pixels")->check(CLI::Range(16, 8192))->capture_default_str();
-  program.add_option("--pixels", choice.minPixels, "That show a cell")
+  program.add_option("--pixels", choice.camera.minPixels, "That show a cell")
       ->check(CLI::Range(1, 1000))
       ->capture_default_str();
+  program.add_option("--nearness", choice.camera.nearness, "Of the camera")->capture_default_str();
+  program.add_option("--evenness", choice.camera.evenness, "Of the camera")->capture_default_str();
+  program.add_option("--eye-height", choice.camera.eyeHeight, "Of the camera")->capture_default_str();
+  program.add_option("--builds", choice.camera.builds, "Of the camera, at most")->capture_default_str();
   program.add_flag("--verbose", choice.isVerbose, "Name what was not found and what is not in the plan");
   return ocelli::runProgram(program, argumentCount, arguments, choice, ocelli::bench::measureWalks);
 }

@@ -36,6 +36,7 @@ opack pack/corpus $seconds
 maze worlds/maze_corpus $seconds
 transfer volume/transfer_corpus $seconds
 camera constructor/corpus $seconds
+drawing frustum_editor/corpus $seconds
 protocol study_protocol/corpus $seconds
 plan analysis_dataset/plan_corpus $seconds
 gaze study_gaze/corpus $seconds

@@ -25,7 +25,17 @@ class Document {
 
   std::string text() const { return json_.dump(1); }
 
+  /// Within several edits, one may meet what another has made, which is no camera yet, and need not have any field.
   void apply(JsonFields& edit) {
+    try {
+      applyOne(edit);
+    } catch (const nlohmann::json::exception&) {
+      edit.fail("edit", "meets what is no frustum or turn");
+    }
+  }
+
+ private:
+  void applyOne(JsonFields& edit) {
     const std::string kind = edit.text("edit");
     if (kind == "add") {
       const char* what = isGraph() ? "operation" : "turn";
@@ -51,7 +61,6 @@ class Document {
     edit.rejectUnknown();
   }
 
- private:
   bool isGraph() const { return json_.at("camera") == "graph"; }
   Json& list() { return json_.at(isGraph() ? "operations" : "turns"); }
   void requireGraph(const JsonFields& edit) const {

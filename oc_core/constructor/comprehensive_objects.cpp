@@ -8,7 +8,6 @@
 #include <set>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/maze_options.h"
 
 namespace ocelli {
 namespace {
@@ -161,7 +160,11 @@ std::vector<size_t> pixelsOfObjects(const GraphCamera& camera, const GuidedScene
 
 ComprehensiveChoice chooseComprehensive(const GuidedScene& scene, const ComprehensiveOptions& options, int width,
                                         int height) {
-  const Maze& maze = mazeOf(scene, "comprehensive camera");
+  if (!scene.guides.maze) {
+    throw InputError("the scene has no maze", "comprehensive camera",
+                     "use builtin:maze, or builtin:maze,file=MAZE.json");
+  }
+  const Maze& maze = *scene.guides.maze;
   const std::vector<ObjectSurface> surfaces = surfacesOf(scene);
   std::optional<ComprehensiveChoice> best;
   for (const Variation& variation : kVariations) {

@@ -19,11 +19,15 @@ constexpr size_t kMaxPoints = 4096;
 constexpr double kMinTurn = 1e-4;  // radians: less is straight
 /// Between the planes of a full turn at its outermost rays, as an angle about the line where they meet.
 const double kPlaneAngle = radiansFromDegrees(8);
-constexpr double kCollapsed = 0.3;       // distance at which a turn is gone, in distances of control points
+// In distances of control points.
+constexpr double kCollapsed = 0.3;       // from the eye: a turn is gone
+constexpr double kCollapsing = 2;        // from the eye: a turn begins to collapse
+constexpr double kUnfoldedFrom = 2;      // from the end of the preview: a turn has unfolded
 constexpr double kMeetingWidths = 1.15;  // where the planes meet, in half widths of the bundle of rays
 constexpr int kBisections = 14;          // for the strength of a turn that cannot be made in full
 
-/// The path as a function of length. It goes straight on beyond its ends.
+/// The path as a function of length. It goes straight on beyond its ends. Corners are rounded on request: a point is
+/// the mean of the path over a length around it.
 class PathLine {
  public:
   PathLine(const std::vector<glm::vec3>& points, const glm::dvec3& offset) {
@@ -41,16 +45,38 @@ class PathLine {
   }
 
   double length() const { return lengths_.back(); }
+  void roundCorners(double over) { roundedOver_ = over; }
+
   glm::dvec3 at(double length) const {
+    if (!(roundedOver_ > 0)) {
+      return cornered(length);
+    }
+    // The mean of each straight piece is its middle.
+    glm::dvec3 sum(0);
+    double from = length - roundedOver_ / 2;
+    const double end = length + roundedOver_ / 2;
+    for (auto next = std::upper_bound(lengths_.begin(), lengths_.end(), from); from < end; ++next) {
+      const double to = next == lengths_.end() ? end : std::min(*next, end);
+      sum += cornered((from + to) / 2) * (to - from);
+      from = to;
+      if (next == lengths_.end()) {
+        break;
+      }
+    }
+    return sum / roundedOver_;
+  }
+
+ private:
+  glm::dvec3 cornered(double length) const {
     const auto after = std::upper_bound(lengths_.begin() + 1, lengths_.end() - 1, length);
     const auto i = static_cast<size_t>(after - lengths_.begin());
     const double share = (length - lengths_[i - 1]) / (lengths_[i] - lengths_[i - 1]);
     return glm::mix(points_[i - 1], points_[i], share);
   }
 
- private:
   std::vector<glm::dvec3> points_;
   std::vector<double> lengths_;
+  double roundedOver_ = 0;
 };
 
 /// A path with what travels along it.
@@ -60,7 +86,9 @@ struct Journey {
              glm::normalize(glm::dvec3(reference.view().up)) * options.eyeHeight),
         position(options.position * line.length()),
         preview(options.preview * line.length()),
-        spacing(preview / options.turns) {}
+        spacing(preview / options.turns) {
+    line.roundCorners(options.rounding * spacing);
+  }
 
   PathLine line;
   double position;
@@ -173,8 +201,8 @@ CurvedRayCamera buildPathCamera(const PathOptions& options, const SceneGuides& g
   for (double at = (std::floor(journey.position / journey.spacing) + 1) * journey.spacing; at < end;
        at += journey.spacing) {
     const double share = options.deployed *
-                         glm::smoothstep(kCollapsed, 1.0, (at - journey.position) / journey.spacing) *
-                         glm::smoothstep(0.0, 1.0, (end - at) / journey.spacing);
+                         glm::smoothstep(kCollapsed, kCollapsing, (at - journey.position) / journey.spacing) *
+                         glm::smoothstep(0.0, kUnfoldedFrom, (end - at) / journey.spacing);
     camera = turnedTowards(camera, journey.line.at(at), journey.line.at(at + journey.spacing), share);
   }
   return camera;
@@ -197,6 +225,7 @@ PathOptions readPathOptions(JsonFields& fields) {
   options.preview = fields.number("preview", 1e-3, 1, options.preview);
   options.turns = fields.integer("turns", 1, static_cast<int>(CurvedRayCamera::kMaxBends), options.turns);
   options.eyeHeight = fields.number("eye_height", -1e6, 1e6, options.eyeHeight);
+  options.rounding = fields.number("rounding", 0, 4, options.rounding);
   options.deployed = fields.number("deployed", 0, 1, options.deployed);
   return options;
 }

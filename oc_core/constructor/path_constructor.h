@@ -4,8 +4,10 @@
 // Control points stand at even distances along the path. At each of those ahead, up to the preview length, rays turn
 // from the way they came to that towards the next control point: the viewpoint turns about the control point, and the
 // planes of the transition meet on the inside of the turn, just beside the outermost ray. Turns unfold over the last
-// stretch between control points of the preview, and collapse over the first one, while the view itself turns from one
-// control point to the next: so images change smoothly as the position advances.
+// two stretches between control points of the preview, and collapse over the first two, while the view itself turns
+// from one control point to the next: so images change smoothly as the position advances. Corners of the path are
+// rounded, as the view would turn at once where it passes one: on four paths no step changes the image more than the
+// pinhole's largest one does (tests/constructor/path_travel_test.cpp).
 //
 // A turn that rays of this width cannot make (they would meet the planes of the one before, or not meet its own) is as
 // strong as it can be made, which may be not at all.
@@ -25,9 +27,10 @@ struct PathOptions {
   std::vector<glm::vec3> path;  ///< where empty, that of the scene
   double position = 0;          ///< of the eye
   double preview = 0.3;         ///< how far ahead rays follow the path
-  int turns = 3;                ///< control points within the preview
+  int turns = 4;                ///< control points within the preview; of fewer than 4 none is ever bent in full
   double eyeHeight = 0;         ///< over the path, along "up" of the reference view; in the world
-  double deployed = 1;          ///< share by which its turns are unfolded: 0 is the pinhole
+  double rounding = 1;  ///< a point of the path is its mean over so many distances of control points; 0 keeps corners
+  double deployed = 1;  ///< share by which its turns are unfolded: 0 is the pinhole
 };
 
 /// What travels: the pinhole at the position, which looks along the path, as wide as the reference and with its "up".

@@ -6,7 +6,7 @@
 namespace ocelli {
 namespace {
 
-constexpr double kBorder = 0.4;        // of the image, over which what leaves it fades
+constexpr double kBorder = 0.45;       // of the image, over which what leaves it fades
 constexpr float kAroundPlace = 0.25f;  // metres
 
 }  // namespace
@@ -40,7 +40,8 @@ double fadedByBorder(const Box& box, const PinholeCamera& view) {
   const double height = view.height();
   const double u = std::min<double>(middle.u, width - static_cast<double>(middle.u));
   const double v = std::min<double>(middle.v, height - static_cast<double>(middle.v));
-  return glm::smoothstep(0.0, kBorder * width, u) * glm::smoothstep(0.0, kBorder * height, v);
+  // Evenly, so that it is no faster at any place than it has to be while the head turns.
+  return std::clamp(u / (kBorder * width), 0.0, 1.0) * std::clamp(v / (kBorder * height), 0.0, 1.0);
 }
 
 }  // namespace ocelli

@@ -18,7 +18,7 @@ namespace {
 
 constexpr double kStepSeconds = 1.2;  // of each of the four steps of a turn
 constexpr double kTurnWish = 0.9;     // of the full speed of turning, from which on one wants to turn at the crossing
-constexpr double kTurnWithin = 1.2;   // sizes of the crossing, from its middle, from where one may
+constexpr double kTurnWithin = 2.5;   // sizes of the crossing, from its middle, from where one may
 
 enum class MazeOption : size_t { kLeft, kAhead, kRight, kCrossingShare, kFovWay, kBehind };
 

@@ -12,8 +12,6 @@
 namespace ocelli {
 namespace {
 
-constexpr double kMinPresence = 0.5;  // below that a portal's rays are straight (portal_constructor.h)
-
 /// Its portals' viewpoints are that share of the way from the eye to where they stand.
 GraphCamera partlyDeployed(const GraphCamera& camera, double share) {
   GraphCamera partly(camera.root());
@@ -83,7 +81,7 @@ class LivePortal final : public LiveConstructor {
       if (leadsNowhere_) {
         return {ExploreNote::Kind::kProblem, "this portal leads nowhere: nothing is behind it"};
       }
-      if (!(portalPresence(*picked_, glm::dvec3(moment.view.eye()), options()) > kMinPresence)) {
+      if (!(portalShare(*picked_, glm::dvec3(moment.view.eye()), options()) > 0)) {
         return {ExploreNote::Kind::kState,
                 "the chosen portal is too near, too far, faced or behind: rays are straight"};
       }

@@ -6,7 +6,7 @@
 // and what a constructor remembers may change by a little from frame to frame.
 //
 // Recipe for a new one, three places:
-//   1. oc_core/explore/explore_NAME.cpp: a class that is a LiveConstructor, and `LiveConstructorRow NAMERow()`.
+//   1. oc_core/explore/explore_NAME.cpp: a class that is a LiveConstructor, and `LiveConstructorRow liveNAME()`.
 //   2. oc_core/explore/live_constructor_rows.h: its declaration.
 //   3. oc_core/explore/live_constructors.cpp: one line in the table.
 #pragma once

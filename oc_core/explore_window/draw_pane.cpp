@@ -8,6 +8,8 @@
 #include <future>
 #include <optional>
 
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/explore/explore_scene.h"
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_drawing_painter.h"
@@ -15,6 +17,7 @@
 #include "oc_core/explore_window/explore_texture.h"
 #include "oc_core/frustum_editor/editor_drawing.h"
 #include "oc_core/frustum_editor/editor_input.h"
+#include "oc_core/frustum_editor/editor_preview.h"
 #include "oc_core/page/page_colors.h"
 #include "oc_core/window/gui_layer.h"
 
@@ -100,6 +103,10 @@ class DrawPane : public ExplorePane {
   }
 
   bool handlePointer(const ExplorePaneFrame& frame, const InputEvent& event, const glm::vec2& pointer) override {
+    if (const auto* drop = std::get_if<DropEvent>(&event); drop != nullptr && input_ && !drop->files.empty()) {
+      open(frame, drop->files.front());
+      return true;
+    }
     const bool used = input_ && input_->handle(event, glm::dvec2(pointer / frame.scale));
     if (used) {
       show(frame);
@@ -195,16 +202,32 @@ class DrawPane : public ExplorePane {
                  fittedExploreText(second, width).c_str());
   }
 
-  /// The camera as it is now, in the view.
+  /// To go on with a camera of a file. The words below the plans say what is wrong with it.
+  void open(const ExplorePaneFrame& frame, const std::string& file) {
+    try {
+      editor_->open(readFile(file, kMaxTextBytes), file);
+    } catch (const InputError& error) {
+      frame.state.message = error.what();
+      frame.state.messageIsError = true;
+    }
+    show(frame);
+  }
+
+  /// The camera as it is now, in the view: small while a drag goes on, so that the view keeps up with the hand.
   void show(const ExplorePaneFrame& frame) {
-    if (editor_->revision() == shownRevision_) {
+    const bool isSmall = editor_->isDragging();
+    if (editor_->revision() == shownRevision_ && isSmall == shownSmall_) {
       return;
     }
     shownRevision_ = editor_->revision();
-    frame.work.tell([camera = editor_->camera()](ExploreWindowModel& model) {
-      model.showDrawn(camera, "drawn by hand");
-      return std::string();
-    });
+    shownSmall_ = isSmall;
+    const glm::ivec2 small =
+        glm::max(glm::ivec2(editor_->drawn().imageSize()) / EditorPreview::kSmaller, glm::ivec2(1));
+    frame.work.tell(
+        [camera = isSmall ? editor_->cameraOfSize(small.x, small.y) : editor_->camera()](ExploreWindowModel& model) {
+          model.showDrawn(camera, "drawn by hand");
+          return std::string();
+        });
   }
 
   static constexpr GuiColor kDrawPaper{246, 246, 243};
@@ -215,6 +238,7 @@ class DrawPane : public ExplorePane {
   std::array<DrawBackdrop, 3> backdrops_;
   glm::dvec3 eye_{0};
   int shownRevision_ = -1;
+  bool shownSmall_ = false;
   bool wantsSave_ = false;
 };
 

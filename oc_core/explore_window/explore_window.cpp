@@ -216,7 +216,9 @@ void ExploreWindow::draw() {
                                     secondsOfFrame_ > 0 ? 1 / secondsOfFrame_ : 0,
                                     paneHelp};
   for (const ExploreWindowLayout::Pane& pane : places.panes) {
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {0, 0});  // what is drawn ends with the pane
     beginExploreArea(explorePanes()[pane.kind].name, pane.rect, kGuiBackground, 0, false);
+    ImGui::PopStyleVar();
     panes_[pane.kind]->draw(frameOf(pane));
     ImGui::End();
   }

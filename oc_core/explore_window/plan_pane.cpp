@@ -160,14 +160,30 @@ class PlanPane : public ExplorePane {
     }
     for (const WindowPlan::Frustum& frustum : picture.plan.frusta) {
       if (marked.contains(frustum.color) && frustum.outline.size() >= 3) {
-        glm::vec2 middle(0);
-        for (const glm::vec2& point : frustum.outline) {
-          middle += point / static_cast<float>(frustum.outline.size());
-        }
-        drawExploreBadge(list, sight.onScreen(middle), fmt::format("{}", frustum.color),
+        drawExploreBadge(list, badgePlace(frame, sight, frustum), fmt::format("{}", frustum.color),
                          exploreSeriesColor(frustum.color), frame.scale);
       }
     }
+  }
+
+  /// In the middle of a frustum, or so far towards the walker that it is in the pane.
+  static glm::vec2 badgePlace(const ExplorePaneFrame& frame, const ExplorePlanSight& sight,
+                              const WindowPlan::Frustum& frustum) {
+    const glm::vec2 walker = frame.picture->plan.walker;
+    glm::vec2 middle(0);
+    glm::vec2 nearest = frustum.outline.front();
+    for (const glm::vec2& point : frustum.outline) {
+      middle += point / static_cast<float>(frustum.outline.size());
+      nearest = glm::distance(point, walker) < glm::distance(nearest, walker) ? point : nearest;
+    }
+    const float border = 16 * frame.scale;
+    const ExplorePaneRect inner{frame.rect.x + border, frame.rect.y + border, frame.rect.width - 2 * border,
+                                frame.rect.height - 2 * border};
+    glm::vec2 place = sight.onScreen(middle);
+    for (float share = 0.9f; share > 0 && !inner.contains(place); share -= 0.1f) {
+      place = sight.onScreen(glm::mix(nearest, middle, share));
+    }
+    return place;
   }
 
   void drawPath(const WindowPlan& plan, const ExplorePlanSight& sight, ImDrawList& list, float scale) {

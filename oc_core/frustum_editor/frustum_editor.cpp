@@ -6,6 +6,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
+#include "oc_core/constructor/camera_fields.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/frustum_editor/drawn_edits.h"
@@ -47,6 +48,17 @@ std::string withNames(const std::string& text, const std::string& where) {
     names.push_back(name);
   }
   return changed ? textOfJson(json, 1) : text;
+}
+
+/// Of the size that the file says its images have, if it says one.
+PinholeCamera referenceOfSize(const std::string& text, const std::string& where, const PinholeCamera& reference) {
+  const nlohmann::json json = parseJson(text, where);
+  if (!json.is_object()) {
+    return reference;
+  }
+  JsonFields fields(json, where);
+  const std::optional<glm::ivec2> size = readSize(fields);
+  return size ? PinholeCamera(reference.view(), size->x, size->y) : reference;
 }
 
 /// A camera of another scene, or of the same one fitted: its frusta lie elsewhere.
@@ -96,7 +108,7 @@ FrustumEditor::FrustumEditor(const std::string& text, const std::string& where, 
     : mesh_(&mesh),
       guides_(guides),
       world_(worldOf(mesh)),
-      editor_(withNames(text, where), where, reference, world_),
+      editor_(withNames(text, where), where, referenceOfSize(text, where, reference), world_),
       camera_(editor_.camera()),
       tool_(&editorTools().front()) {
   showDocument();
@@ -105,7 +117,7 @@ FrustumEditor::FrustumEditor(const std::string& text, const std::string& where, 
 
 bool FrustumEditor::open(const std::string& text, const std::string& where) {
   try {
-    editor_ = CameraEditor(withNames(text, where), where, editor_.reference(), world_);
+    editor_ = CameraEditor(withNames(text, where), where, referenceOfSize(text, where, editor_.reference()), world_);
   } catch (const InputError& error) {
     message_ = error.what();
     return false;

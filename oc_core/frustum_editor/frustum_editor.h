@@ -41,7 +41,8 @@ class FrustumEditor {
   static std::string newGraphCamera(const PinholeCamera& root);
   static std::string newCurvedCamera(const PinholeCamera& root);
 
-  /// `mesh` must live as long as the editor. `reference` is the view of a camera that has none, and the size of images.
+  /// `mesh` must live as long as the editor. `reference` is the view of a camera that has none, and the size of images
+  /// where the file does not say it.
   /// Throws InputError where CameraEditor does, and for a scene without triangles.
   FrustumEditor(const std::string& text, const std::string& where, const PinholeCamera& reference, const Mesh& mesh,
                 const SceneGuides& guides);

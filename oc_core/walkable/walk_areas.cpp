@@ -9,7 +9,7 @@ namespace ocelli {
 namespace {
 
 constexpr double kSameWidth = 0.8;
-constexpr double kThinShare = 0.5;
+constexpr double kThinShare = 0.35;
 
 }  // namespace
 

@@ -28,6 +28,47 @@ void measureWalls(const WalkColumns& columns, WalkField& field) {
   }
 }
 
+/// Marks the spans that one can stand on: floors, and the edges of steps and kerbs, which may fill a column alone.
+/// These have floor on opposite sides, of which both are within a step.
+std::vector<uint8_t> standingSpans(const WalkColumns& columns, float agentHeight, float stepHeight) {
+  std::vector<uint8_t> isStanding(columns.spans.size(), 0);
+  std::vector<uint8_t> hasRoom(columns.spans.size(), 0);
+  const size_t cells = static_cast<size_t>(columns.width) * columns.depth;
+  for (size_t cell = 0; cell < cells; ++cell) {
+    for (uint32_t s = columns.first[cell]; s < columns.first[cell + 1]; ++s) {
+      const float ceiling = s + 1 < columns.first[cell + 1] ? columns.spans[s + 1].lower : kNoCeiling;
+      hasRoom[s] = ceiling - columns.spans[s].upper >= agentHeight ? 1 : 0;
+      isStanding[s] = columns.spans[s].isFloor ? hasRoom[s] : 0;
+    }
+  }
+  const auto hasFloor = [&](int x, int z, float height) {
+    if (x < 0 || z < 0 || x >= columns.width || z >= columns.depth) {
+      return false;
+    }
+    const size_t cell = static_cast<size_t>(z) * columns.width + x;
+    for (uint32_t s = columns.first[cell]; s < columns.first[cell + 1]; ++s) {
+      if (columns.spans[s].isFloor && hasRoom[s] != 0 && std::abs(columns.spans[s].upper - height) <= stepHeight) {
+        return true;
+      }
+    }
+    return false;
+  };
+  for (int z = 0; z < columns.depth; ++z) {
+    for (int x = 0; x < columns.width; ++x) {
+      const size_t cell = static_cast<size_t>(z) * columns.width + x;
+      for (uint32_t s = columns.first[cell]; s < columns.first[cell + 1]; ++s) {
+        const SolidSpan& span = columns.spans[s];
+        if (!span.isFloor && hasRoom[s] != 0 &&
+            ((hasFloor(x - 1, z, span.upper) && hasFloor(x + 1, z, span.upper)) ||
+             (hasFloor(x, z - 1, span.upper) && hasFloor(x, z + 1, span.upper)))) {
+          isStanding[s] = 1;
+        }
+      }
+    }
+  }
+  return isStanding;
+}
+
 }  // namespace
 
 uint32_t WalkField::diagonal(uint32_t square, int side) const {
@@ -45,6 +86,7 @@ WalkField fieldOf(const WalkColumns& columns, float agentHeight, float stepHeigh
   WalkField field;
   field.cellSize = columns.cellSize;
   field.origin = columns.origin;
+  const std::vector<uint8_t> isStanding = standingSpans(columns, agentHeight, stepHeight);
   std::vector<uint32_t> first(columns.first.size());
   for (int z = 0; z < columns.depth; ++z) {
     for (int x = 0; x < columns.width; ++x) {
@@ -52,7 +94,7 @@ WalkField fieldOf(const WalkColumns& columns, float agentHeight, float stepHeigh
       first[cell] = static_cast<uint32_t>(field.squares.size());
       for (uint32_t s = columns.first[cell]; s < columns.first[cell + 1]; ++s) {
         const float ceiling = s + 1 < columns.first[cell + 1] ? columns.spans[s + 1].lower : kNoCeiling;
-        if (columns.spans[s].isFloor && ceiling - columns.spans[s].upper >= agentHeight) {
+        if (isStanding[s] != 0) {
           field.squares.push_back({x, z, columns.spans[s].upper, ceiling});
         }
       }

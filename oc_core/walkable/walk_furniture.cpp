@@ -10,6 +10,7 @@ namespace {
 
 constexpr float kLowTop = 0.85f;  // of the agent's height: below its eyes
 constexpr float kLongest = 5;     // of the agent's height
+constexpr float kFence = 0.2f;    // of the agent's height: railings and fences are thinner
 
 class Furniture {
  public:
@@ -148,13 +149,35 @@ class Furniture {
           }
         }
       }
-      if (!isFurniture(all, thing, beside)) {
+      if (isFence(all, thing, firstLow) || !isFurniture(all, thing, beside)) {
         for (const uint32_t i : thing) {
           kept[i] = 0;
         }
       }
     }
     return partOf(all, kept);
+  }
+
+  /// Whether most of it is thin, with floor on both sides.
+  bool isFence(const WalkField& all, const std::vector<uint32_t>& thing, uint32_t firstLow) const {
+    const int thinnest = static_cast<int>(kFence * agentHeight_ / all.cellSize);
+    const auto isThinAt = [&](uint32_t square, int side) {
+      int length = 1;
+      for (const int way : {side, side + 2}) {
+        uint32_t i = all.squares[square].next[way];
+        while (i != kNoSquare && i >= firstLow && length <= thinnest) {
+          ++length;
+          i = all.squares[i].next[way];
+        }
+        if (i == kNoSquare || i >= firstLow) {
+          return false;
+        }
+      }
+      return length <= thinnest;
+    };
+    const auto thin =
+        std::count_if(thing.begin(), thing.end(), [&](uint32_t i) { return isThinAt(i, 0) || isThinAt(i, 1); });
+    return 2 * static_cast<size_t>(thin) > thing.size();
   }
 
   bool isFurniture(const WalkField& all, const std::vector<uint32_t>& thing, std::vector<uint32_t>& beside) const {

@@ -152,6 +152,17 @@ TEST(CameraEditor, severalEditsAreOneStep) {
                       " {'edit': 'remove', 'name': 'left'}]}"),
               HasSubstr("edit 2"));
   EXPECT_EQ(editor.text(), before);
+  for (const char* wrong :
+       {"5", "{}", "{'operation': 5}", "{'into': 5}", "{'into': [5]}", "{'into': {'name': 5}, 'of': 5}"}) {
+    for (const char* then : {"{'edit': 'limits', 'name': 'right', 'planes': []}", "{'edit': 'remove', 'name': 'left'}",
+                             "{'edit': 'rename', 'name': 'left', 'to': 'west'}"}) {
+      EXPECT_NE(errorOf(editor, "{'edit': 'several', 'edits': [{'edit': 'add', 'operation': " + std::string(wrong) +
+                                    "}, " + then + "]}"),
+                "")
+          << wrong << then;
+    }
+  }
+  EXPECT_EQ(editor.text(), before);
   EXPECT_THAT(errorOf(editor, "{'edit': 'several', 'edits': [{'edit': 'several', 'edits': []}]}"), HasSubstr("within"));
   EXPECT_THAT(errorOf(editor, "{'edit': 'several', 'edits': [{'edit': 'undo'}]}"), HasSubstr("must be"));
 }

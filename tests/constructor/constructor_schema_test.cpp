@@ -128,7 +128,8 @@ TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
   expectDefaults("path", {{"position", options.position},
                           {"preview", options.preview},
                           {"turns", options.turns},
-                          {"eye_height", options.eyeHeight}});
+                          {"eye_height", options.eyeHeight},
+                          {"rounding", options.rounding}});
 }
 
 TEST(ConstructorSchema, portalDefaultsAreTheReaders) {

@@ -26,12 +26,13 @@ PathOptions corner(double degrees) {
   options.path = {{0, 0, 0}, {0, 0, -100}};
   options.path.emplace_back(100 * std::sin(angle), 0, -100 - 100 * std::cos(angle));
   options.preview = 1;
-  options.turns = 2;
+  options.turns = 4;
+  options.rounding = 0;
   return options;
 }
 
 TEST(PathCamera, raysFollowThePathAroundACorner) {
-  const PathOptions options = corner(40);  // control points 100 m ahead, at the corner, and at the end
+  const PathOptions options = corner(40);  // control points each 50 m, the second at the corner
   const CurvedRayCamera camera = buildPathCamera(options, {}, reference());
   ASSERT_EQ(camera.bends().size(), 1u);
   // All of the path is seen in the middle of the image, one half behind the other, but in the transition, where rays
@@ -65,22 +66,40 @@ TEST(PathCamera, theRootLooksAlongThePathFromItsHeight) {
 
 TEST(PathCamera, turnsUnfoldAndCollapse) {
   PathOptions options = corner(40);
-  options.preview = 0.4;
+  options.preview = 0.8;
   const auto end = [](const CurvedRayCamera& camera) {
     const RayPath ray = camera.rayPath({80, 45});
     return glm::normalize(ray.back() - ray[ray.size() - 2]);
   };
   float most = 0;
-  glm::vec3 last(0, 0, -1);
+  glm::vec3 last = end(buildPathCamera(options, {}, reference()));
   for (options.position = 0; options.position < 0.9; options.position += 0.001) {
     const CurvedRayCamera camera = buildPathCamera(options, {}, reference());
-    // 40 degrees come in over 40 m; smoothly, at most 1.5 times as fast as evenly: 0.3 degrees a step of 0.2 m.
+    // 40 degrees come in over 80 m, and the view turns by them over 40; smoothly, at most 1.5 times as fast as evenly:
+    // 0.3 degrees a step of 0.2 m.
     EXPECT_LT(glm::distance(end(camera), last), 0.01f) << options.position;
     last = end(camera);
     most = std::max(most, glm::distance(last, camera.root().forward()));
   }
   EXPECT_GT(most, 0.34f);  // the control points cut the corner in turns of 20 degrees; one of them is made in full
   EXPECT_TRUE(buildPathCamera(options, {}, reference()).bends().empty());
+}
+
+TEST(PathCamera, cornersAreRounded) {
+  PathOptions options = corner(90);  // 100 m to the north, then to the east
+  options.rounding = 1;              // over 50 m
+  const auto eyeAt = [&](double position) {
+    options.position = position;
+    return pathPinhole(options, {}, reference()).eye();
+  };
+  EXPECT_LT(glm::distance(eyeAt(0.3), glm::vec3(0, 0, -60)), 1e-4f);  // 40 m before the corner
+  // At the corner: of 25 m on either side, the mean is a quarter of 25 m off along both.
+  EXPECT_LT(glm::distance(eyeAt(0.5), glm::vec3(6.25f, 0, -93.75f)), 1e-4f);
+  // 10 m before it: 35 m of the first leg, whose mean is 17.5 m before the corner, and 15 m of the other.
+  EXPECT_LT(glm::distance(eyeAt(0.45), glm::vec3(7.5f * 0.3f, 0, -100 + 17.5f * 0.7f)), 1e-4f);
+  EXPECT_LT(glm::distance(eyeAt(0), glm::vec3(0, 0, 0)), 1e-4f);  // it goes straight on beyond its ends
+  options.rounding = 0;
+  EXPECT_LT(glm::distance(eyeAt(0.5), glm::vec3(0, 0, -100)), 1e-4f);
 }
 
 TEST(PathCamera, takesAnyPath) {

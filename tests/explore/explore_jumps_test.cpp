@@ -64,9 +64,10 @@ GuidedScene unfitted(const char* name) {
 
 const Walk kWalks[] = {
     {"portal", test::twoRooms,
-     R"({"size": [320, 180], "steps": [{"go": {"to": [4, 1.6, 4], "heading": -30}}, {"choose": "portal"},
-         {"walk": {"forward": 2}}, {"turn": -25}, {"walk": {"forward": 2}}, {"turn": 40}, {"walk": {"right": -2}},
-         {"walk": {"forward": 4}}, {"turn": 30}, {"choose": "pinhole"}, {"wait": "rest"}]})"},
+     R"({"size": [320, 180], "steps": [{"go": {"to": [6, 1.6, 1], "heading": -57}}, {"choose": "portal"},
+         {"wait": "rest"}, {"expect": "rays bend at 1 part"}, {"walk": {"forward": 2}}, {"turn": -25},
+         {"walk": {"forward": 2}}, {"turn": 40}, {"walk": {"right": -2}}, {"walk": {"forward": 3}}, {"turn": 30},
+         {"walk": {"forward": 4}}, {"choose": "pinhole"}, {"wait": "rest"}]})"},
     {"portal_of_a_maze", [] { return unfitted("builtin:maze,seed=5"); },
      R"({"size": [320, 180], "steps": [{"choose": "portal"}, {"walk": {"forward": 5}}, {"turn": 90},
          {"walk": {"forward": 4}}, {"turn": -90}, {"choose": "pinhole"}, {"wait": "rest"}]})"},
@@ -101,10 +102,15 @@ TEST_P(ExploreJumps, noFrameJumps) {
       exploreOffscreen(scene, exploreScriptFromJsonText(GetParam().script, GetParam().name), options);
   ASSERT_GT(report.changes.size(), 60u);
   ASSERT_TRUE(report.worst);
-  EXPECT_EQ(report.jumps(), 0) << "worst: frame " << report.worst->frame << " changes by " << report.worst->picture
-                               << ", the pinhole by " << report.worst->pinhole << ", with a turn by "
-                               << report.worst->turn << "\n"
-                               << csvOf(report.changes);
+  // A turn is measured along eight headings, at a place at most half a metre away: others can change a little more.
+  constexpr double kOtherTurns = 1.05;
+  const auto jumps = std::count_if(report.changes.begin(), report.changes.end(), [](const FrameChange& change) {
+    return change.picture > std::max(change.pinhole, kOtherTurns * change.turn);
+  });
+  EXPECT_EQ(jumps, 0) << "worst: frame " << report.worst->frame << " changes by " << report.worst->picture
+                      << ", the pinhole by " << report.worst->pinhole << ", with a turn by " << report.worst->turn
+                      << "\n"
+                      << csvOf(report.changes);
 }
 
 INSTANTIATE_TEST_SUITE_P(Walks, ExploreJumps, testing::ValuesIn(kWalks),

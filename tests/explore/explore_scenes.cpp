@@ -1,6 +1,9 @@
 #include "tests/explore/explore_scenes.h"
 
 #include <array>
+#include <cmath>
+
+#include "oc_core/base/conventions.h"
 
 namespace ocelli::test {
 namespace {
@@ -83,7 +86,15 @@ GuidedScene hiddenBox() {
 
 GuidedScene hallWithPath() {
   GuidedScene scene = hall();
-  scene.guides.path = {{-8, 1.6f, 8}, {-8, 1.6f, 0}, {0, 1.6f, 0}, {4, 1.6f, -4}, {4, 1.6f, -8}};
+  scene.guides.path.push_back({-7, 1.6f, 8});
+  for (int i = 0; i <= 8; ++i) {  // a quarter of a circle to the right, and one to the left
+    const double angle = kPi / 2 * i / 8;
+    scene.guides.path.emplace_back(-7 + 5 * (1 - std::cos(angle)), 1.6, 3 - 5 * std::sin(angle));
+  }
+  for (int i = 1; i <= 8; ++i) {
+    const double angle = kPi / 2 * i / 8;
+    scene.guides.path.emplace_back(-2 + 5 * std::sin(angle), 1.6, -7 + 5 * std::cos(angle));
+  }
   return scene;
 }
 

@@ -151,7 +151,7 @@ TEST(ExploreScript, savesImagesCamerasAndFrames) {
   };
   std::vector<std::string> wrote;
   options.wrote = [&](const std::filesystem::path& path) { wrote.push_back(path.filename().string()); };
-  played(R"({"go": {"to": [3, 1.6, 2], "heading": -30}}, {"choose": "portal"}, {"wait": "rest"},
+  played(R"({"go": {"to": [5, 1.6, 0.5], "heading": -55}}, {"choose": "portal"}, {"wait": "rest"},
             {"save": "here/a.png"}, {"save_camera": "c.json"}, {"record": "w.mp4"}, {"seconds": 0.5},
             {"stop_recording": true}, {"camera": ")" +
              (folder / "c.json").string() + R"("}, {"wait": "rest"}, {"save": "b.png"})",

@@ -167,7 +167,7 @@ TEST(OpenPlace, isOnTheFloorOfAHall) {
 TEST(OpenPlace, beginsAPath) {
   const ExploreScene scene(test::hallWithPath());
   const WalkerView view = openPlace(scene, {});
-  EXPECT_EQ(glm::vec3(view.eye), glm::vec3(-8, 1.6f, 8));
+  EXPECT_EQ(glm::vec3(view.eye), glm::vec3(-7, 1.6f, 8));
   EXPECT_NEAR(view.headingDegrees, 0, 1e-6);
 }
 

@@ -70,7 +70,7 @@ TEST(Explorer, beginsWithThePinhole) {
 TEST(Explorer, deploysAndCollapsesStepByStep) {
   ExploreScene scene(test::twoRooms());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{-3, 1.6, 1}, 40, 0});
+  explorer.walker().jump({{-5, 1.6, 0.5}, 55, 0});
   explorer.choose("portal");
   EXPECT_STREQ(explorer.chosen().name, "portal");
   double before = 0;
@@ -250,15 +250,17 @@ TEST(Explorer, followsThePath) {
   explorer.walker().jump({{-5, 1.6, 3}, 70, 0});
   explorer.choose("path");
   rest(explorer);
-  EXPECT_NEAR(explorer.walker().view().eye.x, -8, 0.1) << "the nearest place of the path";
+  EXPECT_NEAR(explorer.walker().view().eye.x, -7, 0.1) << "the nearest place of the path";
   EXPECT_NEAR(explorer.walker().view().eye.z, 3, 0.1);
   WalkInput forward;
   forward.forward = 1;
   for (int i = 0; i < 60; ++i) {
     explorer.advance(forward, test::kExploreFrame);
   }
-  const glm::dvec3 eye = explorer.walker().view().eye;  // it has turned at z = 0
-  EXPECT_NEAR(3 - eye.z + eye.x + 8, 2 * explorer.walker().options().speed, 0.1);
+  // On the first arc, whose middle is at (-2, 3).
+  const glm::dvec3 eye = explorer.walker().view().eye;
+  EXPECT_NEAR(std::hypot(eye.x + 2, eye.z - 3), 5, 0.05);
+  EXPECT_NEAR(5 * std::atan2(3 - eye.z, -2 - eye.x), 2 * explorer.walker().options().speed, 0.1);
   EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
 }
 
@@ -293,7 +295,7 @@ TEST(Explorer, framesDependOnNothingElse) {
     ExploreScene scene(test::twoRooms());
     Explorer explorer(scene, test::smallPictures());
     ExploreRenderer renderer(scene);
-    explorer.walker().jump({{3, 1.6, 2}, -30, 0});
+    explorer.walker().jump({{6, 1.6, 0.5}, -55, 0});
     explorer.choose("portal");
     std::vector<Image<Rgb8>> pictures;
     WalkInput input;

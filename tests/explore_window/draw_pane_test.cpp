@@ -109,6 +109,38 @@ TEST_P(DrawPaneTest, aStrokeBendsTheRaysInTheView) {
   EXPECT_EQ(savedCamera("camera-003.json"), before);
 }
 
+TEST_P(DrawPaneTest, aFileThatIsDroppedIsDrawnOn) {
+  key(Key::kB);
+  drag(screenPoint(1, -2), screenPoint(1.3f, 2));
+  const std::string drawn = savedCamera("camera-001.json");
+  key(Key::kG, {.shift = true});
+  EXPECT_NE(savedCamera("camera-002.json"), drawn);
+  const glm::vec2 over = screenPoint(1, 0);
+  window.handle(PointerMoveEvent{over.x, over.y});
+  window.handle(DropEvent{{(folder / "camera-001.json").string()}});
+  frames(60);
+  EXPECT_EQ(savedCamera("camera-003.json"), drawn);
+  // What is no camera leaves it as it was.
+  window.handle(DropEvent{{folder.write("other.json", "{}").string()}});
+  frames(2);
+  EXPECT_EQ(savedCamera("camera-004.json"), drawn);
+}
+
+TEST_P(DrawPaneTest, aDragShowsASmallImageFirst) {
+  key(Key::kB);
+  const glm::vec2 from = screenPoint(1, -2);
+  window.handle(PointerMoveEvent{from.x, from.y});
+  window.handle(PointerButtonEvent{PointerButton::kLeft, true, {}});
+  const glm::vec2 to = screenPoint(1.3f, 2);
+  window.handle(PointerMoveEvent{to.x, to.y});
+  frames(60);
+  const Image<Rgb8> small = window.picture()->view;
+  window.handle(PointerButtonEvent{PointerButton::kLeft, false, {}});
+  frames(60);
+  EXPECT_EQ(window.picture()->view.width(), small.width());  // it fills the same place
+  EXPECT_FALSE(window.picture()->view == small);
+}
+
 TEST_P(DrawPaneTest, helpIsThatOfTheEditor) {
   const Image<Rgb8> before = window.screenshot();
   key(Key::kF1);

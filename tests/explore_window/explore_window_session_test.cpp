@@ -85,6 +85,15 @@ TEST_P(ExploreWindowSessionTest, whatCannotBeDoneSaysWhere) {
   EXPECT_NE(messageOf(R"({"key": "V"})").find("stop_recording"), std::string::npos);
 }
 
+TEST(ExploreWindowExamples, canBeRead) {
+  int count = 0;
+  for (const auto& entry : std::filesystem::directory_iterator(OCELLI_EXPLORE_EXAMPLES)) {
+    EXPECT_FALSE(readExploreScript(entry.path()).steps.empty()) << entry.path();
+    ++count;
+  }
+  EXPECT_GE(count, 3);
+}
+
 INSTANTIATE_TEST_SUITE_P(Offscreen, ExploreWindowSessionTest, kOffscreenProviders, providerName);
 
 }  // namespace

@@ -80,9 +80,7 @@ TEST(EditorTown, theSummaryHasEightViewpointsThatEachShowSomething) {
   // A pinhole at the root's eye shows far less; the clock tower is in the middle.
   const std::map<uint32_t, int> seen = seenObjects(session.editor().camera());
   const std::map<uint32_t, int> pinhole = seenObjects(GraphCamera(camera.root()));
-  std::printf("objects of at least 100 pixels: %d; of the pinhole %d\n", objectsOfAtLeast(seen, 100),
-              objectsOfAtLeast(pinhole, 100));
-  EXPECT_GT(objectsOfAtLeast(seen, 100), objectsOfAtLeast(pinhole, 100));
+  EXPECT_GE(objectsOfAtLeast(seen, 100), objectsOfAtLeast(pinhole, 100) + 20);  // 101 and 75
   EXPECT_GT(seen.at(town().guides.target->object), 20000);
 
   EXPECT_TRUE(std::filesystem::exists(folder / "draw-town.png"));
@@ -113,7 +111,6 @@ TEST(EditorTown, theCurvedCameraSeesAroundTheCorner) {
   for (const auto& [object, pixels] : seen) {
     gained += pixels >= 100 && !pinhole.contains(object) ? 1 : 0;
   }
-  std::printf("objects of at least 100 pixels that a pinhole does not see: %d\n", gained);
   EXPECT_GE(gained, 3);
 }
 

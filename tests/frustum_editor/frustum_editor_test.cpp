@@ -168,6 +168,15 @@ TEST_F(FrustumEditorTest, aWrongFileLeavesTheEditorAsItWas) {
   EXPECT_TRUE(editor.canUndo());
 }
 
+TEST_F(FrustumEditorTest, aFileIsOpenedInTheShapeThatItIsMadeFor) {
+  const std::string text = FrustumEditor::newGraphCamera(test::editorRoot(100, 50));
+  ASSERT_TRUE(editor.open(text, "wide.json")) << editor.message();
+  EXPECT_EQ(editor.drawn().imageSize(), glm::dvec2(100, 50));
+  EXPECT_FALSE(
+      editor.open("{\"camera\": \"graph\", \"size\": {\"width\": 0, \"height\": 5}, \"operations\": []}", "x"));
+  EXPECT_EQ(editor.text(), text);
+}
+
 TEST_F(FrustumEditorTest, aCameraOfAnotherSceneIsSaid) {
   View view = test::editorView();
   view.eye += glm::vec3(5000, 0, 0);

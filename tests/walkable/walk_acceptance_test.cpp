@@ -10,7 +10,7 @@ namespace {
 
 constexpr uint64_t kScenes = 10;
 constexpr float kCitySize = 100;  // metres; a smaller one than by default, for the time that it takes
-constexpr size_t kPixels = 4;
+constexpr size_t kPixels = 4;     // WalkComprehensiveOptions::minPixels
 
 struct FoundTotals {
   double knownArea = 0;
@@ -32,7 +32,7 @@ struct FoundTotals {
 };
 
 void accept(const bench::WalkScene& scene, FoundTotals& totals) {
-  const bench::WalkAcceptance result = bench::acceptWalks(scene, 1920, 1080, kPixels);
+  const bench::WalkAcceptance result = bench::acceptWalks(scene, 1920, 1080);
   const WalkAgreement& agreement = result.agreement;
   ASSERT_FALSE(agreement.reached.empty()) << scene.source;
   ASSERT_EQ(result.cells.size(), agreement.reached.size());

@@ -84,5 +84,24 @@ TEST(WalkableStairs, StepsThatAreTooHighPartTheStoreys) {
   EXPECT_NE(map.partOfCell[below], map.partOfCell[above]);
 }
 
+TEST(WalkableStairs, KerbsAreStepped) {
+  for (int shift = 0; shift < 10; ++shift) {  // of the kerb, against the grid of the height field
+    Mesh mesh;
+    test::addFloor(mesh, {0, 0}, {10, 10});
+    // A pavement that is hollow: no floor lies in the column of its edge.
+    const float edge = 5 + 0.01f * static_cast<float>(shift);
+    mesh.positions.insert(
+        mesh.positions.end(),
+        {{0, 0.15f, edge}, {10, 0.15f, edge}, {10, 0.15f, 10}, {0, 0.15f, 10}, {0, 0, edge}, {10, 0, edge}});
+    const auto first = static_cast<uint32_t>(mesh.positions.size()) - 6;
+    mesh.triangles.insert(mesh.triangles.end(), {{first, first + 2, first + 1},
+                                                 {first, first + 3, first + 2},
+                                                 {first, first + 1, first + 5},
+                                                 {first, first + 5, first + 4}});
+    const WalkMap map = findWalkMap(mesh, {});
+    EXPECT_EQ(map.cells.size(), 1U) << shift;
+  }
+}
+
 }  // namespace
 }  // namespace ocelli
