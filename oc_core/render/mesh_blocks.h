@@ -4,8 +4,8 @@
 // DEVIATION: the text finds the triangles of a frustum with an octree (section 4.1). Scenes come in a coherent order,
 // so blocks of neighbours in that order do, and take a small part of the time to build. For scenes that are drawn more
 // than once, blocks of triangles side by side in space (along a Morton curve) are worth a sort: rows of a height field
-// become patches, and objects that are strewn about come by neighbourhoods. Not where triangles are smaller than pixels and come
-// in a good order already: there the way to their vertices in memory counts for more.
+// become patches, and objects that are strewn about come by neighbourhoods. Not where triangles are smaller than pixels
+// and come in a good order already: there the way to their vertices in memory counts for more.
 #pragma once
 
 #include <algorithm>
