@@ -12,10 +12,13 @@
 namespace ocelli {
 namespace {
 
-size_t drawnPixels(const GraphCamera& camera, const GuidedScene& scene, uint32_t object) {
-  size_t pixels = 0;
+/// Of each object, by identity.
+std::vector<size_t> drawnPixels(const GraphCamera& camera, const GuidedScene& scene, size_t objects) {
+  std::vector<size_t> pixels(objects + 1, 0);
   for (const Fragment& fragment : rasterize(camera, scene.mesh)) {
-    pixels += fragment.covered() && scene.objectOfTriangle[fragment.triangle] == object;
+    if (fragment.covered()) {
+      ++pixels[scene.objectOfTriangle[fragment.triangle]];
+    }
   }
   return pixels;
 }
@@ -26,18 +29,20 @@ TEST(ComprehensiveObjects, whatIsCountedIsDrawn) {
   const std::vector<size_t> counted = pixelsOfObjects(camera, made.scene);
   ASSERT_EQ(counted.size(), made.objects + 1);
   EXPECT_EQ(counted[0], 0u);
-  for (uint32_t object = 1; object <= made.objects; ++object) {
-    EXPECT_LE(counted[object], drawnPixels(camera, made.scene, object) + 1) << object;  // 1 for rounding
-    EXPECT_EQ(counted[object] >= 2, drawnPixels(camera, made.scene, object) >= 2) << object;
+  const std::vector<size_t> drawn = drawnPixels(camera, made.scene, made.objects);
+  for (size_t object = 1; object <= made.objects; ++object) {
+    EXPECT_LE(counted[object], drawn[object] + 1) << object;  // 1 for rounding
+    EXPECT_EQ(counted[object] >= 2, drawn[object] >= 2) << object;
   }
 }
 
 TEST(ComprehensiveObjects, otherOptionsShowWhatIsHidden) {
   const test::MazeWithObjects made(5);  // its third object stands wholly behind another
-  ASSERT_EQ(drawnPixels(makeComprehensiveCamera(made.maze, {}, 1920, 1200), made.scene, 3), 0u);
+  ASSERT_EQ(drawnPixels(makeComprehensiveCamera(made.maze, {}, 1920, 1200), made.scene, made.objects)[3], 0u);
   const ComprehensiveChoice choice = chooseComprehensive(made.scene, {}, 1920, 1200);
   EXPECT_TRUE(choice.unseen.empty());
-  EXPECT_GT(drawnPixels(makeComprehensiveCamera(made.maze, choice.options, 1920, 1200), made.scene, 3), 4u);
+  const GraphCamera chosen = makeComprehensiveCamera(made.maze, choice.options, 1920, 1200);
+  EXPECT_GT(drawnPixels(chosen, made.scene, made.objects)[3], 4u);
 }
 
 TEST(ComprehensiveObjects, whereAllIsSeenTheGivenOptionsStay) {
