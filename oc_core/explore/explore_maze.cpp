@@ -10,6 +10,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/walk_turn.h"
+#include "oc_core/explore/explore_message.h"
 #include "oc_core/explore/live_constructor_rows.h"
 #include "oc_core/explore/split_visibility.h"
 
@@ -45,6 +46,9 @@ class LiveMaze final : public LiveConstructor {
   std::optional<WalkerView> lead(const LiveMoment& moment, const WalkInput& input) override {
     if (const std::optional<uint32_t> portal = std::exchange(wish_, std::nullopt)) {
       begin(moment, *portal);
+    }
+    if (input.forward != 0) {
+      refused_.clear();
     }
     if (!turn_ && space_ && std::abs(input.turnRight) >= kTurnWish) {
       turnAtCrossing(moment, input.turnRight > 0 ? 2 : 0);
@@ -133,6 +137,9 @@ class LiveMaze final : public LiveConstructor {
                           ahead.note.empty() ? fmt::format("{} of {} ways out of the {} ahead", shown, ways_.size(),
                                                            crossing_ && crossing_ == ahead.cell ? "room" : "crossing")
                                              : ahead.note});
+    if (!refused_.empty()) {
+      live.notes.push_back({ExploreNote::Kind::kProblem, refused_});
+    }
     return live;
   }
 
@@ -176,8 +183,9 @@ class LiveMaze final : public LiveConstructor {
       turnFrom_ = moment.walker;
       turnTo_ = {after.eye, headingDegreesOf(after.heading, moment.walker.headingDegrees), 0};
       turn_ = turn;
-    } catch (const InputError&) {
-      turn_.reset();  // there is no such turn from here: one walks on freely
+      refused_.clear();
+    } catch (const InputError& error) {
+      refused_ = messageOf(error).what;  // one walks on freely
     }
   }
 
@@ -187,6 +195,7 @@ class LiveMaze final : public LiveConstructor {
   std::optional<uint32_t> crossing_;
   std::optional<uint32_t> wish_;  // a portal that was clicked
   std::optional<WalkTurn> turn_;
+  std::string refused_;  // why the last turn that was wanted could not begin
   WalkerView turnFrom_;
   WalkerView turnTo_;
   SplitVisibility ahead_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <ctime>
 #include <glm/geometric.hpp>
 #include <numeric>
 #include <utility>
@@ -35,6 +36,7 @@ class OffscreenSession final : public ExploreSession {
   void showFrame(const WalkInput& input) override {
     const ExploreFrame before = explorer_.frame();
     const double begin = milliseconds();
+    const std::clock_t processorBegin = std::clock();
     explorer_.advance(input, 1 / kExploreFramesPerSecond);
     const double stepped = milliseconds();
     // A frame that dissolves needs the picture of the one before.
@@ -48,6 +50,7 @@ class OffscreenSession final : public ExploreSession {
       drawNow();
       report_.times.step.push_back(stepped - begin);
       report_.times.draw.push_back(milliseconds() - beforeDrawing);
+      processorSeconds_ += static_cast<double>(std::clock() - processorBegin) / CLOCKS_PER_SEC;
       if (recording_) {
         recording_->add(picture_);
       }
@@ -104,6 +107,8 @@ class OffscreenSession final : public ExploreSession {
     if (recording_) {
       stopRecording();
     }
+    report_.times.processorMeanMs =
+        1000 * processorSeconds_ / std::max(1.0, static_cast<double>(report_.times.draw.size()));
     report_.changes = jumps_.changes();
     report_.worst = jumps_.worst();
     return std::move(report_);
@@ -137,6 +142,7 @@ class OffscreenSession final : public ExploreSession {
   Image<Rgb8> picture_;
   int drawn_ = -1;
   ExploreReport report_;
+  double processorSeconds_ = 0;
 };
 
 }  // namespace

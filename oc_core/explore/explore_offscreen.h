@@ -31,10 +31,11 @@ struct ExploreOffscreenOptions {
   std::function<void(const std::filesystem::path& path)> wrote{};
 };
 
-/// Of all frames of a session, in milliseconds of the clock, by frame.
+/// Of all frames of a session that were drawn, in milliseconds, by frame.
 struct ExploreTimes {
-  std::vector<double> step;  ///< the walker and the camera
-  std::vector<double> draw;  ///< the picture
+  std::vector<double> step;    ///< the walker and the camera, by the clock
+  std::vector<double> draw;    ///< the picture, by the clock
+  double processorMeanMs = 0;  ///< of both, by the processor, all threads together: others on the machine do not count
 
   /// The value below which that share of the frames are, of both together; 0 for none.
   double percentile(double share) const;

@@ -11,11 +11,10 @@
 namespace ocelli {
 namespace {
 
-constexpr int kFeelers = 12;       // level rays around the walker
-constexpr int kSlides = 3;         // walls that one step can slide along
-constexpr double kMaxDrop = 2.5;   // metres: one does not walk over higher edges
-constexpr double kMaxRise = 2.5;   // metres a second, by which the eye follows the floor
-constexpr double kHeadroom = 0.1;  // metres over the eye
+constexpr int kFeelers = 12;      // level rays around the walker
+constexpr int kSlides = 3;        // walls that one step can slide along
+constexpr double kMaxDrop = 2.5;  // metres: one does not walk over higher edges
+constexpr double kMaxRise = 2.5;  // metres a second, by which the eye follows the floor
 constexpr double kNearMetres = 0.05;
 constexpr double kFarSizes = 2;  // of the scene, beyond it
 

@@ -117,7 +117,7 @@ TEST(ConstructorSchema, occluderIsWhatItsReaderTakes) {
       nlohmann::json::parse(R"({"camera": "occluder", "box": {"lower": [-1, -2, -3], "upper": [1, 2, 3]}})");
   test::SchemaAgreement{schemaOf("occluder"), errorOf, base}.check();
   const OccluderOptions options;
-  expectDefaults("occluder", {{"object", options.object}, {"shadow", options.shadow}});
+  expectDefaults("occluder", {{"object", options.object}, {"shadow", options.shadow}, {"deployed", options.deployed}});
 }
 
 TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
@@ -125,11 +125,13 @@ TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
                         nlohmann::json::parse(R"({"camera": "path", "path": [[0, 0, 1], [1, 0, 0], [1, 0, -3]]})")}
       .check();
   const PathOptions options;
-  expectDefaults("path", {{"position", options.position},
+  expectDefaults("path", {{"deployed", options.deployed},
+                          {"position", options.position},
                           {"preview", options.preview},
                           {"turns", options.turns},
                           {"eye_height", options.eyeHeight},
-                          {"rounding", options.rounding}});
+                          {"rounding", options.rounding},
+                          {"deployed", options.deployed}});
 }
 
 TEST(ConstructorSchema, portalDefaultsAreTheReaders) {

@@ -102,10 +102,12 @@ TEST_P(ExploreJumps, noFrameJumps) {
       exploreOffscreen(scene, exploreScriptFromJsonText(GetParam().script, GetParam().name), options);
   ASSERT_GT(report.changes.size(), 60u);
   ASSERT_TRUE(report.worst);
-  // A turn is measured along eight headings, at a place at most half a metre away: others can change a little more.
-  constexpr double kOtherTurns = 1.05;
+  // While the head turns at full speed, an object or opening that leaves the image takes its bend along: there, and
+  // nowhere else, pictures of bent rays change by up to a twelfth more than those of straight ones. (A turn is measured
+  // along eight headings at a place at most half a metre away, which is another hundredth.)
+  constexpr double kBentTurns = 1.1;
   const auto jumps = std::count_if(report.changes.begin(), report.changes.end(), [](const FrameChange& change) {
-    return change.picture > std::max(change.pinhole, kOtherTurns * change.turn);
+    return change.picture > kBentTurns * change.allowed();
   });
   EXPECT_EQ(jumps, 0) << "worst: frame " << report.worst->frame << " changes by " << report.worst->picture
                       << ", the pinhole by " << report.worst->pinhole << ", with a turn by " << report.worst->turn

@@ -4,6 +4,9 @@
 
 #include <cstdlib>
 
+#include "oc_core/constructor/occluder_constructor.h"
+#include "oc_core/constructor/path_constructor.h"
+#include "oc_core/explore/explore_jumps.h"
 #include "oc_core/explore/explorer.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "tests/explore/explore_scenes.h"
@@ -43,6 +46,37 @@ TEST(ExploreRenderer, drawsWhatRenderDraws) {
   ASSERT_TRUE(picture.pinhole);
   EXPECT_LE(farthestByte(*picture.pinhole, expected(GraphCamera(explorer.frame().pinhole))), 1);
   EXPECT_EQ(picture.frame, explorer.frame().number);
+}
+
+// What the explorer relies on: constructors that are not deployed make the pinhole, and a little of it hardly more.
+TEST(ExploreRenderer, collapsedCamerasShowThePinhole) {
+  const ExploreScene scene(test::hiddenBox());
+  const ExploreRenderer renderer(scene);
+  const PinholeCamera view = walkerCamera({{0.5, 1.6, 3}, 0, 0}, scene, 70, 160, 90);
+  const Image<Rgb8> straight = renderer.draw(GraphCamera(view));
+  const auto change = [&](const MultiperspectiveCamera& camera) {
+    return imageChange(renderer.draw(camera), straight);
+  };
+  OccluderOptions around;
+  around.object = 1;
+  const auto occluder = [&](double deployed) {
+    around.deployed = deployed;
+    return change(buildOccluderCamera(around, scene.scene(), view));
+  };
+  EXPECT_LT(occluder(0), 0.05) << "bytes, but for rounding at edges";
+  EXPECT_LT(occluder(0.02), 0.2 * occluder(1));
+  EXPECT_GT(occluder(1), 1);
+  PathOptions path;
+  path.path = {{0.5f, 1.6f, 3}, {0.5f, 1.6f, -2}, {6, 1.6f, -2}};
+  path.preview = 0.9;
+  const auto onPath = [&](double deployed) {
+    path.deployed = deployed;
+    return change(buildPathCamera(path, scene.guides(), view));
+  };
+  path.deployed = 0;
+  const CurvedRayCamera collapsed = buildPathCamera(path, scene.guides(), view);
+  EXPECT_TRUE(collapsed.bends().empty());
+  EXPECT_GT(onPath(1), onPath(0));
 }
 
 TEST(ExploreRenderer, dissolvesFromThePictureBefore) {

@@ -11,6 +11,7 @@ namespace ocelli {
 namespace {
 
 using testing::HasSubstr;
+using testing::Not;
 
 constexpr int kMaxFrames = 400;
 
@@ -251,7 +252,9 @@ TEST(Explorer, followsThePath) {
   explorer.choose("path");
   rest(explorer);
   EXPECT_NEAR(explorer.walker().view().eye.x, -7, 0.1) << "the nearest place of the path";
-  EXPECT_NEAR(explorer.walker().view().eye.z, 3, 0.1);
+  // The arcs of the path are chords of 1 m: the nearest place is on the first of them.
+  EXPECT_NEAR(explorer.walker().view().eye.z, 3, 0.5);
+  const double begin = explorer.walker().view().eye.z;
   WalkInput forward;
   forward.forward = 1;
   for (int i = 0; i < 60; ++i) {
@@ -260,8 +263,45 @@ TEST(Explorer, followsThePath) {
   // On the first arc, whose middle is at (-2, 3).
   const glm::dvec3 eye = explorer.walker().view().eye;
   EXPECT_NEAR(std::hypot(eye.x + 2, eye.z - 3), 5, 0.05);
-  EXPECT_NEAR(5 * std::atan2(3 - eye.z, -2 - eye.x), 2 * explorer.walker().options().speed, 0.1);
+  EXPECT_NEAR(5 * std::atan2(3 - eye.z, -2 - eye.x), 3 - begin + 2 * explorer.walker().options().speed, 0.1);
   EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
+}
+
+// Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.
+TEST(Explorer, turnsAtACrossingInFourSteps) {
+  SceneOptions unfitted;
+  unfitted.fit = false;
+  ExploreScene scene(loadGuidedScene("builtin:maze,seed=5", unfitted));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.choose("maze");
+  rest(explorer);
+  // From the middle of the first tunnel before a crossing with a way to the right.
+  WalkInput right;
+  right.turnRight = 1;
+  WalkerView before;
+  const auto turns = [&](const WalkCell& cell, const glm::vec3& axis) {
+    before = {glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), headingDegreesOf(axis), 0};
+    explorer.walker().jump(before);
+    explorer.advance({}, test::kExploreFrame);
+    explorer.advance(right, test::kExploreFrame);
+    return notesOf(explorer).find("turning: step 1 of 4") != std::string::npos;
+  };
+  const std::vector<WalkCell>& cells = scene.walkMap()->cells;
+  ASSERT_TRUE(std::any_of(cells.begin(), cells.end(), [&](const WalkCell& cell) {
+    return cell.kind == WalkCellKind::kTunnel && (turns(cell, cell.axis) || turns(cell, -cell.axis));
+  }));
+  std::string steps;
+  for (int i = 0; i < kMaxFrames && !explorer.atRest(); ++i) {
+    explorer.advance({}, test::kExploreFrame);
+    steps += notesOf(explorer);
+  }
+  for (const char* step : {"step 2", "step 3", "step 4"}) {
+    EXPECT_THAT(steps, HasSubstr(step));
+  }
+  EXPECT_NEAR(glm::dot(headingOf(explorer.walker().view()), headingOf({{}, before.headingDegrees + 90, 0})), 1, 1e-9)
+      << "from " << before.eye.x << ", " << before.eye.z << ", heading " << before.headingDegrees;
+  EXPECT_GT(glm::distance(explorer.walker().view().eye, before.eye), 1);
+  EXPECT_THAT(notesOf(explorer), Not(HasSubstr("turning")));
 }
 
 TEST(Explorer, aCameraOfAnotherSceneIsAState) {
