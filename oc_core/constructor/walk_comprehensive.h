@@ -1,9 +1,10 @@
-// The comprehensive camera (section 4.3.2.2) for any scene with a walk map: a graph camera that shows all cells that
-// can be reached from a start in one image, each once.
+// The comprehensive camera (section 4.3.2.2) for any scene with a walk map: a graph camera that shows the cells that
+// can be reached from a start in one image, each once, as far as its size allows; and which it does not show, and why.
 //
 // It follows a tour, a tree of cells (walk_tour.h). Its rays come into a cell through an opening, and part there: each
 // opening to a next cell gets a share of them, and the walls between get the rest, which shows the cell itself
-// (walk_fans.h). So a cell costs one bend, whatever its shape, and the frusta are disjoint.
+// (walk_fans.h). A cell costs one bend, and one more for each part that its rays cannot reach straight.
+// Frusta are disjoint within regions (walk_region.h); in the walls between regions two may overlap.
 //
 // Who gets how many pixels. Of the rays that come into a cell of floor area a, with cells of the area n after it, about
 // the share n / (n + k a) goes on, k being `nearness`; between openings shares are as the area after each to the power
@@ -53,7 +54,7 @@ struct WalkCellView {
   WalkUnseen unseen = WalkUnseen::kNothing;
   int parent = -1;                     ///< the cell before it on the tour; -1 for the start and where there is none
   size_t turns = 0;                    ///< bends of its rays
-  double pixels = 0;                   ///< of its middle (middleOf) on the floor, without what stands before it
+  double pixels = 0;                   ///< of its middle (middleOf) on the floor, whatever stands before it
   std::optional<glm::dvec2> center{};  ///< the pixel of its centre on the floor
 };
 
