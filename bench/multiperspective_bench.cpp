@@ -70,7 +70,7 @@ struct TableScene {
 const std::vector<TableScene> kTables{
     {"builtin:house,triangles=958000", {{1, 0, ""}, {6, 0, "27 Hz"}, {13, 0, "6.7 Hz"}}},
     {"builtin:town,detail=4", {{1, 0, ""}, {5, 0, "31 Hz"}, {7, 0, "25 Hz"}, {35, 0, "5.2 Hz"}}},
-    {"builtin:city,triangles=4123000", {{1, 0, ""}, {12, 0, "12 Hz"}, {7, 0, "x 1.0"}, {0, 1, "x 1.0"}}},
+    {"builtin:city,triangles=4123000", {{1, 0, ""}, {12, 0, "12 Hz"}, {0, 1, "x 1.0"}}},
     {"builtin:boxes,count=3100,floor=1", {{1, 0, ""}, {7, 0, "x 1.13"}, {0, 1, "x 1.12"}}},
     {"builtin:dna,triangles=4112000", {{1, 0, ""}, {7, 0, "x 1.50"}, {0, 1, "x 2.09"}}},
     {"builtin:canyon,triangles=2168000",
@@ -235,7 +235,7 @@ void measureScenes(const BenchChoice& choice) {
   for (const auto& [source, cameras] : scenes) {
     const bool fits = source.starts_with("builtin:boxes") || source.starts_with("builtin:dna");
     const GuidedScene scene = loadGuidedScene(source, {.fit = fits});
-    const MeshBlocks blocks(scene.mesh);
+    const MeshBlocks blocks(scene.mesh, MeshBlocks::Order::kInSpace);
     const Street street = standpoint(source, scene);
     fmt::print("\n{}, {} triangles\n", source, scene.mesh.triangles.size());
     if (choice.walk) {

@@ -5,6 +5,7 @@
 #include "cli/command.h"
 #include "cli/values.h"
 #include "display_driver/demo/demo_page.h"
+#include "display_driver/demo/portal_demo.h"
 #include "display_driver/demo/volume_demo.h"
 #include "display_driver/demo/walk_demo.h"
 #include "oc_core/base/error.h"
@@ -29,6 +30,7 @@ struct TitledScene {
   std::string source;
   std::string name;  // of its folder
   bool isWalk = false;
+  std::optional<PortalDemoView> portals = {};  // of one that knows its portals: from where
 };
 
 const std::vector<TitledScene> kBuiltinScenes{
@@ -37,6 +39,18 @@ const std::vector<TitledScene> kBuiltinScenes{
     {"A fence before a wall", "builtin:fence", "fence"},
     {"Behind a double door", "builtin:doors", "doors"},
     {"A maze to walk in", "builtin:maze", "maze", true},
+    {"A house to walk in", "builtin:house", "house", false,
+     PortalDemoView{{-4.8f, 1.6f, -0.4f},
+                    {-7.4f, 1.5f, 0.85f},
+                    "a corridor",
+                    "A chair and a window through the door.",
+                    "The kitchen: a table and a counter, too."}},
+    {"A city to walk in", "builtin:city", "city", false,
+     PortalDemoView{{9, 1.7f, 40},
+                    {4, 2.2f, 30},
+                    "a crossing",
+                    "The street to the left is hidden by the house at its corner.",
+                    "The street to the left, to its end."}},
     {"A head, as a CT sees it", "builtin:volume,name=skull,size=192", "skull"},
 };
 
@@ -75,6 +89,11 @@ void runDemo(const DemoChoice& choice, const CommandContext& context) {
     context.note(fmt::format("{} ({})", each.title, each.source));
     if (isVolumeSource(each.source)) {
       scenes.push_back(runVolumeDemo(each.title, each.source, choice.output, each.name, options, context.progress()));
+      continue;
+    }
+    if (each.portals) {
+      scenes.push_back(
+          runPortalDemo(each.title, each.source, *each.portals, choice.output, each.name, options, context.progress()));
       continue;
     }
     if (each.isWalk) {

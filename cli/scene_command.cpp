@@ -369,7 +369,8 @@ void addScenePack(CLI::App& parent, const CommandContext& context) {
 }  // namespace
 
 void addSceneCommand(CLI::App& program, const CommandContext& context) {
-  CLI::App& command = *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it, pack it, find ways");
+  CLI::App& command =
+      *program.add_subcommand("scene", "List built-in scenes, look into a scene, export it, pack it, find ways");
   command.require_subcommand(1);
   addSceneList(command, context);
   addSceneInfo(command, context);

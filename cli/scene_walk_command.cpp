@@ -75,7 +75,7 @@ std::string surveyAsJson(const std::string& source, const WalkSurvey& survey, co
                      {"out_of_reach_m2", survey.smallPartsArea / square},
                      {"out_of_reach_parts", survey.smallParts},
                      {"cell_size_m", survey.cellSize / metre.units},
-                     {"direction_degrees", survey.directionDegrees},
+                     {"turned_by_degrees", survey.directionDegrees},
                      {"units_per_metre", metre.units},
                      {"metre_is_known", metre.isKnown},
                      {"notes", survey.notes}},

@@ -8,8 +8,8 @@
 
 namespace ocelli {
 
-/// `source` as loadGuidedScene() takes it: a grid maze. Writes the images below `folder`/`name`. The scene that it gives
-/// has a row, and no figures. Throws what the rooms throw.
+/// `source` as loadGuidedScene() takes it: a grid maze. Writes the images below `folder`/`name`. The scene that it
+/// gives has a row, and no figures. Throws what the rooms throw.
 DemoScene runWalkDemo(const std::string& title, const std::string& source, const std::filesystem::path& folder,
                       const std::string& name, const DemoOptions& options, const Progress& progress);
 

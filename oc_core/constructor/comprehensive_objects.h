@@ -3,8 +3,8 @@
 // with others others. So where an object is not seen, other choices are tried, from a table, and the one that leaves
 // fewest unseen is taken: the first of those that are alike. Where the given options show all, they stay.
 //
-// An object is seen where the rays of pixels reach points of its surface before they meet an object: in how many
-// pixels, that is counted. Walls hide nothing from this camera.
+// An object is seen where the rays of pixels meet it before another object or a wall, as renderers have it. Pixels that
+// a sample of points of its surface lies in are looked at.
 #pragma once
 
 #include <vector>
@@ -20,7 +20,7 @@ std::vector<size_t> pixelsOfObjects(const GraphCamera& camera, const GuidedScene
 
 struct ComprehensiveChoice {
   ComprehensiveOptions options;
-  std::vector<uint32_t> unseen;  ///< objects that take less than four pixels, by that count, with these options
+  std::vector<uint32_t> unseen;  ///< objects that take less than two pixels, by that count, with these options
 };
 
 /// For images of that size. Throws InputError where the scene has no maze, and as makeComprehensiveCamera() does for

@@ -92,15 +92,16 @@ class WalkCameraBuilder {
       result.note = "the scene has no floor to walk on";
       return result;
     }
-    result.cell = space_.cellAt(eye_);
-    if (!result.cell) {
+    const std::optional<uint32_t> region = space_.regionAt(eye_);
+    if (!region) {
       result.note = "there is no walkable floor below, or no ceiling above";
       return result;
     }
+    result.cell = space_.regions()[*region].cell;
     if (space_.map().cells[*result.cell].kind == WalkCellKind::kTunnel) {
-      inTunnel(result);
+      inTunnel(result, *region);
     } else {
-      inRoom(result);
+      inRoom(result, *region);
     }
     if (result.note.empty() &&
         std::none_of(result.ways.begin(), result.ways.end(), [](const WalkWay& way) { return way.frustum >= 0; })) {
@@ -116,12 +117,12 @@ class WalkCameraBuilder {
   }
   double aspect() const { return static_cast<double>(width_) / height_; }
 
-  WaysView viewOfWays(uint32_t cell, double deployed) const {
+  WaysView viewOfWays(uint32_t region, double deployed) const {
     return {options_.split,
             options_.fovWayDegrees,
             deployed,
             eye_,
-            eye_.y - space_.regions()[cell].floorAt(planOf(eye_)),
+            eye_.y - space_.regions()[region].floorAt(planOf(eye_)),
             options_.chosenPortal,
             options_.chosenShare};
   }
@@ -134,38 +135,38 @@ class WalkCameraBuilder {
 
   static double retractedIfLittle(double deployed) { return deployed > kMinDeployed ? deployed : 0; }
 
-  double deployedIn(uint32_t cell, const WalkAhead& ahead) const {
+  double deployedIn(uint32_t region, const WalkAhead& ahead) const {
     if (options_.deployed) {
       return *options_.deployed;
     }
     const double reach = options_.deployWidths * (ahead.left + ahead.right);
     double deployed =
         glm::smoothstep(0.0, reach, ahead.distance) * glm::smoothstep(0.0, reach, ahead.behind.value_or(reach));
-    for (const WalkExit& exit : space_.regions()[cell].exits) {
+    for (const WalkExit& exit : space_.regions()[region].exits) {
       if (std::abs(glm::dot(exit.mouth.ahead(), ahead.direction)) < 0.7) {
-        deployed *= awayFrom(exit.mouth, planOf(eye_), kBesideReach * (ahead.left + ahead.right) / 2);
+        deployed *= awayFrom(exit.door, planOf(eye_), kBesideReach * (ahead.left + ahead.right) / 2);
       }
     }
     const double cosine = std::clamp(glm::dot(heading_, ahead.direction), -1.0, 1.0);
     return deployed * (1 - glm::smoothstep(kAlongDegrees, kAcrossDegrees, degreesFromRadians(std::acos(cosine))));
   }
 
-  void inTunnel(WalkCamera& result) const {
-    const WalkAhead ahead = lookAhead(space_, *result.cell, planOf(eye_), heading_);
+  void inTunnel(WalkCamera& result, uint32_t region) const {
+    const WalkAhead ahead = lookAhead(space_, region, planOf(eye_), heading_);
     if (!ahead.opening) {
       result.note = "the way ahead ends here";
       return;
     }
     result.crossing = ahead.opening->cell;
-    result.deployed = retractedIfLittle(deployedIn(*result.cell, ahead));
+    result.deployed = retractedIfLittle(deployedIn(region, ahead));
     if (!(result.deployed > 0)) {
       return;
     }
     result.camera = GraphCamera(PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
                                                        lensIn(ahead, result.deployed), aspect(), space_.size()),
                                               width_, height_));
-    result.ways = addCrossingWays(result.camera, space_, *ahead.opening, viewOfWays(*result.cell, result.deployed));
-    for (const Plane& side : closedSides(space_.regions()[*result.cell], result.deployed)) {
+    result.ways = addCrossingWays(result.camera, space_, *ahead.opening, viewOfWays(region, result.deployed));
+    for (const Plane& side : closedSides(space_.regions()[region], result.deployed)) {
       if (std::abs(glm::dot(side.normal, spaceOf(ahead.direction, 0))) < 0.5 && side.height(eye_) < 0) {
         result.camera.limit(GraphCamera::kRoot, side);
       }
@@ -201,19 +202,19 @@ class WalkCameraBuilder {
     return lens;
   }
 
-  void inRoom(WalkCamera& result) const {
-    const WalkRegion& room = space_.regions()[*result.cell];
+  void inRoom(WalkCamera& result, uint32_t region) const {
+    const WalkRegion& room = space_.regions()[region];
     result.crossing = result.cell;
     result.deployed = options_.portalsInRooms;
     for (const WalkExit& exit : room.exits) {
-      const double reach = options_.deployWidths * exit.mouth.width() / 2;
-      result.deployed = std::min(result.deployed, options_.portalsInRooms * awayFrom(exit.mouth, planOf(eye_), reach));
+      const double reach = options_.deployWidths * exit.door.width() / 2;
+      result.deployed = std::min(result.deployed, options_.portalsInRooms * awayFrom(exit.door, planOf(eye_), reach));
     }
     result.deployed = retractedIfLittle(options_.deployed.value_or(result.deployed));
     if (room.exits.empty()) {
       result.note = "no way leads out of here";
     } else if (result.deployed > 0) {
-      result.ways = addRoomWays(result.camera, space_, *result.cell, viewOfWays(*result.cell, result.deployed));
+      result.ways = addRoomWays(result.camera, space_, region, viewOfWays(region, result.deployed));
     }
   }
 

@@ -10,7 +10,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/camera/graph_overlap.h"
-#include "oc_core/constructor/image_parts.h"
+#include "oc_core/constructor/frustum_image.h"
 #include "oc_core/constructor/walk_piece.h"
 #include "oc_core/constructor/walk_start.h"
 #include "oc_core/constructor/walk_tour.h"
@@ -21,31 +21,10 @@ namespace {
 constexpr const char* kWalkComprehensive = "comprehensive camera";
 /// By which the weight of a cell grows from build to build while its middle has too few pixels.
 constexpr double kGrowth = 2;
+/// So many starts are tried where none is given: until all cells are seen.
+constexpr size_t kStarts = 16;
 /// Of the overlap that counts, how much of it regions may have.
 constexpr double kAllowedOverlap = 0.25;
-
-/// The floor of the middle as a frustum sees it.
-GraphCamera::Part floorImage(const std::vector<glm::dvec3>& corners, const GraphCamera::Frustum& frustum) {
-  GraphCamera::Part part;
-  const double beyond = 1e-6 * glm::distance(corners[0], corners[2]);
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const glm::dvec3& a = corners[i];
-    const glm::dvec3& b = corners[(i + 1) % corners.size()];
-    const double heightA = frustum.plane.height(a) - beyond;
-    const double heightB = frustum.plane.height(b) - beyond;
-    const auto add = [&](const glm::dvec3& point) {
-      const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(point, 1);
-      part.push_back(glm::dvec2(h) / h.w);
-    };
-    if (heightA >= 0) {
-      add(a);
-    }
-    if (heightA * heightB < 0) {
-      add(a + (b - a) * (heightA / (heightA - heightB)));
-    }
-  }
-  return part;
-}
 
 double pixelsOf(const GraphCamera::Part& part) {
   double twice = 0;
@@ -57,19 +36,30 @@ double pixelsOf(const GraphCamera::Part& part) {
   return twice / 2;
 }
 
+size_t unseenCells(const ComprehensiveWalk& walk) {
+  return static_cast<size_t>(std::count_if(walk.cells.begin(), walk.cells.end(), [](const WalkCellView& view) {
+    return view.unseen != WalkUnseen::kNothing;
+  }));
+}
+
 class WalkBuilder {
  public:
-  WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, int width, int height)
-      : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)) {
+  WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, const WalkStart& start, int width,
+              int height)
+      : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)), start_(start) {
     raiseTops();
-    start_ = options.start ? *options.start : chooseWalkStart(map, regions_);
     if (regions_[start_.cell].border.empty()) {
       throw InputError(fmt::format("cell {} has no floor", start_.cell), kWalkComprehensive, "begin in another cell");
     }
     tour_ = walkTourOf(regions_, start_.cell, options.order);
     fit();
+    // Small cells need more than their share of the floor.
+    double sum = 0;
     for (const WalkRegion& region : regions_) {
-      floors_.push_back(std::max(planArea(region.border), 0.0));
+      sum += std::max(planArea(region.border), 0.0);
+    }
+    for (const WalkRegion& region : regions_) {
+      floors_.push_back(std::sqrt(std::max(planArea(region.border), 0.0) * sum / static_cast<double>(regions_.size())));
     }
   }
 
@@ -80,12 +70,11 @@ class WalkBuilder {
     for (int build = 0; build < options_.builds; ++build) {
       ComprehensiveWalk walk = built(weights);
       size_t few = 0;
+      for (const WalkCellView& view : walk.cells) {
+        few += view.unseen == WalkUnseen::kTooFewPixels ? 1 : 0;
+      }
       for (size_t i = 0; i < weights.size(); ++i) {
-        const WalkUnseen why = walk.cells[i].unseen;
-        if (why == WalkUnseen::kTooFewPixels) {
-          ++few;
-          weights[i] *= kGrowth;
-        }
+        weights[i] *= walk.cells[regions_[i].cell].unseen == WalkUnseen::kTooFewPixels ? kGrowth : 1;
       }
       if (!best || few < fewest) {
         fewest = few;
@@ -120,105 +109,125 @@ class WalkBuilder {
     }
     const double allowed = kAllowedOverlap * kMinOverlap * glm::distance(lower, upper);
     std::vector<const WalkRegion*> before;
-    for (const uint32_t cell : tour_.order) {
-      cutToFit(regions_[cell], map_, before, allowed);
-      before.push_back(&regions_[cell]);
-    }
-    reachOf_ = 0;
-    for (const uint32_t cell : tour_.order) {
-      reachOf_ +=
-          2 * (static_cast<double>(map_.cells[cell].halfLength) + static_cast<double>(map_.cells[cell].halfWidth));
+    for (const uint32_t region : tour_.order) {
+      cutToFit(regions_[region], map_, before, allowed);
+      before.push_back(&regions_[region]);
+      const WalkCell& cell = map_.cells[regions_[region].cell];
+      reach_ += 2 * (static_cast<double>(cell.halfLength) + static_cast<double>(cell.halfWidth));
     }
   }
 
-  /// The opening to the next cell on the tour, if it is still there after cells were cut.
-  const WalkExit* exitTo(uint32_t cell, uint32_t next) const {
+  /// The opening to the next region on the tour, if it is still there after regions were cut.
+  const WalkExit* exitTo(uint32_t region, uint32_t next) const {
     const uint32_t portal = tour_.stops[next].way.portal;
-    for (const WalkExit& exit : regions_[cell].exits) {
-      if (exit.portal == portal && exit.cell == next) {
+    for (const WalkExit& exit : regions_[region].exits) {
+      if (exit.portal == portal && exit.region == next) {
         return &exit;
       }
     }
     return nullptr;
   }
 
+  /// What was built of a region.
+  struct Built {
+    WalkUnseen why = WalkUnseen::kNoWay;  ///< no rays come into it
+    PieceRays rays{};                     ///< that do
+    std::vector<int> frusta{};
+  };
+
   ComprehensiveWalk built(const std::vector<double>& weights) const {
-    std::vector<double> after(weights);  // with the cell itself
+    std::vector<double> after(weights);  // with the region itself
     for (size_t i = tour_.order.size(); i-- > 1;) {
-      const uint32_t cell = tour_.order[i];
-      after[static_cast<size_t>(tour_.stops[cell].parent)] += after[cell];
+      const uint32_t region = tour_.order[i];
+      after[static_cast<size_t>(tour_.stops[region].parent)] += after[region];
     }
     const WalkRegion& first = regions_[start_.cell];
-    WalkBeginning beginning = beginWalk(first, start_, options_.eyeHeight, reachOf_, width_, height_);
-    ComprehensiveWalk walk{std::move(beginning.camera), start_, std::vector<WalkCellView>(map_.cells.size())};
-    for (WalkCellView& view : walk.cells) {
-      view.unseen = WalkUnseen::kNoWay;
-    }
-    std::vector<PieceRays> rays(map_.cells.size());
-    rays[start_.cell] = {GraphCamera::kRoot, beginning.entry, 0};
-    for (const uint32_t cell : tour_.order) {
-      WalkCellView& view = walk.cells[cell];
-      view.parent = tour_.stops[cell].parent;
-      view.unseen = reasonBefore(walk, rays, cell);
-      if (view.unseen == WalkUnseen::kNothing) {
-        addCell(walk, rays, cell, cell == start_.cell ? beginning.ahead : regions_[cell].border, weights, after);
+    WalkBeginning beginning = beginWalk(first, start_, options_.eyeHeight, reach_, width_, height_);
+    std::vector<Built> all(regions_.size());
+    all[start_.cell].rays = {GraphCamera::kRoot, beginning.entry, 0};
+    for (const uint32_t region : tour_.order) {
+      all[region].why = reasonAt(all, region);
+      if (all[region].why == WalkUnseen::kNothing) {
+        addRegion(beginning.camera, all, region, region == start_.cell ? beginning.ahead : regions_[region].border,
+                  weights, after);
       }
     }
-    limitRoot(walk.camera, beginning.entry, first.size);
+    limitRoot(beginning.camera, beginning.entry, first.size);
+    ComprehensiveWalk walk{std::move(beginning.camera), start_, std::vector<WalkCellView>(map_.cells.size())};
+    for (uint32_t i = 0; i < regions_.size(); ++i) {
+      tell(walk, all[i], i);
+    }
+    for (WalkCellView& view : walk.cells) {
+      const bool shown = view.turns > 0;
+      if (shown) {
+        view.unseen = view.pixels >= options_.minPixels ? WalkUnseen::kNothing : WalkUnseen::kTooFewPixels;
+      }
+    }
     return walk;
   }
 
-  /// Why no rays come into a cell.
-  WalkUnseen reasonBefore(const ComprehensiveWalk& walk, const std::vector<PieceRays>& rays, uint32_t cell) const {
-    const int parent = walk.cells[cell].parent;
-    if (regions_[cell].border.empty()) {
+  /// Why no rays come into a region.
+  WalkUnseen reasonAt(const std::vector<Built>& all, uint32_t region) const {
+    const int parent = tour_.stops[region].parent;
+    if (regions_[region].border.empty()) {
       return WalkUnseen::kOverlap;
     }
-    if (parent < 0) {
+    if (all[region].rays.frustum >= 0) {
       return WalkUnseen::kNothing;
     }
-    const WalkCellView& before = walk.cells[static_cast<size_t>(parent)];
-    if (exitTo(static_cast<uint32_t>(parent), cell) == nullptr) {
-      return before.turns == 0 && before.unseen != WalkUnseen::kNothing ? before.unseen : WalkUnseen::kNoOpening;
+    const Built& before = all[static_cast<size_t>(parent)];
+    if (before.why != WalkUnseen::kNothing) {
+      return before.why;
     }
-    if (rays[cell].frustum >= 0) {
-      return WalkUnseen::kNothing;
+    if (exitTo(static_cast<uint32_t>(parent), region) == nullptr) {
+      return WalkUnseen::kNoOpening;
     }
-    if (before.turns >= GraphCamera::kMaxBends || before.unseen == WalkUnseen::kTooManyTurns) {
-      return WalkUnseen::kTooManyTurns;
-    }
-    return before.turns == 0 && before.unseen != WalkUnseen::kNothing ? before.unseen : WalkUnseen::kTooFewPixels;
+    return before.rays.turns + 1 >= GraphCamera::kMaxBends ? WalkUnseen::kTooManyTurns : WalkUnseen::kTooFewPixels;
   }
 
-  void addCell(ComprehensiveWalk& walk, std::vector<PieceRays>& rays, uint32_t cell, const PlanPolygon& border,
-               const std::vector<double>& weights, const std::vector<double>& after) const {
+  void addRegion(GraphCamera& camera, std::vector<Built>& all, uint32_t region, const PlanPolygon& border,
+                 const std::vector<double>& weights, const std::vector<double>& after) const {
     std::vector<PieceExit> exits;
     std::vector<uint32_t> next;
-    for (const uint32_t child : tour_.stops[cell].next) {
-      if (const WalkExit* exit = exitTo(cell, child)) {
+    for (const uint32_t child : tour_.stops[region].next) {
+      if (const WalkExit* exit = exitTo(region, child)) {
         exits.push_back({exit->mouth, after[child]});
         next.push_back(child);
       }
     }
-    const PieceFans fans = addPiece(walk.camera, regions_[cell], border, rays[cell].frustum, rays[cell].mouth, exits,
-                                    {weights[cell] * options_.nearness, options_.evenness});
+    const PieceFans fans = addPiece(camera, regions_[region], border, all[region].rays.frustum, all[region].rays.mouth,
+                                    exits, {weights[region] * options_.nearness, options_.evenness});
     for (size_t i = 0; i < next.size(); ++i) {
-      rays[next[i]] = fans.exits[i];
+      all[next[i]].rays = fans.exits[i];
     }
+    all[region].frusta = fans.frusta;
+  }
+
+  /// Adds what a region shows of its cell.
+  void tell(ComprehensiveWalk& walk, const Built& built, uint32_t region) const {
+    const uint32_t cell = regions_[region].cell;
     WalkCellView& view = walk.cells[cell];
-    view.turns = rays[cell].turns + 1;
+    if (region == cell) {
+      view.unseen = built.why;
+    }
+    if (built.why != WalkUnseen::kNothing) {
+      return;
+    }
+    const int parent = tour_.stops[region].parent;
+    const bool entered = parent < 0 || regions_[static_cast<size_t>(parent)].cell != cell;
+    if (entered) {
+      view.parent = parent < 0 ? -1 : static_cast<int>(regions_[static_cast<size_t>(parent)].cell);
+    }
+    view.turns = view.turns > 0 ? std::min(view.turns, built.rays.turns + 1) : built.rays.turns + 1;
     const std::vector<glm::dvec3> middle = middleOf(map_.cells[cell]);
     const glm::dvec3 center(map_.cells[cell].center);
-    for (const int i : fans.frusta) {
+    for (const int i : built.frusta) {
       const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
-      view.pixels += std::max(pixelsOf(common(floorImage(middle, frustum), frustum.part)), 0.0);
+      view.pixels += std::max(pixelsOf(frustumImage(walk.camera, i, middle)), 0.0);
       if (!view.center && walk.camera.frustumOf(center) == i) {
         const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
         view.center = glm::dvec2(h) / h.w;
       }
-    }
-    if (!(view.pixels >= options_.minPixels)) {
-      view.unseen = view.turns > GraphCamera::kMaxBends ? WalkUnseen::kTooManyTurns : WalkUnseen::kTooFewPixels;
     }
   }
 
@@ -234,8 +243,8 @@ class WalkBuilder {
   std::vector<WalkRegion> regions_;
   WalkStart start_;
   WalkTour tour_;
-  std::vector<double> floors_;  ///< of each cell, area
-  double reachOf_ = 0;
+  std::vector<double> floors_;  ///< of each region: its weight at first
+  double reach_ = 0;
 };
 
 void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& options) {
@@ -287,7 +296,24 @@ std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
                                         int height) {
   checkWalkOptions(map, options);
-  return WalkBuilder(map, options, width, height).best();
+  std::vector<WalkStart> starts = chooseWalkStarts(map, walkRegionsOf(map), kStarts);
+  if (options.start) {
+    starts = {*options.start};
+  }
+  if (starts.empty()) {
+    throw InputError("no cell of the map has floor", kWalkComprehensive, "use another map, or another camera");
+  }
+  std::optional<ComprehensiveWalk> best;
+  for (const WalkStart& start : starts) {
+    ComprehensiveWalk walk = WalkBuilder(map, options, start, width, height).best();
+    if (!best || unseenCells(walk) < unseenCells(*best)) {
+      best = std::move(walk);
+    }
+    if (unseenCells(*best) == 0) {
+      break;
+    }
+  }
+  return *std::move(best);
 }
 
 }  // namespace ocelli

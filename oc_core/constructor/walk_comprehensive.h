@@ -28,8 +28,8 @@ struct WalkStart {
 
 struct WalkComprehensiveOptions {
   TourOrder order = TourOrder::kBreadthFirst;
-  std::optional<WalkStart> start{};  ///< nothing: where ways to all cells are short (startOf)
-  double nearness = 1.5;               ///< more shows what is near larger
+  std::optional<WalkStart> start{};  ///< nothing: of those with short ways the one that shows most
+  double nearness = 1.5;             ///< more shows what is near larger
   double evenness = 0.8;             ///< 0 gives ways equal shares, 1 shares by the floor that they lead to
   double eyeHeight = 1;  ///< of what is seen through openings, in their heights; more sees over walls without a ceiling
   double minPixels = 4;  ///< that the middle of each cell should have

@@ -9,6 +9,8 @@
 namespace ocelli {
 namespace {
 
+/// Exits that add less than this to those before them, radians, are left out.
+constexpr double kMinAngle = 1e-9;
 /// Walls between exits that are narrower than this, in widths of the entry, are none: posts, and the ends of walls.
 constexpr double kMinWall = 0.12;
 /// How far ahead of the entry the ray to the edge of an exit runs at least, in its widths.
@@ -89,13 +91,24 @@ std::vector<FanAim> aimsOf(const EntryFrame& frame, double width, const std::vec
       last = until;
     }
   };
+  const auto angleOf = [&](const glm::dvec2& point) { return std::atan2(point.y, width / 2 - point.x); };
   for (const Seen& each : seen) {
-    addWall(each.begin);
+    // Of exits that overlap, the one more to the left has what both have.
+    const double reached = aims.empty() ? -1.0 : angleOf(last);
+    if (!(angleOf(each.end) > reached + kMinAngle)) {
+      continue;
+    }
+    if (angleOf(each.begin) > reached) {
+      addWall(each.begin);
+    }
     aims.push_back({each.exit, last, each.end});
     last = each.end;
   }
   const glm::dvec2 end(width, 0);
   addWall(end);
+  if (aims.empty()) {
+    aims.push_back({-1, glm::dvec2(0), end});
+  }
   aims.back().end = end;
   return aims;
 }

@@ -63,12 +63,13 @@ std::optional<WalkStart> walkStartOf(const WalkMap& map, const WalkStartFields& 
   if (fields.point) {
     // A point on the floor may lie a little below it.
     const WalkSpace space(map);
-    cell = space.cellAt(*fields.point + glm::dvec3(0, 0.05 * space.size(), 0));
-    if (!cell) {
+    const std::optional<uint32_t> region = space.regionAt(*fields.point + glm::dvec3(0, 0.05 * space.size(), 0));
+    if (!region) {
       throw InputError(
           fmt::format("no cell lies at the start ({}, {}, {})", fields.point->x, fields.point->y, fields.point->z),
           kWhere, "give a point on walkable floor, in the units of the scene as it is drawn");
     }
+    cell = space.regions()[*region].cell;
   }
   if (!cell) {
     if (fields.heading) {

@@ -15,8 +15,8 @@ class JsonFields;
 /// The map of a file, in the world of the scene; nothing where the field "ways" is missing.
 std::optional<WalkMap> readWays(JsonFields& fields, const GuidedScene& scene);
 
-/// That of `given`, else that of the scene's maze or of its guides, else the one that its geometry has (oc_core/walkable). Throws
-/// InputError where there is no floor to walk on.
+/// That of `given`, else that of the scene's maze or of its guides, else the one that its geometry has
+/// (oc_core/walkable). Throws InputError where there is no floor to walk on.
 WalkMap walkMapFor(const GuidedScene& scene, std::optional<WalkMap> given);
 
 /// What files say of a comprehensive camera of a walk map. The start can be a cell, or a point that a cell holds.

@@ -1,13 +1,14 @@
 #include "oc_core/constructor/walk_piece.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <numeric>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/crossing_frusta.h"
+#include "oc_core/constructor/frustum_image.h"
 
 namespace ocelli {
 namespace {
@@ -243,26 +244,22 @@ class RegionParts {
       top += region_.floorAt(frame.inPlan((aim.begin + aim.end) / 2.0)) - region_.floorAt(entry.middle());
     }
     const glm::dvec3 viewpoint = at(from->x, from->y, entry.top - (top - entry.top) * behind / ahead);
-    const GraphCamera::Part part =
-        partBetween(camera_, frustum, at(left.at + left.slope * beyond, beyond, entry.floor),
-                    at(right.at + right.slope * beyond, beyond, entry.floor), entry.height());
-    if (part.empty()) {
+    const glm::dvec3 up(0, entry.height(), 0);
+    const glm::dvec3 a = at(left.at + left.slope * beyond, beyond, entry.floor);
+    const glm::dvec3 b = at(right.at + right.slope * beyond, beyond, entry.floor);
+    const Plane plane = Plane::through(at(0, beyond, 0), spaceOf(frame.ahead, 0));
+    rays.frustum = bendWhereOneCan(camera_, frustum, {plane, viewpoint}, "cell " + std::to_string(region_.cell),
+                                   frustumImage(camera_, frustum, std::array{a, b, b + up, a + up}));
+    if (rays.frustum < 0) {
       return {};
     }
-    try {
-      const Plane plane = Plane::through(at(0, beyond, 0), spaceOf(frame.ahead, 0));
-      const int added = camera_.bend(frustum, {plane, viewpoint}, "cell " + std::to_string(region_.cell), part);
-      for (const Plane& limit : region_.limits) {
-        limitFrustum(added, limit);
-      }
-      if (aim.exit >= 0) {
-        limitTo(added, rays.mouth);
-      }
-      rays.frustum = added;
-      rays.turns = turnsOf(camera_, added);
-    } catch (const InputError&) {
-      rays.frustum = -1;  // too many turns, or rays that no longer cross the plane in order
+    for (const Plane& limit : region_.limits) {
+      limitFrustum(rays.frustum, limit);
     }
+    if (aim.exit >= 0) {
+      limitTo(rays.frustum, rays.mouth);
+    }
+    rays.turns = turnsOf(camera_, rays.frustum);
     return rays;
   }
 

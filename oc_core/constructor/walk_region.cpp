@@ -4,6 +4,9 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <map>
+#include <numeric>
+#include <optional>
 
 namespace ocelli {
 namespace {
@@ -12,10 +15,13 @@ namespace {
 constexpr double kOnBorder = 1e-5;
 /// Of the width of an opening that must lie on the border.
 constexpr double kMinOnBorder = 0.5;
-/// Of the area of a box that an opening within it may cut off.
-constexpr double kMaxCutOff = 0.25;
-/// How far outside of a box an opening may lie, in shorter sides of the box: walls are not thicker.
-constexpr double kMaxOutside = 0.5;
+/// Of the area of a box: parts of it that are smaller, and no opening needs, are left out.
+constexpr double kMinPart = 0.05;
+constexpr size_t kMaxBoxParts = 8;  // of a box
+/// Of the width of an opening: walls that are thinner have no region of their own.
+constexpr double kThinWall = 0.5;
+/// Of the width of an opening: what leads to it must be at least as wide.
+constexpr double kMinLink = 0.3;
 
 PlanPolygon planBox(const WalkCell& cell) {
   const glm::dvec2 center = planOf(glm::dvec3(cell.center));
@@ -38,45 +44,134 @@ WalkExit exitOf(uint32_t index, const WalkPortal& portal) {
     mouth.floor = std::min(mouth.floor, static_cast<double>(corner.y));
     mouth.top = std::max(mouth.top, static_cast<double>(corner.y));
   }
-  return {index, portal.to, mouth};
+  return {index, portal.to, portal.to, mouth, mouth};
 }
 
-/// That one leaves the cell through it, whichever way its normal points.
-void turnOutwards(WalkMouth& mouth, const glm::dvec2& center) {
-  if (glm::dot(mouth.ahead(), center - mouth.middle()) > 0) {
-    std::swap(mouth.left, mouth.right);
+/// A convex part of a box.
+struct BoxPart {
+  PlanPolygon border;
+  std::vector<WalkExit> within;  ///< openings to other parts of the same box, by their numbers
+};
+
+/// Parts the box where openings lie within it: `parts[k]` has the opening on its border then, and what lies beside it
+/// beyond its line is a new part.
+void partAt(std::vector<BoxPart>& parts, size_t k, const WalkMouth& mouth, double boxArea,
+            const std::vector<WalkExit>& exits) {
+  const PlanPolygon whole = parts[k].border;
+  const PlanPolygon inside = planRightOf(whole, mouth.left, mouth.right);
+  const PlanPolygon beyond = planRightOf(whole, mouth.right, mouth.left);
+  if (inside.empty() || beyond.empty()) {
+    return;
   }
+  const auto span = planSpan(whole, mouth.left, mouth.right, 0);
+  if (!span) {
+    return;
+  }
+  // Beside the opening, where more is left of the line.
+  const bool left = -span->first > span->second - 1;
+  const double from = left ? span->first : std::max(1.0, span->first);
+  const double to = left ? std::min(0.0, span->second) : span->second;
+  const glm::dvec2 across = mouth.right - mouth.left;
+  const glm::dvec2 ahead = mouth.ahead();
+  const PlanPolygon beside = left ? planRightOf(beyond, mouth.left + ahead, mouth.left)
+                                  : planRightOf(beyond, mouth.right, mouth.right + ahead);
+  const bool needed = std::any_of(exits.begin(), exits.end(), [&](const WalkExit& exit) {
+    return planOutside(inside, exit.mouth.middle()) > 0 && planOutside(beside, exit.mouth.middle()) <= 0;
+  });
+  parts[k].border = inside;
+  if (beside.empty() || (!needed && planArea(beside) < kMinPart * boxArea) || !(to > from)) {
+    return;
+  }
+  WalkExit link;
+  link.portal = WalkExit::kWithin;
+  link.mouth = {mouth.left + across * from, mouth.left + across * to, mouth.floor, mouth.top};
+  link.region = static_cast<uint32_t>(parts.size());
+  parts[k].within.push_back(link);
+  WalkExit back = link;
+  back.mouth = link.mouth.reversed();
+  back.region = static_cast<uint32_t>(k);
+  parts.push_back({beside, {back}});
 }
 
-/// The border of a box that reaches to the openings on its sides.
-PlanPolygon borderAround(const WalkCell& cell, std::vector<WalkExit>& exits) {
-  const PlanPolygon box = planBox(cell);
-  PlanPolygon cut = box;
-  std::vector<glm::dvec2> points;
-  std::vector<WalkExit> kept;
-  for (const WalkExit& exit : exits) {
-    const WalkMouth& mouth = exit.mouth;
-    if (planOutside(box, mouth.middle()) > 0) {
-      if (planOutside(box, mouth.middle()) <= kMaxOutside * shorterSide(cell)) {
-        points.insert(points.end(), {mouth.left, mouth.right});
-        kept.push_back(exit);
-      }
+/// How far one goes back from a mouth, against its direction, until one is in the box; nothing where one never is.
+std::optional<double> wayBack(const PlanPolygon& box, const WalkMouth& mouth) {
+  const auto span = planSpan(box, mouth.middle(), mouth.middle() - mouth.ahead(), 0);
+  return span && span->second > 0 ? std::optional(std::max(span->first, 0.0)) : std::nullopt;
+}
+
+/// Adds a part that leads from an opening outside of the box back to it; `depth` is how deep it is.
+void addPassage(std::vector<BoxPart>& parts, const WalkMouth& mouth, double depth, double rounding) {
+  const glm::dvec2 back = mouth.ahead() * -depth;
+  PlanPolygon passage = planHull({mouth.left, mouth.right, mouth.left + back, mouth.right + back});
+  const PlanPolygon box = parts[0].border;
+  // What of it lies outside of one side of the box, most of it, and touches that.
+  PlanPolygon best;
+  WalkExit link;
+  link.portal = WalkExit::kWithin;
+  for (size_t i = 0; i < box.size(); ++i) {
+    const glm::dvec2& a = box[i];
+    const glm::dvec2& b = box[(i + 1) % box.size()];
+    const PlanPolygon outside = planRightOf(passage, b, a);
+    const auto edge = outside.empty() ? std::nullopt : planSpan(outside, a, b, rounding);
+    if (!edge || planArea(outside) <= planArea(best)) {
       continue;
     }
-    const PlanPolygon rest = planRightOf(cut, mouth.left, mouth.right);
-    if (planArea(rest) >= (1 - kMaxCutOff) * planArea(box)) {
-      cut = rest;
-      kept.push_back(exit);
+    const double from = std::max(edge->first, 0.0);
+    const double to = std::min(edge->second, 1.0);
+    if ((to - from) * glm::distance(a, b) > kMinLink * mouth.width()) {
+      best = outside;
+      link.mouth = {a + (b - a) * from, a + (b - a) * to, mouth.floor, mouth.top};
     }
   }
-  exits = kept;
-  points.insert(points.end(), cut.begin(), cut.end());
-  PlanPolygon border = planHull(points);
-  for (const WalkExit& exit : exits) {
-    const PlanPolygon rest = planRightOf(border, exit.mouth.left, exit.mouth.right);
-    border = planArea(rest) >= (1 - kMaxCutOff) * planArea(border) ? rest : border;
+  if (best.empty()) {
+    return;
   }
-  return border;
+  link.region = static_cast<uint32_t>(parts.size());
+  parts[0].within.push_back(link);
+  link.mouth = link.mouth.reversed();
+  link.region = 0;
+  parts.push_back({best, {link}});
+}
+
+/// The parts of a box; one, as a rule. The first holds the centre. Exits through thin walls begin at its sides.
+std::vector<BoxPart> partsOf(const WalkCell& cell, std::vector<WalkExit>& exits) {
+  const PlanPolygon box = planBox(cell);
+  const double rounding = kOnBorder * shorterSide(cell);
+  const glm::dvec2 center = planOf(glm::dvec3(cell.center));
+  std::vector<BoxPart> parts{{box, {}}};
+  for (WalkExit& exit : exits) {
+    WalkMouth& mouth = exit.mouth;
+    if (!(planOutside(box, mouth.middle()) > rounding)) {
+      continue;
+    }
+    const std::optional<double> back = wayBack(box, mouth);
+    if (back && *back <= kThinWall * mouth.width()) {
+      mouth.left -= mouth.ahead() * *back;
+      mouth.right = mouth.left + exit.door.right - exit.door.left;
+    } else if (parts.size() < kMaxBoxParts) {
+      addPassage(parts, mouth, back ? *back + rounding : mouth.width(), rounding);
+    }
+  }
+  for (const WalkExit& exit : exits) {
+    for (size_t k = 0; k < parts.size() && parts.size() < kMaxBoxParts; ++k) {
+      if (planOutside(parts[k].border, exit.mouth.middle()) < -rounding) {
+        partAt(parts, k, exit.mouth, planArea(box), exits);
+        break;
+      }
+    }
+  }
+  // The part around the centre comes first.
+  for (size_t k = 1; k < parts.size(); ++k) {
+    if (planOutside(parts[0].border, center) > 0 && planOutside(parts[k].border, center) <= 0) {
+      std::swap(parts[0], parts[k]);
+      for (BoxPart& part : parts) {
+        for (WalkExit& link : part.within) {
+          link.region = link.region == 0 ? static_cast<uint32_t>(k) : link.region == k ? 0 : link.region;
+        }
+      }
+    }
+  }
+  return parts;
 }
 
 void keepExitsOnBorder(WalkRegion& region) {
@@ -99,6 +194,11 @@ void keepExitsOnBorder(WalkRegion& region) {
     }
   }
   region.exits = kept;
+  std::vector<glm::dvec2> ground = region.border;
+  for (const WalkExit& exit : kept) {
+    ground.insert(ground.end(), {exit.door.left, exit.door.right});
+  }
+  region.ground = planHull(ground);
 }
 
 /// Sides, floor and ceiling.
@@ -124,7 +224,7 @@ void limitRegion(WalkRegion& region) {
   region.limits.push_back(Plane::through(spaceOf(region.floorPoint, region.floor + region.height + above + into), up));
 }
 
-WalkRegion regionOf(const WalkMap& map, uint32_t index, std::vector<WalkExit> exits) {
+WalkRegion regionOf(const WalkMap& map, uint32_t index) {
   const WalkCell& cell = map.cells[index];
   WalkRegion region;
   region.cell = index;
@@ -132,19 +232,36 @@ WalkRegion regionOf(const WalkMap& map, uint32_t index, std::vector<WalkExit> ex
   region.size = std::min(shorterSide(cell), region.height);
   region.floor = static_cast<double>(cell.center.y);
   region.floorPoint = planOf(glm::dvec3(cell.center));
-  region.slope = planOf(glm::dvec3(cell.axis)) *
-                 (static_cast<double>(cell.floorRise) / (2 * static_cast<double>(cell.halfLength)));
+  const double length = 2 * static_cast<double>(cell.halfLength);
+  region.slope = planOf(glm::dvec3(cell.axis)) * (static_cast<double>(cell.floorRise) / length);
+  return region;
+}
+
+/// Of a cell with these exits, each with the floor and height of the region.
+std::vector<WalkRegion> regionsOf(const WalkMap& map, uint32_t index, std::vector<WalkExit> exits) {
+  WalkRegion region = regionOf(map, index);
   if (!(region.size > 0)) {
-    return region;
+    return {region};
   }
   for (WalkExit& exit : exits) {
-    turnOutwards(exit.mouth, region.floorPoint);
+    exit.door = exit.mouth;
   }
-  region.border = borderAround(cell, exits);
-  region.exits = exits;
-  keepExitsOnBorder(region);
-  limitRegion(region);
-  return region;
+  std::vector<WalkRegion> regions;
+  for (BoxPart& part : partsOf(map.cells[index], exits)) {
+    region.border = part.border;
+    region.exits = exits;
+    for (WalkExit& link : part.within) {
+      link.cell = index;
+      link.mouth.floor = region.floorAt(link.mouth.middle());
+      link.mouth.top = link.mouth.floor + region.height;
+      link.door = link.mouth;
+      region.exits.push_back(link);
+    }
+    keepExitsOnBorder(region);
+    limitRegion(region);
+    regions.push_back(region);
+  }
+  return regions;
 }
 
 /// Whether floors and ceilings leave room for both in one point of the plan.
@@ -163,6 +280,26 @@ bool shareHeights(const WalkRegion& one, const WalkRegion& other) {
   return std::min(top, otherTop) - std::max(floor, otherFloor) > 1e-3 * std::min(one.height, other.height);
 }
 
+/// Exits through portals lead to the region of the next cell on whose border the portal lies.
+void connect(std::vector<WalkRegion>& regions) {
+  std::map<std::pair<uint32_t, uint32_t>, uint32_t> regionAt;  // by portal and cell
+  for (uint32_t i = 0; i < regions.size(); ++i) {
+    for (const WalkExit& exit : regions[i].exits) {
+      if (exit.portal != WalkExit::kWithin) {
+        regionAt.try_emplace({exit.portal, regions[i].cell}, i);
+      }
+    }
+  }
+  for (WalkRegion& region : regions) {
+    for (WalkExit& exit : region.exits) {
+      if (exit.portal != WalkExit::kWithin) {
+        const auto found = regionAt.find({exit.portal, exit.cell});
+        exit.region = found != regionAt.end() ? found->second : exit.cell;
+      }
+    }
+  }
+}
+
 }  // namespace
 
 std::vector<WalkRegion> walkRegionsOf(const WalkMap& map) {
@@ -179,15 +316,29 @@ std::vector<WalkRegion> walkRegionsOf(const WalkMap& map) {
       }
     }
   }
-  std::vector<WalkRegion> regions;
+  std::vector<WalkRegion> regions(map.cells.size());
   for (uint32_t i = 0; i < map.cells.size(); ++i) {
-    regions.push_back(regionOf(map, i, exits[i]));
+    // Numbers of parts become those of regions.
+    std::vector<WalkRegion> parts = regionsOf(map, i, exits[i]);
+    const auto numberOf = [&](size_t part) { return part == 0 ? i : static_cast<uint32_t>(regions.size() + part - 1); };
+    for (WalkRegion& part : parts) {
+      for (WalkExit& exit : part.exits) {
+        exit.region = exit.portal == WalkExit::kWithin ? numberOf(exit.region) : exit.region;
+      }
+    }
+    regions[i] = parts[0];
+    regions.insert(regions.end(), parts.begin() + 1, parts.end());
   }
+  connect(regions);
   return regions;
 }
 
 void cutToFit(WalkRegion& region, const WalkMap& map, const std::vector<const WalkRegion*>& others, double allowed) {
-  const glm::dvec2 center = planOf(glm::dvec3(map.cells[region.cell].center));
+  glm::dvec2 center = planOf(glm::dvec3(map.cells[region.cell].center));
+  if (!region.border.empty() && planOutside(region.border, center) > 0) {  // a second region: its own middle
+    center = std::accumulate(region.border.begin(), region.border.end(), glm::dvec2(0)) /
+             static_cast<double>(region.border.size());
+  }
   bool changed = false;
   for (const WalkRegion* other : others) {
     if (region.border.empty() || planPenetration(region.border, other->border) <= allowed ||

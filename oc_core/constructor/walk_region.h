@@ -1,8 +1,9 @@
 // The cells of a walk map as rays of cameras see them: convex regions with a floor and a ceiling, and the openings on
 // their borders. Regions are disjoint: where boxes of a map reach into each other, the later ones are cut.
 //
-// A region is the box of its cell, and reaches to the openings on its sides, which may lie within the wall that parts
-// it from the next cell.
+// The region of a cell is its box. An opening in a wall beside it is an opening of the box's side as well; where it
+// lies farther away, a second region leads there. So does one where an opening lies within the box, as where a corner
+// of a room belongs to another cell.
 #pragma once
 
 #include <cstdint>
@@ -37,16 +38,21 @@ struct WalkMouth {
   WalkMouth reversed() const { return {right, left, floor, top}; }
 };
 
-/// A way out of a cell.
+/// A way out of a region.
 struct WalkExit {
+  static constexpr uint32_t kWithin = UINT32_MAX;  ///< instead of a portal: it leads on within the same cell
+
   uint32_t portal = 0;  ///< of WalkMap::portals
   uint32_t cell = 0;    ///< where it leads
-  WalkMouth mouth;      ///< seen by who leaves
+  uint32_t region = 0;  ///< of that cell
+  WalkMouth mouth;      ///< on the border of the region, seen by who leaves
+  WalkMouth door{};     ///< the opening itself, which may lie beyond, in a wall
 };
 
 struct WalkRegion {
   uint32_t cell = 0;
   PlanPolygon border;
+  PlanPolygon ground;           ///< with the floor in the openings
   std::vector<WalkExit> exits;  ///< those whose openings lie on the border
   std::vector<Plane> limits;    ///< sides, floor and ceiling; normals point out of it, by a hair beyond the surfaces
   double size = 0;              ///< the shortest of width, length and height
@@ -65,9 +71,8 @@ inline constexpr double kWalkIntoWalls = 2e-4;
 /// Where a way begins beyond the opening, in sizes of the region: the planes at which rays turn must not touch.
 inline constexpr double kWalkBeyond = 1e-4;
 
-/// Of each cell, all of its openings, and both sides of those that lead from a cell into the same one left out.
-/// Openings that have no area are as well, and such that do not lie on the border: farther within it than the fourth
-/// part of its area, or farther outside than half of its shorter side.
+/// First that of each cell around its centre, in the order of the cells, then second ones. Openings that have no area
+/// are left out, and such to which no way leads within the cell.
 std::vector<WalkRegion> walkRegionsOf(const WalkMap& map);
 
 /// Cuts the region where it reaches into one of `others` by more than `allowed`, at the side of that which leaves most

@@ -14,12 +14,12 @@ constexpr double kStraight = 0.98;
 /// The same between the way and an opening at its end.
 constexpr double kAtEnd = 0.7;
 
-bool isTunnel(const WalkSpace& space, uint32_t cell) {
-  return space.map().cells[cell].kind == WalkCellKind::kTunnel;
+bool isTunnel(const WalkSpace& space, uint32_t region) {
+  return space.map().cells[space.regions()[region].cell].kind == WalkCellKind::kTunnel;
 }
 
-glm::dvec2 axisOf(const WalkSpace& space, uint32_t cell) {
-  return planOf(glm::dvec3(space.map().cells[cell].axis));
+glm::dvec2 axisOf(const WalkSpace& space, uint32_t region) {
+  return planOf(glm::dvec3(space.map().cells[space.regions()[region].cell].axis));
 }
 
 /// The widest exit at the end of a tunnel; nothing at a dead end.
@@ -35,10 +35,10 @@ const WalkExit* exitAtEnd(const WalkRegion& region, const glm::dvec2& direction)
 }
 
 /// The opening by which one comes out of straight tunnels that follow each other.
-const WalkExit* lastOpening(const WalkSpace& space, uint32_t cell, glm::dvec2 direction) {
-  const WalkExit* opening = exitAtEnd(space.regions()[cell], direction);
+const WalkExit* lastOpening(const WalkSpace& space, uint32_t region, glm::dvec2 direction) {
+  const WalkExit* opening = exitAtEnd(space.regions()[region], direction);
   for (size_t count = 0; opening != nullptr && count < space.regions().size(); ++count) {
-    const uint32_t next = opening->cell;
+    const uint32_t next = opening->region;
     const double along = glm::dot(axisOf(space, next), direction);
     if (!isTunnel(space, next) || std::abs(along) < kStraight) {
       return opening;
@@ -87,25 +87,31 @@ WalkSpace::WalkSpace(WalkMap map) : map_(std::move(map)), regions_(walkRegionsOf
   }
 }
 
-std::optional<uint32_t> WalkSpace::cellAt(const glm::dvec3& eye) const {
+std::optional<uint32_t> WalkSpace::regionAt(const glm::dvec3& eye) const {
   std::optional<uint32_t> best;
   double least = std::numeric_limits<double>::infinity();
-  for (const WalkRegion& region : regions_) {
-    if (region.border.empty() || planOutside(region.border, planOf(eye)) > 1e-6 * region.size) {
+  for (uint32_t i = 0; i < regions_.size(); ++i) {
+    const WalkRegion& region = regions_[i];
+    if (region.border.empty() || planOutside(region.ground, planOf(eye)) > 1e-6 * region.size) {
       continue;
     }
     const double above = eye.y - region.floorAt(planOf(eye));
     if (above >= 0 && above <= region.height && above < least) {
       least = above;
-      best = region.cell;
+      best = i;
     }
   }
   return best;
 }
 
-WalkAhead lookAhead(const WalkSpace& space, uint32_t cell, const glm::dvec2& eye, const glm::dvec2& heading) {
-  const WalkCell& tunnel = space.map().cells[cell];
-  const glm::dvec2 axis = axisOf(space, cell);
+std::optional<uint32_t> WalkSpace::cellAt(const glm::dvec3& eye) const {
+  const std::optional<uint32_t> region = regionAt(eye);
+  return region ? std::optional(regions_[*region].cell) : std::nullopt;
+}
+
+WalkAhead lookAhead(const WalkSpace& space, uint32_t region, const glm::dvec2& eye, const glm::dvec2& heading) {
+  const WalkCell& tunnel = space.map().cells[space.regions()[region].cell];
+  const glm::dvec2 axis = axisOf(space, region);
   const bool along = glm::dot(heading, axis) >= 0;
   WalkAhead ahead;
   ahead.direction = along ? axis : -axis;
@@ -117,12 +123,12 @@ WalkAhead lookAhead(const WalkSpace& space, uint32_t cell, const glm::dvec2& eye
   const double least = 0.05 * (left + rightWall);
   ahead.left = std::max(along ? left + aside : rightWall - aside, least);
   ahead.right = std::max(along ? rightWall - aside : left + aside, least);
-  if (const WalkExit* opening = lastOpening(space, cell, ahead.direction)) {
+  if (const WalkExit* opening = lastOpening(space, region, ahead.direction)) {
     ahead.opening = *opening;
-    ahead.distance = std::max(0.0, glm::dot(opening->mouth.middle() - eye, opening->mouth.ahead()));
+    ahead.distance = std::max(0.0, glm::dot(opening->door.middle() - eye, opening->door.ahead()));
   }
-  if (const WalkExit* opening = lastOpening(space, cell, -ahead.direction)) {
-    ahead.behind = std::max(0.0, glm::dot(opening->mouth.middle() - eye, opening->mouth.ahead()));
+  if (const WalkExit* opening = lastOpening(space, region, -ahead.direction)) {
+    ahead.behind = std::max(0.0, glm::dot(opening->door.middle() - eye, opening->door.ahead()));
   }
   return ahead;
 }

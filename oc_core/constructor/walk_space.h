@@ -21,7 +21,9 @@ class WalkSpace {
   /// Of a region as a rule: the median.
   double size() const { return size_; }
 
-  /// The cell whose floor is below the eye, with its ceiling above; of several the one whose floor is nearest.
+  /// The region whose floor is below the eye, with its ceiling above; of several the one whose floor is nearest.
+  std::optional<uint32_t> regionAt(const glm::dvec3& eye) const;
+  /// Its cell.
   std::optional<uint32_t> cellAt(const glm::dvec3& eye) const;
 
  private:
@@ -41,8 +43,8 @@ struct WalkAhead {
   std::optional<double> behind{};     ///< to that of the last crossing or room; nothing where a dead end lies behind
 };
 
-/// `cell` must be a tunnel. Straight tunnels that follow each other are one.
-WalkAhead lookAhead(const WalkSpace& space, uint32_t cell, const glm::dvec2& eye, const glm::dvec2& heading);
+/// `region` must be of a tunnel. Straight tunnels that follow each other are one.
+WalkAhead lookAhead(const WalkSpace& space, uint32_t region, const glm::dvec2& eye, const glm::dvec2& heading);
 
 /// From a point to the nearest of an opening, in the plan.
 double distanceTo(const WalkMouth& mouth, const glm::dvec2& point);

@@ -99,26 +99,28 @@ WalkStart chooseWalkSide(const WalkMap& map, const std::vector<WalkRegion>& regi
   return best;
 }
 
-WalkStart chooseWalkStart(const WalkMap& map, const std::vector<WalkRegion>& regions) {
+std::vector<WalkStart> chooseWalkStarts(const WalkMap& map, const std::vector<WalkRegion>& regions, size_t most) {
   std::vector<Reach> reaches;
   double largest = 0;
   for (const WalkRegion& region : regions) {
-    reaches.push_back(region.border.empty() ? Reach{} : reachFrom(regions, region.cell));
+    const auto number = static_cast<uint32_t>(reaches.size());
+    reaches.push_back(region.border.empty() || number >= map.cells.size() ? Reach{} : reachFrom(regions, number));
     largest = std::max(largest, reaches.back().floor);
   }
-  WalkStart best;
-  auto least = std::tuple(true, std::numeric_limits<size_t>::max(), std::numeric_limits<size_t>::max());
-  for (const WalkRegion& region : regions) {
-    const Reach& reach = reaches[region.cell];
-    if (region.border.empty() || reach.floor < (1 - 1e-9) * largest) {
+  using Cost = std::tuple<bool, size_t, size_t>;
+  std::vector<std::pair<Cost, WalkStart>> starts;
+  for (uint32_t cell = 0; cell < map.cells.size(); ++cell) {
+    const Reach& reach = reaches[cell];
+    if (regions[cell].border.empty() || reach.floor < (1 - 1e-9) * largest) {
       continue;
     }
-    const WalkStart side = chooseWalkSide(map, regions, region.cell);
-    const auto cost = std::tuple(exitsBeside(region, planOf(side.heading)) > 0, reach.most, reach.sum);
-    if (cost < least) {
-      least = cost;
-      best = side;
-    }
+    const WalkStart side = chooseWalkSide(map, regions, cell);
+    starts.emplace_back(Cost{exitsBeside(regions[cell], planOf(side.heading)) > 0, reach.most, reach.sum}, side);
+  }
+  std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+  std::vector<WalkStart> best;
+  for (size_t i = 0; i < std::min(most, starts.size()); ++i) {
+    best.push_back(starts[i].second);
   }
   return best;
 }

@@ -18,9 +18,10 @@ struct WalkBeginning {
 WalkBeginning beginWalk(const WalkRegion& region, const WalkStart& start, double tall, double reach, int width,
                         int height);
 
-/// Where most floor is reached, the cell and the side from which all others are few steps away; a side
+/// Where most floor is reached, the cells and the sides from which all others are few steps away; a side
 /// without openings, where there is one.
-WalkStart chooseWalkStart(const WalkMap& map, const std::vector<WalkRegion>& regions);
+/// The best of them come first; at most so many. None where no cell has floor.
+std::vector<WalkStart> chooseWalkStarts(const WalkMap& map, const std::vector<WalkRegion>& regions, size_t most);
 /// The best side of that cell.
 WalkStart chooseWalkSide(const WalkMap& map, const std::vector<WalkRegion>& regions, uint32_t cell);
 

@@ -12,24 +12,24 @@ WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, Tour
     WalkExit exit;
     size_t steps;
   };
-  std::deque<Way> pending{{-1, {0, start, {}}, 0}};
+  std::deque<Way> pending{{-1, {0, regions[start].cell, start, {}}, 0}};
   while (!pending.empty()) {
     const Way way = pending.front();
     pending.pop_front();
-    const uint32_t cell = way.exit.cell;
-    WalkTour::Stop& stop = tour.stops[cell];
+    const uint32_t region = way.exit.region;
+    WalkTour::Stop& stop = tour.stops[region];
     if (stop.reached) {
       continue;
     }
     stop = {way.parent, way.exit, way.steps, true};
-    tour.order.push_back(cell);
+    tour.order.push_back(region);
     if (way.parent >= 0) {
-      tour.stops[static_cast<size_t>(way.parent)].next.push_back(cell);
+      tour.stops[static_cast<size_t>(way.parent)].next.push_back(region);
     }
     std::vector<Way> ways;
-    for (const WalkExit& exit : regions[cell].exits) {
-      if (!tour.stops[exit.cell].reached) {
-        ways.push_back({static_cast<int>(cell), exit, way.steps + 1});
+    for (const WalkExit& exit : regions[region].exits) {
+      if (!tour.stops[exit.region].reached) {
+        ways.push_back({static_cast<int>(region), exit, way.steps + 1});
       }
     }
     pending.insert(order == TourOrder::kBreadthFirst ? pending.end() : pending.begin(), ways.begin(), ways.end());

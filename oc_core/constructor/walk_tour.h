@@ -12,17 +12,17 @@ namespace ocelli {
 
 struct WalkTour {
   struct Stop {
-    int parent = -1;               ///< the cell before it
+    int parent = -1;               ///< the region before it
     WalkExit way{};                ///< from there
-    size_t steps = 0;              ///< cells before it
+    size_t steps = 0;              ///< regions before it
     bool reached = false;          ///< from the start
-    std::vector<uint32_t> next{};  ///< cells that come after it
+    std::vector<uint32_t> next{};  ///< regions that come after it
   };
-  std::vector<uint32_t> order;  ///< of the cells that are reached, parents before their children
-  std::vector<Stop> stops;      ///< of each cell
+  std::vector<uint32_t> order;  ///< of the regions that are reached, parents before their children
+  std::vector<Stop> stops;      ///< of each region
 };
 
-/// `start` must be a cell. The exits of regions lead the way.
+/// `start` must be a region. The exits of regions lead the way.
 WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, TourOrder order);
 
 }  // namespace ocelli

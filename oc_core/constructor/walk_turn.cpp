@@ -36,11 +36,11 @@ class WalkTurning {
                        "turn where a tunnel leads to a crossing");
     }
     heading_ = glm::normalize(planOf(turn.from.heading));
-    ahead_ = lookAhead(space, *now.cell, planOf(turn.from.eye), heading_);
+    ahead_ = lookAhead(space, *space.regionAt(turn.from.eye), planOf(turn.from.eye), heading_);
     deployed_ = now.deployed;
     const WalkCamera back = camera(turn.from, backwards(options_));
     deployedBack_ = back.deployed;
-    for (const WalkExit& exit : space.regions()[*now.crossing].exits) {
+    for (const WalkExit& exit : space.regions()[ahead_.opening->region].exits) {
       if (exit.portal == turn.portal && exit.portal != ahead_.opening->portal) {
         way_ = exit;
         return;

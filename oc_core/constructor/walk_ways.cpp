@@ -8,7 +8,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/crossing_frusta.h"
+#include "oc_core/constructor/frustum_image.h"
 #include "oc_core/constructor/image_parts.h"
 #include "oc_core/constructor/walk_fans.h"
 
@@ -51,7 +51,7 @@ class Ways {
   /// The rays of frustum `i` that pass through an exit look along the way that begins there.
   void lookAlong(int i, const WalkExit& exit, const glm::dvec3& straight, double share, const GraphCamera::Part& part,
                  WalkWay& way) {
-    const WalkRegion& next = space_.regions()[exit.cell];
+    const WalkRegion& next = space_.regions()[exit.region];
     const WalkMouth& mouth = exit.mouth;
     const Plane plane = planeOf(mouth, next.size);
     const glm::dvec2 from = mouth.middle() - mouth.ahead() * (mouth.width() / 2 / halfTangent(view_.fovWayDegrees));
@@ -74,11 +74,7 @@ class Ways {
   }
 
   int bend(int i, const GraphCamera::Bend& turn, const std::string& name, const GraphCamera::Part& part) {
-    try {
-      return camera_.bend(i, turn, name, part);
-    } catch (const InputError&) {
-      return -1;  // rays do not cross the plane in order
-    }
+    return bendWhereOneCan(camera_, i, turn, name, part);
   }
   void limit(int i, const std::vector<Plane>& planes) {
     for (const Plane& plane : planes) {
@@ -181,7 +177,7 @@ std::vector<Plane> closedSides(const WalkRegion& region, double deployed) {
 
 std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space, const WalkExit& opening,
                                      const WaysView& view) {
-  const WalkRegion& crossing = space.regions()[opening.cell];
+  const WalkRegion& crossing = space.regions()[opening.region];
   const WalkMouth& entry = opening.mouth;
   const EntryFrame frame(entry);
   const double width = entry.width();
@@ -190,7 +186,7 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
   std::vector<WalkMouth> mouths;
   std::vector<size_t> wayOfExit;
   for (const WalkExit& exit : crossing.exits) {
-    if (exit.portal == opening.portal) {
+    if (exit.portal == opening.portal || exit.portal == WalkExit::kWithin) {
       continue;
     }
     WalkWay way{exit.portal, exit.cell, sideOf(exit.mouth, frame.ahead), -1, {}};
@@ -239,11 +235,10 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
     builder.limit(fan, allSides(crossing, view.deployed));
     if (way < ways.size()) {
       const WalkExit& exit = exits[static_cast<size_t>(aims[k].exit)];
-      const double shift = kWalkBeyond * space.regions()[exit.cell].size;
+      const double shift = kWalkBeyond * space.regions()[exit.region].size;
       const glm::dvec2 out = exit.mouth.ahead() * shift;
-      const GraphCamera::Part through =
-          partBetween(camera, fan, spaceOf(exit.mouth.left + out, exit.mouth.floor),
-                      spaceOf(exit.mouth.right + out, exit.mouth.floor), exit.mouth.height());
+      const GraphCamera::Part through = frustumImage(
+          camera, fan, rectangle(exit.mouth.left + out, exit.mouth.right + out, exit.mouth.floor, exit.mouth.top));
       ways[way].why.clear();
       builder.lookAlong(fan, exit, viewpoint, view.deployed, through, ways[way]);
     }
@@ -265,8 +260,8 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
   return sorted;
 }
 
-std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, uint32_t room, const WaysView& view) {
-  const WalkRegion& region = space.regions()[room];
+std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, uint32_t number, const WaysView& view) {
+  const WalkRegion& region = space.regions()[number];
   const glm::dvec2 eye = planOf(view.eye);
   const glm::dvec2 forward = glm::normalize(planOf(glm::dvec3(camera.root().forward())));
   Ways builder(camera, space, view);
@@ -277,6 +272,9 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
   std::vector<Seen> seen;
   std::vector<std::pair<const WalkExit*, double>> inSight;  // by how much rays turn there
   for (const WalkExit& exit : region.exits) {
+    if (exit.portal == WalkExit::kWithin) {
+      continue;
+    }
     const WalkMouth& mouth = exit.mouth;
     const glm::dvec2 to = mouth.middle() - eye;
     Seen each{{exit.portal, exit.cell, sideOf(mouth, forward), -1, {}},
@@ -299,7 +297,7 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
     const double angle = std::atan2(-aside, before) * (1 - share);
     const glm::dvec2 turned =
         mouth.middle() - mouth.ahead() * (distance * std::cos(angle)) + mouth.across() * (distance * std::sin(angle));
-    const WalkRegion& next = space.regions()[exit.cell];
+    const WalkRegion& next = space.regions()[exit.region];
     const Plane plane = Ways::planeOf(mouth, next.size);
     if (part.empty()) {
       each.way.why = "it is out of sight, or too small in the image";

@@ -26,8 +26,8 @@ struct WaysView {
 std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space, const WalkExit& opening,
                                      const WaysView& view);
 
-/// The ways out of the room in which the eye of the root is: rays turn in the openings to look straight in.
-std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, uint32_t room, const WaysView& view);
+/// The ways out of the region in which the eye of the root is: rays turn in the openings to look straight in.
+std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, uint32_t number, const WaysView& view);
 
 /// Sides, floor and ceiling of a region, moved outwards the farther the less is deployed: limits for rays in it. Those
 /// of the first kind leave out sides with openings, for rays that go on through these.

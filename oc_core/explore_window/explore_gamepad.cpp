@@ -1,5 +1,6 @@
 #include "oc_core/explore_window/explore_gamepad.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ocelli {

@@ -52,7 +52,7 @@ void drawLines(std::string_view title, const std::vector<HelpLine>& lines, float
   ImGui::Separator();
   ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(4 * scale, 1 * scale));
   if (ImGui::BeginTable(std::string(title).c_str(), 3)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 124 * scale);
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 136 * scale);
     ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
     ImGui::TableSetupColumn("gamepad", ImGuiTableColumnFlags_WidthFixed, 96 * scale);
     for (const HelpLine& line : lines) {

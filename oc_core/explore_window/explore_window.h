@@ -80,7 +80,8 @@ class ExploreWindow {
 
  private:
   void handleKey(const KeyEvent& event);
-  void handlePointer(const InputEvent& event);
+  /// Whether a pane has used it.
+  bool handlePointer(const InputEvent& event);
   void press(const ExploreKeyAction& action);
   ExploreKeyTarget keyTarget();
   ExplorePaneFrame frameOf(const ExploreWindowLayout::Pane& pane);

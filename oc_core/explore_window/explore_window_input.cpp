@@ -25,17 +25,17 @@ void ExploreWindow::handle(const InputEvent& event) {
   if (const auto* resize = std::get_if<ResizeEvent>(&event)) {
     window_ = *resize;
   }
-  if (const auto* drop = std::get_if<DropEvent>(&event); drop != nullptr && !drop->files.empty()) {
+  // A captured mouse points at nothing.
+  if (!state_.captured || std::holds_alternative<ResizeEvent>(event)) {
+    gui_.handle(event);
+  }
+  const bool isUsed = handlePointer(event);
+  if (const auto* drop = std::get_if<DropEvent>(&event); drop != nullptr && !isUsed && !drop->files.empty()) {
     work_.tell([file = drop->files.front()](ExploreWindowModel& model) {
       model.openCamera(file);
       return "the camera of " + file;
     });
   }
-  // A captured mouse points at nothing.
-  if (!state_.captured || std::holds_alternative<ResizeEvent>(event)) {
-    gui_.handle(event);
-  }
-  handlePointer(event);
 }
 
 void ExploreWindow::handleKey(const KeyEvent& event) {
@@ -70,7 +70,7 @@ void ExploreWindow::press(const ExploreKeyAction& action) {
   needsAnother_ = true;
 }
 
-void ExploreWindow::handlePointer(const InputEvent& event) {
+bool ExploreWindow::handlePointer(const InputEvent& event) {
   if (const auto* move = std::get_if<PointerMoveEvent>(&event)) {
     pointer_ = {static_cast<float>(move->x), static_cast<float>(move->y)};
   }
@@ -95,9 +95,7 @@ void ExploreWindow::handlePointer(const InputEvent& event) {
       state_.active = explorePanes()[pane->kind].name;
     }
   }
-  if (pane != nullptr) {
-    panes_[pane->kind]->handlePointer(frameOf(*pane), event, pointer_);
-  }
+  return pane != nullptr && panes_[pane->kind]->handlePointer(frameOf(*pane), event, pointer_);
 }
 
 void ExploreWindow::handleGamepad(const std::optional<GamepadState>& state) {

@@ -1,6 +1,7 @@
 #include "oc_core/explore_window/explore_window_run.h"
 
 #include <chrono>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/free_file_name.h"
@@ -31,7 +32,7 @@ class ExploreRun {
 
   void run() {
     auto last = RunClock::now();
-    while (!explore_.wantsClose()) {
+    while (!explore_.wantsClose() && (!options_.goesOn || options_.goesOn())) {
       takeEvents();
       const auto now = RunClock::now();
       const double seconds = std::chrono::duration<double>(now - last).count();

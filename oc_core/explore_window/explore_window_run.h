@@ -18,6 +18,7 @@ struct ExploreWindowRunOptions {
   OpenExploreVideo record{};
   std::optional<std::filesystem::path> video{};  ///< records from the first image on
   std::function<void(const std::filesystem::path& path)> wrote{};
+  std::function<bool()> goesOn{};  ///< asked again and again: false closes the window; empty: the user does
 };
 
 /// Until the user closes it. Throws GlError where there is no display, and what the scene could not be read for.

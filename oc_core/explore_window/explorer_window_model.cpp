@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/camera_constructors.h"

@@ -9,6 +9,18 @@ namespace {
 
 constexpr double kMinGridPixels = 12;
 
+/// Where a frustum begins, and its limits.
+std::vector<const DrawnPlane*> planesOfDrawn(const DrawnFrustum& frustum) {
+  std::vector<const DrawnPlane*> planes;
+  if (frustum.operation != "root") {
+    planes.push_back(&frustum.begins);
+  }
+  for (const DrawnPlane& limit : frustum.limits) {
+    planes.push_back(&limit);
+  }
+  return planes;
+}
+
 }  // namespace
 
 double planCut(const Mesh& mesh, PlanSide side, const glm::dvec3& eye) {
@@ -52,14 +64,7 @@ std::vector<SnapPoint> cameraSnaps(const DrawnCamera& camera, PlanSide side, con
       continue;
     }
     points.push_back({"viewpoint of " + frustum.name, paperFromWorld(side, frustum.viewpoint)});
-    std::vector<const DrawnPlane*> planes;
-    if (frustum.operation != "root") {
-      planes.push_back(&frustum.begins);
-    }
-    for (const DrawnPlane& limit : frustum.limits) {
-      planes.push_back(&limit);
-    }
-    for (const DrawnPlane* plane : planes) {
+    for (const DrawnPlane* plane : planesOfDrawn(frustum)) {
       if (const std::optional<std::array<glm::dvec3, 2>> ends = endsOf(*plane, side)) {
         points.push_back({"plane of " + frustum.name, paperFromWorld(side, (*ends)[0])});
         points.push_back({"plane of " + frustum.name, paperFromWorld(side, (*ends)[1])});
@@ -68,6 +73,31 @@ std::vector<SnapPoint> cameraSnaps(const DrawnCamera& camera, PlanSide side, con
     }
   }
   return points;
+}
+
+std::optional<SnapPoint> snappedToPlane(const DrawnCamera& camera, PlanSide side, const std::string& without,
+                                        const glm::dvec2& paper, double reach) {
+  std::optional<SnapPoint> nearest;
+  for (const DrawnFrustum& frustum : camera.frusta) {
+    if (frustum.name == without) {
+      continue;
+    }
+    for (const DrawnPlane* plane : planesOfDrawn(frustum)) {
+      const std::optional<std::array<glm::dvec3, 2>> ends = endsOf(*plane, side);
+      if (!ends) {
+        continue;
+      }
+      const glm::dvec2 from = paperFromWorld(side, (*ends)[0]);
+      const glm::dvec2 along = paperFromWorld(side, (*ends)[1]) - from;
+      const double length = glm::dot(along, along);
+      const double share = length > 0 ? glm::clamp(glm::dot(paper - from, along) / length, 0.0, 1.0) : 0;
+      const glm::dvec2 at = from + along * share;
+      if (glm::distance(at, paper) <= (nearest ? glm::distance(nearest->at, paper) : reach)) {
+        nearest = SnapPoint{"on the plane of " + frustum.name, at};
+      }
+    }
+  }
+  return nearest;
 }
 
 double gridStep(double unitsPerPixel) {

@@ -27,6 +27,11 @@ std::vector<SnapPoint> sceneSnaps(const Mesh& mesh, const SceneGuides& guides, P
 /// Of a camera in a plan: ends and middles of planes, and viewpoints, but those of the frustum `without`.
 std::vector<SnapPoint> cameraSnaps(const DrawnCamera& camera, PlanSide side, const std::string& without);
 
+/// The nearest point within `reach` on a plane of the camera as the plan shows it, but on those of the frustum
+/// `without`.
+std::optional<SnapPoint> snappedToPlane(const DrawnCamera& camera, PlanSide side, const std::string& without,
+                                        const glm::dvec2& paper, double reach);
+
 /// Lines of a grid are 1, 2 or 5 times a power of ten apart, and at least so many pixels.
 double gridStep(double unitsPerPixel);
 

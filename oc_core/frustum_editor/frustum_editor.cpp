@@ -191,7 +191,14 @@ PlanPointer FrustumEditor::snappedPointer(const PlanPointer& pointer) {
   const std::string without = drag_ && drag_->handle ? drag_->handle->frustum : "";
   const std::vector<SnapPoint> own = cameraSnaps(camera, pointer.side, without);
   points.insert(points.end(), own.begin(), own.end());
-  snap_ = snapped(points, pointer.paper, pointer.reach, gridStep(pointer.reach / kPlanReachPixels));
+  // Points first, then planes, then the grid.
+  snap_ = snapped(points, pointer.paper, pointer.reach, 0);
+  if (!snap_) {
+    snap_ = snappedToPlane(camera, pointer.side, without, pointer.paper, pointer.reach);
+  }
+  if (!snap_) {
+    snap_ = snapped({}, pointer.paper, pointer.reach, gridStep(pointer.reach / kPlanReachPixels));
+  }
   PlanPointer moved = pointer;
   moved.paper = snap_ ? snap_->at : pointer.paper;
   return moved;

@@ -6,6 +6,7 @@
 #include <limits>
 #include <span>
 
+#include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/gl_state.h"

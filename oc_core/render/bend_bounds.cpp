@@ -97,7 +97,7 @@ HalfSpaces BendBounds::spaces() const {
 
 HalfSpaces BendBounds::sidesOf(const CurvedRayCamera& camera, const PixelBounds& rect) const {
   const Corners part =
-      cornersOf(glm::dvec2(rect.x0, rect.y0) - kSidesMargin, glm::dvec2(rect.x1, rect.y1) + kPartMargin);
+      cornersOf(glm::dvec2(rect.x0, rect.y0) - kSidesMargin, glm::dvec2(rect.x1, rect.y1) + kSidesMargin);
   return around(hullOf(camera, bend_, part), sidesBy(part, before_, after_));
 }
 

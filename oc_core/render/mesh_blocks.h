@@ -2,7 +2,10 @@
 // that draw one part of space after the other find the triangles of a part by them.
 //
 // DEVIATION: the text finds the triangles of a frustum with an octree (section 4.1). Scenes come in a coherent order,
-// so blocks of neighbours in that order do, and take a small part of the time to build.
+// so blocks of neighbours in that order do, and take a small part of the time to build. For scenes that are drawn more
+// than once, blocks of triangles side by side in space (along a Morton curve) are worth a sort: rows of a height field
+// become patches, and objects that are strewn about come by neighbourhoods. Not where triangles are smaller than pixels
+// and come in a good order already: there the way to their vertices in memory counts for more.
 #pragma once
 
 #include <algorithm>
@@ -32,7 +35,10 @@ class MeshBlocks {
     size_t last = 0;
   };
 
-  explicit MeshBlocks(const Mesh& mesh);
+  /// Blocks of triangles that are neighbours in the order of the mesh, or in space.
+  enum class Order { kOfMesh, kInSpace };
+
+  explicit MeshBlocks(const Mesh& mesh, Order order = Order::kOfMesh);
 
   /// So many vertices of the mesh, which is otherwise the same, stand elsewhere now.
   void update(const Mesh& mesh, size_t firstVertex, size_t count);
@@ -40,7 +46,7 @@ class MeshBlocks {
   const Block& operator[](size_t block) const { return blocks_[block]; }
   size_t size() const { return blocks_.size(); }
   size_t runCount() const { return runs_.size(); }
-  /// Calls `visit(triangle)`, in order, for the triangles of a block whose corners are finite.
+  /// Calls `visit(triangle)`, in their order, for the triangles of a block whose corners are finite.
   template <class Visit>
   void forEachTriangle(uint32_t block, const Visit& visit) const;
   /// Calls `visit(block, placement)`, in order, for the blocks that are not outside of the half spaces.
@@ -53,9 +59,12 @@ class MeshBlocks {
   void forEachWithin(Runs runs, std::span<const HalfSpace> spaces, const Visit& visit) const;
 
  private:
+  /// The triangle at a place of the order.
+  uint32_t triangleAt(size_t place) const { return order_.empty() ? static_cast<uint32_t>(place) : order_[place]; }
   void measureBlock(const Mesh& mesh, size_t block);
   void measureRun(size_t run);
 
+  std::vector<uint32_t> order_;  ///< triangles; empty where it is that of the mesh
   std::vector<Block> blocks_;
   std::vector<Box> runs_;
   std::vector<std::pair<uint32_t, uint32_t>> vertices_;  ///< the first and the last that each block uses
@@ -64,7 +73,7 @@ class MeshBlocks {
 template <class Visit>
 void MeshBlocks::forEachTriangle(uint32_t block, const Visit& visit) const {
   for (uint32_t left = blocks_[block].finite; left != 0; left &= left - 1) {
-    visit(block * static_cast<uint32_t>(kTriangles) + static_cast<uint32_t>(std::countr_zero(left)));
+    visit(triangleAt(size_t{block} * kTriangles + static_cast<size_t>(std::countr_zero(left))));
   }
 }
 

@@ -127,8 +127,7 @@ void moveOffObstacle(const WalkField& field, const WalkSquare& place, WalkBox& b
 }
 
 WalkCell cellOf(const WalkField& field, const std::vector<uint32_t>& squares, const WalkShape& shape, float height) {
-  const glm::dvec2 given = !shape.isTunnel ? glm::dvec2(0) : shape.isAlongX ? glm::dvec2(1, 0) : glm::dvec2(0, 1);
-  WalkBox box = boxAround(field, squares, given).box;
+  WalkBox box = boxAround(field, squares, givenAxis(shape)).box;
   const WalkSquare& place = nearestPlace(field, squares, box);
   if (!shape.isTunnel) {
     moveOffObstacle(field, place, box);

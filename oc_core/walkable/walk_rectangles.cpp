@@ -1,6 +1,7 @@
 #include "oc_core/walkable/walk_rectangles.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "oc_core/walkable/walk_box.h"
 #include "oc_core/walkable/walk_extent.h"
@@ -8,7 +9,11 @@
 namespace ocelli {
 namespace {
 
-constexpr double kFitsAsItIs = 0.75;   // area shared by box and piece, of the area of either
+// Area shared by box and piece, of the area of either: of rooms, of tunnels, whose rings follow what is left, and of
+// all whose box is turned.
+constexpr double kRoomFits = 0.75;
+constexpr double kTunnelFits = 0.6;
+constexpr double kTurnedFits = 0.8;
 constexpr double kThinLeftOver = 0.3;  // of the shorter side of the rectangle beside it
 constexpr int kMaxRectangles = 12;     // of one piece
 
@@ -58,6 +63,16 @@ SquareRectangle largestRectangle(const WalkField& field, const std::vector<uint3
   return best;
 }
 
+bool fitsAsItIs(const WalkField& field, const std::vector<uint32_t>& squares, const WalkShape& shape) {
+  // Tunnels shorter than wide are what is between two crossings.
+  if (shape.isTunnel && static_cast<double>(squares.size()) < widthOf(shape.halfWidth) * widthOf(shape.halfWidth)) {
+    return true;
+  }
+  const BoxFit fit = boxAround(field, squares, givenAxis(shape));
+  const bool isTurned = std::min(std::abs(fit.box.axis.x), std::abs(fit.box.axis.y)) > 1e-6;
+  return fit.shared >= (isTurned ? kTurnedFits : shape.isTunnel ? kTunnelFits : kRoomFits);
+}
+
 /// Labels for the squares of one piece, from `next` on.
 void divide(const WalkField& field, const std::vector<uint32_t>& piece, int radius, std::vector<uint32_t>& labels,
             uint32_t& next) {
@@ -97,10 +112,12 @@ WalkLayout rectangularLayout(const WalkField& field, const WalkLayout& layout, i
   std::vector<uint8_t> isDivided(layout.pieces.count, 0);
   uint32_t next = layout.pieces.count;
   for (uint32_t piece = 0; piece < layout.pieces.count; ++piece) {
-    if (!layout.shapes[piece].isTunnel && boxAround(field, squares[piece], glm::dvec2(0)).shared < kFitsAsItIs) {
+    if (!fitsAsItIs(field, squares[piece], layout.shapes[piece])) {
       isDivided[piece] = 1;
       divide(field, squares[piece], radius, labels, next);
-      shapeOf.resize(next, layout.shapes[piece]);
+      WalkShape room = layout.shapes[piece];
+      room.isTunnel = false;
+      shapeOf.resize(next, room);
     }
   }
   const WalkPieces raw = connectedPieces(field, labels);

@@ -5,9 +5,9 @@
 
 namespace ocelli {
 
-/// Where no box fits a room well, its largest rectangle becomes a room of its own, and so on with what is left; what is
-/// thin beside a rectangle, and what has no place to stand, goes to its neighbours. `radius` is that of the agent, in
-/// squares.
+/// Where no box fits a piece well, its largest rectangle becomes a room of its own, and so on with what is left; what
+/// is thin beside a rectangle, and what has no place to stand, goes to its neighbours. `radius` is that of the agent,
+/// in squares.
 WalkLayout rectangularLayout(const WalkField& field, const WalkLayout& layout, int radius);
 
 }  // namespace ocelli

@@ -1,6 +1,7 @@
 // Areas divided where strips of floor cross, turn and end: crossings, and the corridors and streets between them.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <vector>
 
 #include "oc_core/walkable/walk_areas.h"
@@ -13,6 +14,11 @@ struct WalkShape {
   bool isAlongX = false;   ///< of a tunnel: else along z
   uint16_t halfWidth = 1;  ///< of its area
 };
+
+/// The axis of a tunnel in the plan; zero for a room, whose box chooses it.
+inline glm::dvec2 givenAxis(const WalkShape& shape) {
+  return !shape.isTunnel ? glm::dvec2(0) : shape.isAlongX ? glm::dvec2(1, 0) : glm::dvec2(0, 1);
+}
 
 struct WalkLayout {
   WalkPieces pieces;

@@ -117,7 +117,7 @@ TEST(ConstructorSchema, occluderIsWhatItsReaderTakes) {
       nlohmann::json::parse(R"({"camera": "occluder", "box": {"lower": [-1, -2, -3], "upper": [1, 2, 3]}})");
   test::SchemaAgreement{schemaOf("occluder"), errorOf, base}.check();
   const OccluderOptions options;
-  expectDefaults("occluder", {{"deployed", options.deployed}, {"object", options.object}, {"shadow", options.shadow}});
+  expectDefaults("occluder", {{"object", options.object}, {"shadow", options.shadow}, {"deployed", options.deployed}});
 }
 
 TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
@@ -130,7 +130,8 @@ TEST(ConstructorSchema, pathIsWhatItsReaderTakes) {
                           {"preview", options.preview},
                           {"turns", options.turns},
                           {"eye_height", options.eyeHeight},
-                          {"rounding", options.rounding}});
+                          {"rounding", options.rounding},
+                          {"deployed", options.deployed}});
 }
 
 TEST(ConstructorSchema, portalDefaultsAreTheReaders) {

@@ -71,7 +71,7 @@ std::vector<Travel> travels() {
       {"canyon", "builtin:canyon", {}, 40, 45, 0.25, 4, 0.75, 1.0 / 600},
       {"town", "builtin:town", throughTheTown(), 50, 1.7, 0.2, 4, 0.5, 1.0 / 300},
       {"maze", "builtin:maze,seed=1", throughTheMaze(), 60, 1.5, 0.25, 4, 0.75, 1.0 / 480},
-      {"blocks", "builtin:boxes,count=700,floor=1", betweenTheBlocks(), 50, 0.25, 0.4, 4, 0.6, 1.0 / 400},
+      {"blocks", "builtin:boxes,count=700,floor=1", betweenTheBlocks(), 50, 0.25, 0.3, 3, 0.7, 1.0 / 400},
   };
 }
 

@@ -59,6 +59,11 @@ TEST(EditorSnaps, anEditorSnapsToPlanesOfOtherFrusta) {
   ASSERT_TRUE(fixture.editor.snap());
   EXPECT_EQ(fixture.editor.snap()->what, "plane of ahead");
   EXPECT_EQ(fixture.editor.stroke()->from, end);
+  // And to any point on it: the plane is at z = 2.
+  fixture.editor.press({PlanSide::kTop, {1.234, 2.1}, 0.2, true});
+  ASSERT_TRUE(fixture.editor.snap());
+  EXPECT_EQ(fixture.editor.snap()->what, "on the plane of ahead");
+  EXPECT_LT(glm::distance(fixture.editor.snap()->at, glm::dvec2(1.234, 2)), 1e-5);  // views are floats
   pointer.snaps = false;
   fixture.editor.press(pointer);
   EXPECT_FALSE(fixture.editor.snap());

@@ -37,6 +37,22 @@ TEST(MeshBlocks, findsEveryTriangleOfAHalfSpace) {
   }
 }
 
+// Boxes that are strewn about: neighbours in space lie in smaller blocks. Each triangle is in one.
+TEST(MeshBlocks, neighboursInSpaceLieCloserTogether) {
+  const Mesh mesh = loadScene("builtin:boxes,count=700,floor=1", {}, {});
+  const auto sizeOf = [&](const MeshBlocks& blocks) {
+    double sum = 0;
+    std::set<uint32_t> seen;
+    for (uint32_t block = 0; block < blocks.size(); ++block) {
+      sum += static_cast<double>(glm::length(blocks[block].box.size()));
+      blocks.forEachTriangle(block, [&](uint32_t triangle) { EXPECT_TRUE(seen.insert(triangle).second); });
+    }
+    EXPECT_EQ(seen.size(), mesh.triangles.size());
+    return sum;
+  };
+  EXPECT_LT(sizeOf(MeshBlocks(mesh, MeshBlocks::Order::kInSpace)), 0.5 * sizeOf(MeshBlocks(mesh)));
+}
+
 TEST(MeshBlocks, followsVerticesThatMove) {
   Mesh mesh = loadScene("builtin:boxes", {}, {});
   MeshBlocks blocks(mesh);

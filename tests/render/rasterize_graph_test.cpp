@@ -135,6 +135,7 @@ TEST(RasterizeGraph, preparedBlocksDrawTheSame) {
   const Mesh mesh = loadScene("builtin:boxes", {}, {});
   const GraphCamera graph = crossroads(PinholeCamera(View{}, 180, 120));
   EXPECT_EQ(rasterize(graph, mesh, MeshBlocks(mesh)), rasterize(graph, mesh));
+  EXPECT_EQ(rasterize(graph, mesh, MeshBlocks(mesh, MeshBlocks::Order::kInSpace)), rasterize(graph, mesh));
 }
 
 // Sizes from nothing to the largest numbers: what is drawn is a sample of the triangle.

@@ -1,0 +1,106 @@
+#include "oc_core/render/region_buffer.h"
+
+#include <gtest/gtest.h>
+
+#include "oc_core/base/random.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int16_t kNotPassed = -1;
+
+/// The left half of an image of 40x20 pixels has leaf 0, the right one leaf 1.
+PixelLeaves twoLeaves() {
+  PixelLeaves leaves(40, 20, 0);
+  for (int y = 0; y < 20; ++y) {
+    for (int x = 20; x < 40; ++x) {
+      leaves(x, y) = 1;
+    }
+  }
+  return leaves;
+}
+
+RasterVertex anyVertex(Random& random) {
+  return {random.inRange(-20, 60), random.inRange(-10, 30), random.inRange(0.1f, 2), random.inRange(0, 1),
+          random.inRange(0, 1)};
+}
+
+std::vector<Fragment> fragmentsOf(const RegionBuffer& region) {
+  std::vector<Fragment> fragments(40 * 20);
+  region.forEachRun(40, [&](const RegionBuffer::SampleRun& run) {
+    for (size_t i = 0; i < run.samples.size(); ++i) {
+      fragments[static_cast<size_t>(run.y) * 40 + static_cast<size_t>(run.x) + i] = run.samples[i].fragment();
+    }
+  });
+  return fragments;
+}
+
+TEST(RegionBuffer, opensThePixelsWhoseRaysPassAndHaveMetNothing) {
+  const PixelBounds all{0, 0, 40, 20};
+  const std::array<int16_t, 2> right{kNotPassed, 0};
+  const std::array<int16_t, 2> both{0, 1};
+  const std::array<int16_t, 2> none{kNotPassed, kNotPassed};
+  RegionBuffer region;
+  region.reset(all, twoLeaves());
+  EXPECT_EQ(region.open(all, 0, none), 0u);
+  EXPECT_EQ(region.open(all, 0, right), 1u);
+  EXPECT_FALSE(region.mayShow({0, 0, 16, 20}, 1));
+  EXPECT_TRUE(region.mayShow({0, 0, 24, 20}, 1));
+  const RasterVertex a{-100, -100, 0.5f, 0, 0};
+  const RasterVertex b{200, -100, 0.5f, 1, 0};
+  const RasterVertex c{-100, 200, 0.5f, 0, 1};
+  region.fill(all, 7, a, b, c);
+  region.touch(all);
+  // At a depth of 2: what is farther is hidden there, what is nearer is not.
+  EXPECT_FALSE(region.mayShow(all, 2.001f));
+  EXPECT_TRUE(region.mayShow(all, 1.999f));
+  size_t filled = 0;
+  region.forEachRun(1000, [&](const RegionBuffer::SampleRun& run) {
+    EXPECT_EQ(run.leaf, 1);
+    filled += run.samples.size();
+  });
+  EXPECT_EQ(filled, 20u * 20);
+  // The next piece comes behind: the right half is closed for it, however near.
+  EXPECT_EQ(region.open(all, 1, both), 1u);
+  EXPECT_FALSE(region.mayShow({24, 0, 40, 20}, 1e-3f));
+  EXPECT_TRUE(region.mayShow(all, 1e9f));
+}
+
+// Lanes give what single pixels do, bit by bit: of triangles of all sizes, turned both ways, with and without limits.
+TEST(RegionBuffer, fillsAsPixelByPixel) {
+  const PixelBounds all{0, 0, 40, 20};
+  const std::array<int16_t, 2> both{0, 0};
+  Random random(3);
+  size_t covered = 0;
+  size_t limited = 0;
+  for (int image = 0; image < 200; ++image) {
+    RegionBuffer lanes;
+    RegionBuffer pixels;
+    for (RegionBuffer* region : {&lanes, &pixels}) {
+      region->reset(all, twoLeaves());
+      region->open(all, 0, both);
+    }
+    for (uint32_t triangle = 0; triangle < 4; ++triangle) {
+      const RasterVertex a = anyVertex(random);
+      const RasterVertex b = anyVertex(random);
+      const RasterVertex c = anyVertex(random);
+      const HeightLimit limit{
+          {random.inRange(-1, 1), random.inRange(-1, 1), random.inRange(-1, 1)}, 0.01f, 0.1f, 1e-6f};
+      const bool hasLimit = triangle % 2 == 1;
+      lanes.fill(all, triangle, a, b, c, hasLimit ? std::span(&limit, 1) : std::span<const HeightLimit>());
+      pixels.scan(all, a, b, c, [&](size_t pixel, float z, const PixelWeights& weights) {
+        limited += hasLimit && limit.isExceeded(weights);
+        if (pixels.isNearest(pixel, z, triangle) && !(hasLimit && limit.isExceeded(weights))) {
+          pixels.put(pixel, z, triangle, weights());
+          ++covered;
+        }
+      });
+    }
+    EXPECT_EQ(fragmentsOf(lanes), fragmentsOf(pixels)) << image;
+  }
+  EXPECT_GT(covered, 20000u);
+  EXPECT_GT(limited, 5000u);
+}
+
+}  // namespace
+}  // namespace ocelli
