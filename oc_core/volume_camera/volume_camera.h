@@ -23,7 +23,7 @@ struct VolumeCamera {
   std::string description;  ///< JSON: the view, and of graph and curved ray cameras all that they are
   glm::ivec2 size{0};       ///< of its image, pixels
   RayFunction ray;          ///< safe to call from many threads
-  RayHull hull;             ///< where its rays run, likewise; empty where that is not known
+  RayHull hull = {};        ///< where its rays run, likewise; empty where that is not known
 };
 
 /// `firstHits` is called where the camera needs to know what hides what, and must outlive the call alone. Throws
