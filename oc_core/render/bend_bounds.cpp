@@ -96,8 +96,10 @@ HalfSpaces BendBounds::spaces() const {
 }
 
 HalfSpaces BendBounds::sidesOf(const CurvedRayCamera& camera, const PixelBounds& rect) const {
-  const Corners part =
-      cornersOf(glm::dvec2(rect.x0, rect.y0) - kSidesMargin, glm::dvec2(rect.x1, rect.y1) + kSidesMargin);
+  // Not beyond the image: only there it is known that rays cross the planes in order.
+  const glm::dvec2 size(camera.width(), camera.height());
+  const Corners part = cornersOf(glm::max(glm::dvec2(rect.x0, rect.y0) - kSidesMargin, glm::dvec2(0)),
+                                 glm::min(glm::dvec2(rect.x1, rect.y1) + kSidesMargin, size));
   return around(hullOf(camera, bend_, part), sidesBy(part, before_, after_));
 }
 

@@ -15,6 +15,7 @@ GuidedScene guidedVolume(const VolumeScene& scene) {
   guided.objectOfTriangle.resize(guided.mesh.triangles.size(), 0);
   append(guided.mesh, scene.surfaces);
   guided.objectOfTriangle.resize(guided.mesh.triangles.size(), kSurfacesObject);
+  guided.guides.walk.emplace();  // nobody walks on its box
   return guided;
 }
 

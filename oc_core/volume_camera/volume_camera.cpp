@@ -30,9 +30,10 @@ RayFunction raysOf(const std::shared_ptr<const CurvedRayCamera>& camera, const V
   for (int axis = 0; axis < 3; ++axis) {
     voxel = std::min(voxel, glm::length(glm::dvec3(scene.worldFromIndex[axis])));
   }
-  return [camera, points = camera->arcPointsWithin(kDeviation * voxel)](const glm::vec2& pixel) {
-    return camera->rayPath(pixel, points);
-  };
+  // Surfaces have edges that are finer than voxels.
+  const size_t points =
+      scene.surfaces.empty() ? camera->arcPointsWithin(kDeviation * voxel) : CurvedRayCamera::kArcPoints;
+  return [camera, points](const glm::vec2& pixel) { return camera->rayPath(pixel, points); };
 }
 
 VolumeCamera multiperspectiveAt(const std::string& nameOrFile, const PinholeCamera& reference,

@@ -7,6 +7,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 #include <glm/vector_relational.hpp>
+#include <limits>
 
 namespace ocelli {
 namespace {
@@ -46,9 +47,14 @@ bool VolumeExtent::misses(const HullPieces& hull) const {
     glm::bvec3 above(true);
     for (const glm::dvec3& point : hull.piece(piece)) {
       const glm::dvec3 p(indexFromWorld_ * glm::dvec4(point, 1));
+      // By so much may the points of rays, in single precision, lie beside.
+      const glm::dvec3 room =
+          4.0 * std::numeric_limits<float>::epsilon() *
+          (glm::abs(glm::dvec3(indexFromWorld_[0]) * point.x) + glm::abs(glm::dvec3(indexFromWorld_[1]) * point.y) +
+           glm::abs(glm::dvec3(indexFromWorld_[2]) * point.z));
       for (int axis = 0; axis < 3; ++axis) {
-        below[axis] = below[axis] && p[axis] < lower[axis];
-        above[axis] = above[axis] && p[axis] > upper[axis];
+        below[axis] = below[axis] && p[axis] + room[axis] < lower[axis];
+        above[axis] = above[axis] && p[axis] - room[axis] > upper[axis];
       }
     }
     if (!glm::any(below) && !glm::any(above)) {

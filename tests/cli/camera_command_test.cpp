@@ -161,6 +161,7 @@ TEST_F(CameraCommand, filesSayTheSizeOfTheirImages) {
 TEST_F(CameraCommand, errorsSayWhatToDo) {
   const std::string png = " -o " + path("x.png");
   folder_.write("out.json", R"({"camera": "gpc", "regions": [{"zoom": 0.9}]})");
+  folder_.write("wall.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
   folder_.write("away.json", R"({"eye": [0, 0, 10], "target": [0, 0, 20], "fov_vertical_degrees": 20})");
   for (const auto& [arguments, message] : std::vector<std::pair<std::string, std::string>>{
            {"camera show builtin:box --camera nothing", "no camera \"nothing\"\n  try: use gpc, graph, curved"},
@@ -170,7 +171,7 @@ TEST_F(CameraCommand, errorsSayWhatToDo) {
            {"camera show builtin:box --cut nan --camera " + path("cross.json"), "--cut"},
            {"camera edit builtin:box --edits /tmp --camera " + path("cross.json") + " -o " + path("e.json"), "/tmp"},
            {"render builtin:box --identity " + path("x.png") + " --camera " + path("cross.json"), "both would go into"},
-           {"camera show builtin:box --camera comprehensive", "maze"},
+           {"camera show " + path("wall.obj") + " --camera comprehensive", "no floor"},
            {"camera compare builtin:box --camera ddoc -o " + path("focus"), "no regions of detail"},
            {"camera compare builtin:box --camera " + path("out.json") + " -o " + path("focus"), "zoom by more than 1"},
            {"camera compare builtin:box --camera gpc --view " + path("away.json") + " -o " + path("focus"), "view"},
@@ -207,7 +208,8 @@ TEST_F(CameraCommand, imagesOfEveryCameraBecomeMeshesAndVolumes) {
   };
   EXPECT_THAT(errorOf("builtin:maze --camera comprehensive --viewers 2"), HasSubstr("made for one viewer"));
   EXPECT_THAT(errorOf("builtin:maze --camera comprehensive --construction gl"), HasSubstr("use auto, raster or rays"));
-  EXPECT_THAT(errorOf("builtin:teapot --camera comprehensive"), HasSubstr("maze"));
+  folder_.write("wall.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nf 1 2 3\nf 1 3 4\n");
+  EXPECT_THAT(errorOf(path("wall.obj") + " --camera comprehensive"), HasSubstr("no floor"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "b.exr"));
 }
 

@@ -215,7 +215,7 @@ TEST_F(RenderVolume, SaysWhatIsWrong) {
   EXPECT_THAT(errorOf("--no-textures"), HasSubstr("--no-textures"));
   EXPECT_THAT(errorOf("--camera corners-8"), HasSubstr("union"));
   EXPECT_THAT(errorOf("--camera simplified"), HasSubstr("is a mesh"));
-  EXPECT_THAT(errorOf("--camera comprehensive"), HasSubstr("maze"));
+  EXPECT_THAT(errorOf("--camera comprehensive"), HasSubstr("no floor to walk on"));
   const std::string away = folder_.write("away.json", R"({"eye": [0, 0, 10], "target": [0, 0, 20]})").string();
   EXPECT_THAT(errorOf("--view " + away), HasSubstr("outside of the view"));
   EXPECT_THAT(errorOf("--clip 'x>5'"), HasSubstr("transparent"));

@@ -125,7 +125,6 @@ TEST(Shade, saysWhatIsWrong) {
   expectError("shade builtin:teapot --by di --compare", "--roles FILE.json");
   expectError("shade builtin:mirror --by di --compare --size 0x0", "--size");
   expectError("shade builtin:mirror --by di:by-frusta --compare", "no graph camera");
-  expectError("shade builtin:mirror --by comprehensive --compare --size 60x40", "maze");
   expectError("shade builtin:boxes --effect ambient --by horizon --compare --radius wide", "--radius");
   expectError("shade builtin:boxes --effect ambient --by di:horizon --compare", "no graph camera");
   expectError("shade builtin:mirror --by di --compare --order 0", "--order");

@@ -68,9 +68,10 @@ TEST(GraphProxies, areNamedAsConstructorsAndFiles) {
               ThrowsMessage<InputError>(HasSubstr("no frusta to walk through")));
 }
 
-TEST(GraphProxies, needAMazeWhereTheyAreOfOne) {
+TEST(GraphProxies, needWaysWhereTheyShowAllOfThem) {
   ShadedScene scene = test::mirrorBeforeBox();
   scene.whole.mesh = scene.cast;
+  scene.whole.guides.walk.emplace();  // it is known that nobody walks there
   const Box senders = boundsOf(scene.mirrors);
   const PinholeCamera reference(referenceView(scene.cast, senders, 90, 60), 90, 60);
   const Progress none;

@@ -56,7 +56,8 @@ TEST(VolumeBricks, HoldTheRangeOfTheFieldInThem) {
 }
 
 TEST(VolumeBricks, CoverTheBox) {
-  const VolumeBricks bricks(randomVolume({17, 18, 1}));
+  constexpr int kEdge = VolumeBricks::kEdge;
+  const VolumeBricks bricks(randomVolume({kEdge + 1, kEdge + 2, 1}));
   EXPECT_EQ(bricks.size(), glm::ivec3(1, 2, 1));
 }
 

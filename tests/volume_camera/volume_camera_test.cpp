@@ -112,7 +112,7 @@ TEST(VolumeCamera, OcclusionCamerasAreBuiltFromWhatIsOpaque) {
 }
 
 TEST_F(VolumeCameras, RefuseWhatAVolumeDoesNotKnow) {
-  EXPECT_THAT(errorOf("comprehensive"), HasSubstr("maze"));
+  EXPECT_THAT(errorOf("comprehensive"), HasSubstr("no floor to walk on"));
   EXPECT_THAT(errorOf("target"), HasSubstr("no target"));
   EXPECT_THAT(errorOf("path"), HasSubstr("path"));
   EXPECT_THAT(errorOf("nonsense"), HasSubstr("there is no camera"));

@@ -11,6 +11,12 @@ float largest(vec2 v) {
   return max(abs(v.x), abs(v.y));
 }
 
+// Of a triangle without area on that grid, any point is as good.
+vec3 normalized(vec3 weights) {
+  float sum = weights.x + weights.y + weights.z;
+  return sum > 0.0 ? weights / sum : vec3(1.0 / 3.0);
+}
+
 vec3 weightsAt(vec3 a, vec3 b, vec3 c, vec2 at) {
   vec3 weights;  // times 1/z at the corner: linear over the image
   bool inFront = min(a.z, min(b.z, c.z)) >= zNear;
@@ -33,7 +39,7 @@ vec3 weightsAt(vec3 a, vec3 b, vec3 c, vec2 at) {
     // Their sum has the sign of the side that is seen; a weight of the other sign is rounding.
     weights = max(weights * sign(weights.x + weights.y + weights.z), 0.0);
   }
-  return weights / (weights.x + weights.y + weights.z);
+  return normalized(weights);
 }
 
 // The same for corners given as image coordinates times their weights, and the weights, of any projection: weights of
@@ -58,5 +64,5 @@ vec3 weightsOfImages(vec3 a, vec3 b, vec3 c, vec2 at) {
     weights = vec3(dot(cross(b, c), ray), dot(cross(c, a), ray), dot(cross(a, b), ray));
     weights = max(weights * sign(weights.x + weights.y + weights.z), 0.0);
   }
-  return weights / (weights.x + weights.y + weights.z);
+  return normalized(weights);
 }
