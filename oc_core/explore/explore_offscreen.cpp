@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_folder.h"
 #include "oc_core/base/steady_time.h"
 
 namespace ocelli {
@@ -22,7 +23,7 @@ class OffscreenSession final : public ExploreSession {
   OffscreenSession(ExploreScene& scene, ExploreOffscreenOptions options)
       : options_(std::move(options)), explorer_(scene, options_.explorer), renderer_(scene), jumps_(scene) {
     if (options_.start) {
-      explorer_.walker().jump(*options_.start);
+      explorer_.jumpTo(*options_.start);
       showFrame({});
     }
     if (!options_.camera.empty()) {
@@ -68,14 +69,7 @@ class OffscreenSession final : public ExploreSession {
   }
 
   std::filesystem::path pathOf(const std::string& file) override {
-    std::filesystem::path path = options_.folder / file;
-    std::error_code error;
-    std::filesystem::create_directories(path.parent_path(), error);
-    if (error) {
-      throw WorkError("the folder cannot be made: " + error.message(), path.parent_path().string(),
-                      "choose another with --output");
-    }
-    return path;
+    return pathInFolder(options_.folder, file, "script");
   }
   void wrote(const std::filesystem::path& path) override {
     if (options_.wrote) {
