@@ -10,6 +10,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_folder.h"
 #include "oc_core/base/steady_time.h"
+#include "oc_core/explore/explore_shown_camera.h"
 
 namespace ocelli {
 namespace {
@@ -27,7 +28,7 @@ class OffscreenSession final : public ExploreSession {
       showFrame({});
     }
     if (!options_.camera.empty()) {
-      explorer_.choose(options_.camera);
+      exploreFrom(explorer_, options_.camera);
       showFrame({});
     }
   }
