@@ -44,7 +44,8 @@ void addCameraDraw(CLI::App& camera, const CommandContext& context) {
   addSceneOptions(command, choice->scene, context);
   addViewOption(command, choice->view);
   command
-      .add_option("--script", choice->script, "The steps (docs/explore.md). Files that it writes go beside the camera")
+      .add_option("--script", choice->script,
+                  "The steps (docs/drawing_cameras.md). Files that it writes go beside the camera")
       ->type_name("FILE.json")
       ->required();
   addOutputOption(command, choice->output, "Where the camera goes", {".json"});

@@ -15,6 +15,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/explore/explore_offscreen.h"
+#include "oc_core/explore/explore_shown_camera.h"
 #include "oc_core/walkable/walkable.h"
 
 namespace ocelli {
@@ -50,7 +51,7 @@ void printReport(const ExploreReport& report, const ExploreChoice& choice, const
     const ExploreTimes& times = report.times;
     context.print(
         fmt::format("frames      {}\nms a frame  {:.1f} median, {:.1f} of 90 %, {:.1f} of 99 %\n"
-                    "frames a second  {:.1f}\nprocessor   {:.1f} ms a frame, all threads together\n",
+                    "frames a second  {:.1f}\nCPU time    {:.1f} ms a frame, all threads together\n",
                     report.frames, times.percentile(0.5), times.percentile(0.9), times.percentile(0.99),
                     1000 / std::max(times.mean(), 1e-9), times.processorMeanMs));
   }
@@ -92,6 +93,9 @@ void explore(const ExploreChoice& choice, const CommandContext& context) {
   if (!choice.view.empty()) {
     offscreen.start = walkerViewOf(readViewOption(choice.view));
   }
+  if (!choice.camera.empty()) {
+    checkExploreCamera(choice.camera);
+  }
   offscreen.camera = choice.camera;
   const auto read = [&](const Progress& progress) { return openScene(choice, progress); };
   if (!plays) {
@@ -123,8 +127,10 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
   for (const LiveConstructorRow& row : liveConstructors()) {
     cameras += fmt::format("\n  {}: {}", row.name, row.description);
   }
-  command.add_option("--camera", choice->camera, "What to begin with, by default the pinhole:" + cameras)
-      ->type_name("NAME");
+  command
+      .add_option("--camera", choice->camera,
+                  "What to begin with, by default the pinhole; or a camera's file, shown as it is:" + cameras)
+      ->type_name("NAME|FILE.json");
   addViewOption(command, choice->view);
   command
       .add_option("--metre", choice->metre,

@@ -29,7 +29,7 @@ void addExploreWindowOptions(CLI::App& command, ExploreWindowChoice& choice) {
 void checkExploreWindow(const ExploreWindowChoice& choice, bool plays, bool measures) {
   const auto require = [](bool given, bool holds, const std::string& option, const std::string& next) {
     if (given && !holds) {
-      throw InputError("this means nothing here", option, next);
+      throw InputError("this option has no effect here", option, next);
     }
   };
   require(choice.window, plays, "--window", "give --offscreen SCRIPT.json; without it there is a window anyhow");

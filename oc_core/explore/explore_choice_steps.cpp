@@ -1,11 +1,14 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
+#include "oc_core/explore/explore_shown_camera.h"
 #include "oc_core/explore/explore_steps.h"
 
 namespace ocelli {
@@ -65,11 +68,9 @@ ExploreStep readOption(JsonFields& fields) {
 ExploreStep readCamera(JsonFields& fields) {
   const std::string camera = fields.shortText("camera", kMaxText);
   return [=](ExploreSession& session) {
-    Explorer& explorer = session.explorer();
-    const PinholeCamera& view = explorer.frame().pinhole;
-    const std::optional<glm::ivec2> size = sizeInFile(camera);
-    const PinholeCamera reference = size ? PinholeCamera(view.view(), size->x, size->y) : view;
-    explorer.showDrawn(constructCamera(camera, explorer.scene().scene(), reference), camera);
+    const auto& named = cameraConstructors();
+    const bool isName = std::ranges::any_of(named, [&](const CameraConstructor& each) { return camera == each.name; });
+    showCamera(session.explorer(), isName ? camera : (session.scriptFolder / camera).string());
     session.showFrame({});
   };
 }
@@ -126,9 +127,9 @@ ExploreStep readExpect(JsonFields& fields) {
 std::vector<ExploreStepKind> exploreChoiceSteps() {
   return {
       {"choose", "a constructor of cameras", readChoose},
-      {"pick", "a pixel of the picture that is clicked", readPick},
+      {"pick", "a pixel of the image that is clicked", readPick},
       {"option", "an option of the constructor, and its value", readOption},
-      {"camera", "a camera's name or JSON file, shown as it is", readCamera},
+      {"camera", "a camera's name, or a JSON file beside the script, shown as it is", readCamera},
       {"save", "an image of what is seen", readSave},
       {"save_camera", "the camera of this moment, as --camera takes it", readSaveCamera},
       {"record", "from here on every frame goes to a video", readRecord},

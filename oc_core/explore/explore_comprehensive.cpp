@@ -22,9 +22,7 @@ class LiveComprehensive final : public LiveConstructor {
     }
     LiveCamera live{*made_};
     const std::optional<ImagePoint> here = made_->project(glm::vec3(moment.walker.eye));
-    live.notes.push_back({ExploreNote::Kind::kState, here
-                                                         ? "all of it in one image"
-                                                         : "all of it in one image; you stand where it does not show"});
+    live.notes.push_back({ExploreNote::Kind::kState, here ? note_ : note_ + "; you stand where it does not show"});
     return live;
   }
 

@@ -11,8 +11,9 @@ constexpr size_t kMaxDrawFile = 4096;  // characters of its name
 
 /// The drawing begins as the walker looks, unless its script says otherwise; what it leads to is shown.
 ExploreStep readDraw(JsonFields& fields) {
-  const std::string file = fields.shortText("draw", kMaxDrawFile);
-  return [file](ExploreSession& session) {
+  const std::string name = fields.shortText("draw", kMaxDrawFile);
+  return [name](ExploreSession& session) {
+    const std::string file = (session.scriptFolder / name).string();
     Explorer& explorer = session.explorer();
     const EditorScript script = editorScriptFromJsonText(readFile(file, kMaxTextBytes), file);
     EditorSession drawing =

@@ -70,6 +70,9 @@ class LiveMaze final : public LiveConstructor {
     if (!space_) {
       space_.emplace(*moment.scene.walkMap());
     }
+    // The walker is somewhere else: a turn that was begun is over.
+    turn_.reset();
+    wish_.reset();
     WalkerView view = moment.walker;
     view.pitchDegrees = 0;
     const std::optional<uint32_t> cell = space_->cellAt(view.eye);

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_folder.h"
 #include "oc_core/base/steady_time.h"
+#include "oc_core/explore/explore_shown_camera.h"
 
 namespace ocelli {
 namespace {
@@ -22,11 +24,11 @@ class OffscreenSession final : public ExploreSession {
   OffscreenSession(ExploreScene& scene, ExploreOffscreenOptions options)
       : options_(std::move(options)), explorer_(scene, options_.explorer), renderer_(scene), jumps_(scene) {
     if (options_.start) {
-      explorer_.walker().jump(*options_.start);
+      explorer_.jumpTo(*options_.start);
       showFrame({});
     }
     if (!options_.camera.empty()) {
-      explorer_.choose(options_.camera);
+      exploreFrom(explorer_, options_.camera);
       showFrame({});
     }
   }
@@ -68,14 +70,7 @@ class OffscreenSession final : public ExploreSession {
   }
 
   std::filesystem::path pathOf(const std::string& file) override {
-    std::filesystem::path path = options_.folder / file;
-    std::error_code error;
-    std::filesystem::create_directories(path.parent_path(), error);
-    if (error) {
-      throw WorkError("the folder cannot be made: " + error.message(), path.parent_path().string(),
-                      "choose another with --output");
-    }
-    return path;
+    return pathInFolder(options_.folder, file, "script");
   }
   void wrote(const std::filesystem::path& path) override {
     if (options_.wrote) {

@@ -22,7 +22,7 @@ struct ExploreRecording {
 struct ExploreOffscreenOptions {
   ExplorerOptions explorer{};
   std::optional<WalkerView> start{};   ///< nothing: an open place
-  std::string camera{};                ///< the constructor to begin with; empty: the pinhole
+  std::string camera{};                ///< a live constructor or a camera's file to begin with; empty: the pinhole
   std::filesystem::path folder = ".";  ///< for what the script saves
   bool measureTimes = false;           ///< every frame is drawn
   bool measureJumps = false;           ///< every frame is drawn, and those of the pinhole

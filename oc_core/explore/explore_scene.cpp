@@ -15,6 +15,9 @@ constexpr double kMinMetricSize = 4;  // metres across: smaller scenes are in ot
 constexpr double kMaxMetricSize = 20'000;
 constexpr double kOtherSize = 50;  // what such scenes are taken to be across, metres
 
+/// Thrown through a search whose scene is not needed any more.
+struct SearchStopped {};
+
 double metreOf(const Box& bounds, const ExploreSceneOptions& options) {
   if (options.metre) {
     return *options.metre;
@@ -53,6 +56,7 @@ ExploreScene::ExploreScene(GuidedScene scene, ExploreSceneOptions options)
 }
 
 ExploreScene::~ExploreScene() {
+  stopsSearch_ = true;
   if (searching_.joinable()) {
     searching_.join();
   }
@@ -84,12 +88,17 @@ void ExploreScene::search() {
   std::optional<WalkMap> found;
   try {
     found = options_.findWays(scene_.mesh, metre_, [this](std::string_view stage, double fraction) {
+      if (stopsSearch_) {
+        throw SearchStopped{};
+      }
       const std::scoped_lock lock(mutex_);
       status_.stage = stage;
       status_.fraction = fraction;
     });
   } catch (const std::exception& error) {
     ended = {WalkMapStatus::State::kFailed, {}, 0, error.what()};
+  } catch (...) {
+    ended = {WalkMapStatus::State::kFailed, {}, 0, "the search for where one can walk has not ended"};
   }
   const std::scoped_lock lock(mutex_);
   found_ = std::move(found);

@@ -5,6 +5,7 @@
 // multiplied by metre().
 #pragma once
 
+#include <atomic>
 #include <functional>
 #include <memory>
 #include <mutex>
@@ -50,7 +51,7 @@ class ExploreScene {
  public:
   /// Throws InputError where the scene is empty.
   explicit ExploreScene(GuidedScene scene, ExploreSceneOptions options = {});
-  /// Waits for the search for ways.
+  /// Ends the search for ways at its next step.
   ~ExploreScene();
   ExploreScene(const ExploreScene&) = delete;
   ExploreScene& operator=(const ExploreScene&) = delete;
@@ -92,6 +93,7 @@ class ExploreScene {
   mutable std::mutex mutex_;  ///< guards what follows
   WalkMapStatus status_;
   std::optional<WalkMap> found_;
+  std::atomic<bool> stopsSearch_{false};
   std::thread searching_;
 };
 

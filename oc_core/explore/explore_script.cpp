@@ -64,10 +64,13 @@ ExploreScript exploreScriptFromJsonText(const std::string& text, const std::stri
 }
 
 ExploreScript readExploreScript(const std::filesystem::path& path) {
-  return exploreScriptFromJsonText(readFile(path), path.string());
+  ExploreScript script = exploreScriptFromJsonText(readFile(path), path.string());
+  script.folder = path.parent_path();
+  return script;
 }
 
 void play(const ExploreScript& script, ExploreSession& session) {
+  session.scriptFolder = script.folder;
   for (const ExploreScript::Step& step : script.steps) {
     try {
       step.play(session);

@@ -31,6 +31,9 @@ class ExploreSession {
  public:
   virtual ~ExploreSession() = default;
 
+  /// Of the script that is played: what its steps read is named from there.
+  std::filesystem::path scriptFolder{};
+
   virtual Explorer& explorer() = 0;
   /// One frame: time passes by 1 / kExploreFramesPerSecond, and the picture is shown, and recorded where that is on.
   virtual void showFrame(const WalkInput& input) = 0;
@@ -63,6 +66,7 @@ Registry<ExploreStepKind>& exploreStepKinds();
 struct ExploreScript {
   int width = 1280;
   int height = 720;
+  std::filesystem::path folder{};  ///< that the script lies in
   struct Step {
     std::string where;  ///< in messages
     ExploreStep play;

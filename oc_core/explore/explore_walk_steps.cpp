@@ -1,3 +1,5 @@
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
@@ -32,6 +34,11 @@ ExploreStep readWalk(JsonFields& fields) {
     const int frames = framesFor(way / speed);
     if (frames == 0) {
       return;
+    }
+    if (frames > framesFor(kMaxExploreSeconds)) {
+      throw InputError(
+          fmt::format("the walk takes {:.0f} minutes, and may take {:.0f}", way / speed / 60, kMaxExploreSeconds / 60),
+          "", "make several steps of it, walk fast, or give a greater --speed");
     }
     // The last frame ends where it should, so all are a little shorter.
     const double share = kExploreFramesPerSecond / (speed * frames);
@@ -78,7 +85,7 @@ ExploreStep readGo(JsonFields& fields) {
     if (glides) {
       explorer.glideTo(view);
     } else {
-      explorer.walker().jump(view);
+      explorer.jumpTo(view);
     }
     session.showFrame({});
   };
@@ -90,6 +97,10 @@ ExploreStep readWait(JsonFields& fields) {
     session.showFrame({});
     for (int i = 0; i < kRestFrames && !session.explorer().atRest(); ++i) {
       session.showFrame({});
+    }
+    if (!session.explorer().atRest()) {
+      throw InputError(fmt::format("it has not come to rest within {} frames", kRestFrames), "",
+                       "leave the step out, or let time pass with {\"seconds\": 5}");
     }
   };
 }

@@ -181,7 +181,7 @@ void Explorer::move(const WalkInput& input, double seconds) {
     state.arrived = true;
     const std::optional<WalkerView> wanted = state.live.constructor->wantedView(moment);
     if (wanted && !(*wanted == walker_.view())) {
-      glideTo(*wanted);
+      state.glide = Glide{walker_.view(), *wanted, 0};
       return;
     }
   }
@@ -202,6 +202,13 @@ void Explorer::move(const WalkInput& input, double seconds) {
 
 void Explorer::glideTo(const WalkerView& view) {
   state_->glide = Glide{walker_.view(), view, 0};
+  state_->arrived = false;
+}
+
+void Explorer::jumpTo(const WalkerView& view) {
+  walker_.jump(view);
+  state_->glide.reset();
+  state_->arrived = false;
 }
 
 bool Explorer::waysMissing() const {
@@ -339,6 +346,8 @@ void Explorer::setOption(std::string_view name, double value) {
   }
   const double stepped = option.step > 0 ? std::round(value / option.step) * option.step : value;
   chosen.wanted[index] = stepped;
+  // Of several that wait, the last one counts.
+  std::erase_if(chosen.options, [&](const OptionWish& wish) { return wish.index == index; });
   if (!option.steady && chosen.constructor->option(index) != stepped) {
     chosen.options.push_back({index, stepped});
   }

@@ -48,8 +48,11 @@ class Explorer {
   const ExploreScene& scene() const { return scene_; }
   ExploreWalker& walker() { return walker_; }
   const ExploreWalker& walker() const { return walker_; }
-  /// Glides to a view: the walker is led there, through walls if need be. A jump is walker().jump().
+  /// Glides to a view: the walker is led there, through walls if need be. A constructor that leads the walker, such as
+  /// `path`, leads on from there.
   void glideTo(const WalkerView& view);
+  /// The same at once.
+  void jumpTo(const WalkerView& view);
   void resize(int width, int height);
 
   /// By name; throws InputError for an unknown one. The one that is chosen, though the one before may still collapse.

@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <exception>
 #include <future>
 #include <optional>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
@@ -39,13 +41,21 @@ class DrawBackdrop {
       const auto promise = std::make_shared<std::promise<PlanBackdrop>>();
       coming_ = promise->get_future();
       work.tell([promise, scene, side, eye](ExploreWindowModel&) {
-        promise->set_value(planBackdrop(scene->mesh(), side, eye, kBackdropPixels));
+        try {
+          promise->set_value(planBackdrop(scene->mesh(), side, eye, kBackdropPixels));
+        } catch (...) {
+          promise->set_exception(std::current_exception());
+          throw;  // which is said
+        }
         return std::string();
       });
     }
     if (coming_.valid() && coming_.wait_for(std::chrono::seconds(0)) == std::future_status::ready) {
-      backdrop_ = coming_.get();
-      ground_ = std::exchange(backdrop_->ground, Image<Rgb8>());
+      try {
+        backdrop_ = coming_.get();
+        ground_ = std::exchange(backdrop_->ground, Image<Rgb8>());
+      } catch (const std::exception&) {  // said already: the plan stays without it
+      }
     }
     return backdrop_ ? &*backdrop_ : nullptr;
   }
@@ -150,14 +160,29 @@ class DrawPane : public ExplorePane {
     }
     const bool isCurved = frame.state.drawAnew == ExploreWindowState::DrawAnew::kCurved;
     frame.state.drawAnew.reset();
-    scene_ = frame.picture->scene;
+    const std::shared_ptr<const ExploreScene> scene = frame.picture->scene;
     const PinholeCamera& root = *frame.picture->pinholeCamera;
+    std::unique_ptr<FrustumEditor> editor;
+    std::unique_ptr<EditorInput> input;
+    try {
+      editor = std::make_unique<FrustumEditor>(
+          isCurved ? FrustumEditor::newCurvedCamera(root) : FrustumEditor::newGraphCamera(root), "a new camera", root,
+          scene->mesh(), scene->guides());
+      input = std::make_unique<EditorInput>(*editor, scene->bounds(), [this] { wantsSave_ = true; });
+    } catch (const InputError& error) {
+      // Camera files do not take every view: too far away, or too near to it.
+      say(frame, error);
+      frame.state.shown.erase("draw");
+      frame.state.shown.insert("plan");
+      frame.state.active = "view";
+      return;
+    }
+    // Each needs the one after it.
+    input_ = std::move(input);
+    editor_ = std::move(editor);
+    scene_ = scene;
     eye_ = glm::dvec3(root.eye());
-    input_.reset();
-    editor_ = std::make_unique<FrustumEditor>(
-        isCurved ? FrustumEditor::newCurvedCamera(root) : FrustumEditor::newGraphCamera(root), "a new camera", root,
-        scene_->mesh(), scene_->guides());
-    input_ = std::make_unique<EditorInput>(*editor_, scene_->bounds(), [this] { wantsSave_ = true; });
+    backdrops_ = {};  // those of where the eye was
     shownRevision_ = -1;
   }
 
@@ -208,8 +233,7 @@ class DrawPane : public ExplorePane {
     try {
       editor_->open(readFile(file, kMaxTextBytes), file);
     } catch (const InputError& error) {
-      frame.state.message = error.what();
-      frame.state.messageIsError = true;
+      say(frame, error);
     }
     show(frame);
   }
@@ -222,13 +246,21 @@ class DrawPane : public ExplorePane {
     }
     shownRevision_ = editor_->revision();
     shownSmall_ = isSmall;
-    const glm::ivec2 small =
-        glm::max(glm::ivec2(editor_->drawn().imageSize()) / EditorPreview::kSmaller, glm::ivec2(1));
-    frame.work.tell(
-        [camera = isSmall ? editor_->cameraOfSize(small.x, small.y) : editor_->camera()](ExploreWindowModel& model) {
-          model.showDrawn(camera, "drawn by hand");
-          return std::string();
-        });
+    const int small = std::max(1, static_cast<int>(editor_->drawn().imageSize().x) / EditorPreview::kSmaller);
+    try {
+      frame.work.tell(
+          [camera = isSmall ? editor_->cameraOfWidth(small) : editor_->camera()](ExploreWindowModel& model) {
+            model.showDrawn(camera, "drawn by hand");
+            return std::string();
+          });
+    } catch (const Error& error) {
+      say(frame, error);
+    }
+  }
+
+  static void say(const ExplorePaneFrame& frame, const Error& error) {
+    frame.state.message = error.what();
+    frame.state.messageIsError = true;
   }
 
   static constexpr GuiColor kDrawPaper{246, 246, 243};

@@ -12,13 +12,19 @@
 namespace ocelli {
 namespace {
 
+constexpr int kMaxFormDigits = 3;
+
 /// As many digits as steps need.
 std::string formValueText(const WindowField& field) {
   const auto index = static_cast<size_t>(std::max(field.value, 0.0));
   if (!field.names.empty()) {
     return field.names[std::min(index, field.names.size() - 1)];
   }
-  const int digits = field.step >= 1 ? 0 : field.step >= 0.1 ? 1 : 2;
+  // Of the step: 0.025 has three. A value between steps has no more.
+  int digits = 0;
+  for (double step = field.step; digits < kMaxFormDigits && std::abs(step - std::round(step)) > 1e-6; step *= 10) {
+    ++digits;
+  }
   return fmt::format("{:.{}f}{}{}", field.value, digits, field.unit.empty() ? "" : " ", field.unit);
 }
 

@@ -62,6 +62,8 @@ class ExplorePane {
   virtual bool handlePointer(const ExplorePaneFrame& frame, const InputEvent& event, const glm::vec2& pointer);
   /// A key, while this pane has the keyboard (state.active). Whether it has used it: else it is one of the window's.
   virtual bool handleKey(const ExplorePaneFrame& frame, const KeyEvent& event);
+  /// Buttons that were pressed count as let go: the window has no focus any more.
+  virtual void loseFocus() {}
   /// What handleKey() does; empty for nothing.
   virtual std::vector<ExplorePaneHelp> help() const { return {}; }
 };

@@ -57,8 +57,13 @@ void ExploreRecorder::add(const Image<Rgb8>& frame, double seconds) {
       }
     }
   }
-  for (; frames_ < due; ++frames_) {
-    recording_->add(fits ? frame : cut);
+  try {
+    for (; frames_ < due; ++frames_) {
+      recording_->add(fits ? frame : cut);
+    }
+  } catch (...) {
+    recording_.reset();
+    throw;
   }
 }
 

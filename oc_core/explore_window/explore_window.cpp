@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/free_file_name.h"
@@ -21,13 +22,27 @@ constexpr double kMessageSeconds = 4;
 constexpr double kHintOver = 60;
 constexpr double kFrameSmoothing = 0.1;  // share of the newest picture in the rate that is shown
 
+/// Under the next free name, which stays free where it cannot be written. Returns it.
+std::string writeNextFree(const std::filesystem::path& folder, const std::string& stem, const std::string& ending,
+                          const std::function<void(const std::filesystem::path& path)>& write) {
+  const std::filesystem::path path = makeFreeFile(folder, stem, ending);
+  try {
+    write(path);
+  } catch (...) {
+    std::error_code ignored;
+    std::filesystem::remove(path, ignored);
+    throw;
+  }
+  return path.string();
+}
+
 /// Returns where.
 std::string writeCamera(const std::filesystem::path& folder, const std::string& text) {
-  const std::filesystem::path path = makeFreeFile(folder, "camera", ".json");
-  OutputFile file(path);
-  file.write(text);
-  file.commit();
-  return path.string();
+  return writeNextFree(folder, "camera", ".json", [&](const std::filesystem::path& path) {
+    OutputFile file(path);
+    file.write(text);
+    file.commit();
+  });
 }
 
 }  // namespace
@@ -256,15 +271,17 @@ void ExploreWindow::performWishes() {
 }
 
 void ExploreWindow::saveImage() {
-  const std::filesystem::path path = makeFreeFile(options_.folder, "explore", ".png");
-  writePng(path, screenshot());
-  say("saved " + path.string(), false);
+  say("saved " + writeNextFree(options_.folder, "explore", ".png",
+                               [this](const std::filesystem::path& path) { writePng(path, screenshot()); }),
+      false);
 }
 
 void ExploreWindow::saveCamera() {
   // On the thread that walks, so that it is the camera of a moment.
   work_.tell([folder = options_.folder](const ExploreWindowModel& model) {
-    return "saved " + writeCamera(folder, model.cameraFile()) + ", for --camera";
+    // The camera first: where there is none, no file is made.
+    const std::string text = model.cameraFile();
+    return "saved " + writeCamera(folder, text) + ", for --camera" + model.cameraFileLacks();
   });
 }
 

@@ -115,6 +115,9 @@ void ExploreWindow::loseFocus() {
   padMotion_ = {};
   state_.captured = false;
   isPressed_ = false;
+  for (const std::unique_ptr<ExplorePane>& pane : panes_) {
+    pane->loseFocus();
+  }
   needsDrawing_ = true;
 }
 

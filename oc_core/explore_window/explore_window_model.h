@@ -155,6 +155,8 @@ class ExploreWindowModel {
   virtual void goTo(const glm::vec2& planPoint) = 0;
   /// The camera as the file that `--camera` takes.
   virtual std::string cameraFile() const = 0;
+  /// What the view shows and that file does not hold, to be added to a sentence; empty for nothing.
+  virtual std::string cameraFileLacks() const { return {}; }
 };
 
 }  // namespace ocelli

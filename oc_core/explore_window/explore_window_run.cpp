@@ -1,10 +1,13 @@
 #include "oc_core/explore_window/explore_window_run.h"
 
 #include <chrono>
+#include <filesystem>
+#include <optional>
 #include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/free_file_name.h"
+#include "oc_core/base/output_folder.h"
 #include "oc_core/explore_window/explore_window.h"
 #include "oc_core/window/gamepads.h"
 #include "oc_core/window/gl_window.h"
@@ -47,7 +50,12 @@ class ExploreRun {
       record(seconds);
     }
     if (recorder_.isOn()) {
-      stopRecording();
+      try {
+        stopRecording();
+      } catch (...) {
+        freeName();
+        throw;
+      }
     }
   }
 
@@ -83,11 +91,11 @@ class ExploreRun {
         if (recorder_.isOn()) {
           stopRecording();
         } else {
-          startRecording(makeFreeFile(options_.folder, "explore", ".mp4"));
+          madeFile_ = makeFreeFile(options_.folder, "explore", ".mp4");
+          startRecording(*madeFile_);
         }
       } catch (const Error& error) {
-        explore_.state().recording = recorder_.isOn();
-        explore_.say(error.what(), true);
+        sayRecordingFailed(error);
       }
     }
   }
@@ -99,6 +107,7 @@ class ExploreRun {
   void stopRecording() {
     explore_.state().recording = false;
     recorder_.stop();
+    madeFile_.reset();
     explore_.say("saved " + recorder_.path().string(), false);
     if (options_.wrote) {
       options_.wrote(recorder_.path());
@@ -111,7 +120,27 @@ class ExploreRun {
     }
     sinceRecorded_ += seconds;
     if (recorder_.isDue(sinceRecorded_)) {
-      recorder_.add(explore_.screenshot(), std::exchange(sinceRecorded_, 0));
+      try {
+        recorder_.add(explore_.screenshot(), std::exchange(sinceRecorded_, 0));
+      } catch (const Error& error) {
+        sayRecordingFailed(error);
+      }
+    }
+  }
+
+  /// One walks on.
+  void sayRecordingFailed(const Error& error) {
+    explore_.state().recording = recorder_.isOn();
+    freeName();
+    explore_.say(error.what(), true);
+  }
+
+  /// The name that the video was to have is free again.
+  void freeName() {
+    if (madeFile_) {
+      std::error_code ignored;
+      std::filesystem::remove(*madeFile_, ignored);
+      madeFile_.reset();
     }
   }
 
@@ -122,12 +151,14 @@ class ExploreRun {
   bool hasFocus_ = true;
   bool isCaptured_ = false;
   bool hasBegun_ = false;
+  std::optional<std::filesystem::path> madeFile_;  ///< empty, of the video that is recorded, but for that of --record
   double sinceRecorded_ = 0;
 };
 
 }  // namespace
 
 void runExploreWindow(const ExploreWindowRunOptions& options) {
+  makeFolder(options.folder);
   ExploreRun(options).run();
 }
 

@@ -14,14 +14,15 @@ namespace ocelli {
 struct ExploreWindowRunOptions {
   std::string title;  ///< "Ocelli: builtin:town"
   ExplorerWindowOptions model;
-  std::filesystem::path folder = ".";  ///< for what is saved
+  std::filesystem::path folder = ".";  ///< for what is saved; it is made
   OpenExploreVideo record{};
   std::optional<std::filesystem::path> video{};  ///< records from the first image on
   std::function<void(const std::filesystem::path& path)> wrote{};
   std::function<bool()> goesOn{};  ///< asked again and again: false closes the window; empty: the user does
 };
 
-/// Until the user closes it. Throws GlError where there is no display, and what the scene could not be read for.
+/// Until the user closes it. Throws WorkError where the folder cannot be made, GlError where there
+/// is no display, and what the scene could not be read for.
 void runExploreWindow(const ExploreWindowRunOptions& options);
 
 }  // namespace ocelli

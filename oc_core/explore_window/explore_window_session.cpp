@@ -5,6 +5,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_folder.h"
 #include "oc_core/base/steady_time.h"
 #include "oc_core/explore_window/explore_window.h"
 
@@ -68,10 +69,7 @@ class WindowSession final : public ExploreSession {
   }
 
   std::filesystem::path pathOf(const std::string& file) override {
-    std::filesystem::path path = options_.folder / file;
-    std::error_code ignored;  // who writes there says so
-    std::filesystem::create_directories(path.parent_path(), ignored);
-    return path;
+    return pathInFolder(options_.folder, file, "script");
   }
   void wrote(const std::filesystem::path& path) override {
     if (options_.wrote) {

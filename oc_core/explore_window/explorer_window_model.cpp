@@ -8,11 +8,11 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
-#include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
 #include "oc_core/explore/explore_picking.h"
 #include "oc_core/explore/explore_renderer.h"
+#include "oc_core/explore/explore_shown_camera.h"
 #include "oc_core/explore_window/explorer_plan.h"
 
 namespace ocelli {
@@ -93,11 +93,11 @@ struct ExplorerWindowModel::State {
   State(const ExplorerWindowOptions& options, const Progress& progress)
       : scene(options.read(progress)), explorer(*scene, options.explorer), renderer(*scene) {
     if (options.start) {
-      explorer.walker().jump(*options.start);
+      explorer.jumpTo(*options.start);
     }
     start = explorer.walker().view();
     if (!options.camera.empty()) {
-      explorer.choose(options.camera);
+      exploreFrom(explorer, options.camera);
     }
     path = std::make_shared<const std::vector<glm::vec2>>(planPath(*scene));
   }
@@ -270,11 +270,7 @@ void ExplorerWindowModel::showDrawn(const MultiperspectiveCamera& camera, const 
 }
 
 void ExplorerWindowModel::openCamera(const std::string& nameOrFile) {
-  Explorer& explorer = state_->explorer;
-  const PinholeCamera& view = explorer.frame().pinhole;
-  const std::optional<glm::ivec2> size = sizeInFile(nameOrFile);
-  const PinholeCamera reference = size ? PinholeCamera(view.view(), size->x, size->y) : view;
-  explorer.showDrawn(constructCamera(nameOrFile, state_->scene->scene(), reference), nameOrFile);
+  showCamera(state_->explorer, nameOrFile);
 }
 
 void ExplorerWindowModel::toggleFlying() {
@@ -298,6 +294,10 @@ void ExplorerWindowModel::goTo(const glm::vec2& planPoint) {
 
 std::string ExplorerWindowModel::cameraFile() const {
   return std::visit([](const auto& camera) { return jsonText(camera); }, state_->explorer.frame().camera);
+}
+
+std::string ExplorerWindowModel::cameraFileLacks() const {
+  return state_->explorer.frame().behind ? ": the part ahead alone, not what is behind" : "";
 }
 
 ExploreWindowWork::Make makeExplorerModel(ExplorerWindowOptions options) {

@@ -15,7 +15,7 @@ struct ExplorerWindowOptions {
   std::function<std::shared_ptr<ExploreScene>(const Progress& progress)> read;
   ExplorerOptions explorer{};         ///< but for the size, which the window says
   std::optional<WalkerView> start{};  ///< nothing: an open place
-  std::string camera{};               ///< the constructor to begin with; empty: the pinhole
+  std::string camera{};               ///< a live constructor or a camera's file to begin with; empty: the pinhole
 };
 
 class ExplorerWindowModel : public ExploreWindowModel {
@@ -39,6 +39,7 @@ class ExplorerWindowModel : public ExploreWindowModel {
   void goToStart() override;
   void goTo(const glm::vec2& planPoint) override;
   std::string cameraFile() const override;
+  std::string cameraFileLacks() const override;
 
  private:
   struct State;

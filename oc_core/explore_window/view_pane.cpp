@@ -78,6 +78,11 @@ class ViewPane : public ExplorePane {
     return false;
   }
 
+  void loseFocus() override {
+    pressed_.reset();
+    dragged_ = false;
+  }
+
  private:
   static ExploreImageFit fitOf(const ExplorePaneFrame& frame) {
     return exploreImageFit(frame.rect, {frame.picture->view.width(), frame.picture->view.height()});

@@ -20,10 +20,8 @@ std::optional<PreviewImage> EditorPreview::next() {
   }
   if (smallRevision_ != revision) {
     smallRevision_ = revision;
-    const glm::dvec2 size = editor_->drawn().imageSize();
-    const int width = std::max(1, static_cast<int>(size.x) / kSmaller);
-    const int height = std::max(1, static_cast<int>(size.y) / kSmaller);
-    return PreviewImage{imageOf(editor_->cameraOfSize(width, height), *mesh_), false, revision};
+    const int width = std::max(1, static_cast<int>(editor_->drawn().imageSize().x) / kSmaller);
+    return PreviewImage{imageOf(editor_->cameraOfWidth(width), *mesh_), false, revision};
   }
   wholeRevision_ = revision;
   return PreviewImage{imageOf(editor_->camera(), *mesh_), true, revision};

@@ -3,6 +3,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/output_folder.h"
 
 namespace ocelli {
 namespace {
@@ -58,18 +59,7 @@ EditorSession::EditorSession(const std::string& text, const std::string& where, 
     : mesh_(&mesh), folder_(std::move(folder)), editor_(text, where, reference, mesh, guides) {}
 
 std::filesystem::path EditorSession::pathOf(const std::string& file) {
-  const std::filesystem::path path = std::filesystem::path(file).lexically_normal();
-  if (path.empty() || path.is_absolute() || *path.begin() == ".." || !path.has_filename()) {
-    throw InputError("\"" + file + "\" is no file in the folder of the script's output", "script",
-                     "give a name such as \"town.json\"");
-  }
-  const std::filesystem::path whole = folder_ / path;
-  std::error_code error;
-  std::filesystem::create_directories(whole.parent_path(), error);
-  if (error) {
-    throw WorkError("the folder cannot be made: " + error.message(), whole.parent_path().string(),
-                    "choose another folder");
-  }
+  const std::filesystem::path whole = pathInFolder(folder_, file, "script");
   written_.push_back(whole);
   return whole;
 }

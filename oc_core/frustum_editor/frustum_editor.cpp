@@ -1,6 +1,7 @@
 #include "oc_core/frustum_editor/frustum_editor.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "oc_core/base/check.h"
@@ -133,7 +134,9 @@ bool FrustumEditor::open(const std::string& text, const std::string& where) {
   return true;
 }
 
-MultiperspectiveCamera FrustumEditor::cameraOfSize(int width, int height) const {
+MultiperspectiveCamera FrustumEditor::cameraOfWidth(int width) const {
+  const glm::dvec2 size = drawn_->imageSize();
+  const int height = std::max(1, static_cast<int>(std::lround(width * size.y / size.x)));
   const PinholeCamera reference(editor_.reference().view(), width, height);
   return CameraEditor::cameraOf(text_, kDrawnHere, reference, Box{});
 }

@@ -53,8 +53,8 @@ class FrustumEditor {
   /// The camera, also while a drag goes on; `text()` is its file, as `--camera` takes it.
   const MultiperspectiveCamera& camera() const { return camera_; }
   const std::string& text() const { return text_; }
-  /// The same for images of another size of the same shape, such as small ones while a drag goes on.
-  MultiperspectiveCamera cameraOfSize(int width, int height) const;
+  /// The same for images of another width and the same shape, such as small ones while a drag goes on.
+  MultiperspectiveCamera cameraOfWidth(int width) const;
   /// Changes whenever camera() does.
   int revision() const { return revision_; }
   /// What to draw in plans. Its frusta may overlap, which camera() does not.

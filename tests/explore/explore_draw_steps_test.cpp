@@ -4,6 +4,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/explore/explore_offscreen.h"
+#include "oc_core/explore/explore_shown_camera.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/explore/explore_scenes.h"
 
@@ -35,6 +36,32 @@ TEST(ExploreDrawSteps, drawWhatIsShownThen) {
   EXPECT_EQ(wrote, (std::vector<std::string>{"drawn.json", "seen.png", "camera.json", "again.png"}));
   EXPECT_THAT(readFile(folder / "out/camera.json"), HasSubstr("frustum 1"));
   EXPECT_EQ(readPng(folder / "out/seen.png"), readPng(folder / "out/again.png"));
+}
+
+TEST(ExploreDrawSteps, filesThatAreReadLieBesideTheScript) {
+  const test::TemporaryFolder folder;
+  folder.write("drawing.json", R"({"size": [160, 90], "view": {"eye": [0, 1.6, 8], "target": [0, 1.6, 0],
+                 "fov_vertical_degrees": 45, "z_near": 0.1}, "steps": [{"save": "drawn.json"}]})");
+  const std::filesystem::path script = folder.write(
+      "script.json", R"({"size": [160, 90], "steps": [{"draw": "drawing.json"}, {"camera": "drawn.json"}]})");
+  ExploreOffscreenOptions options;
+  options.folder = folder.path();
+  ExploreScene scene(test::hall());
+  EXPECT_GT(exploreOffscreen(scene, readExploreScript(script), options).frames, 0);
+  // A file to begin with is one of the user's, and named as usual.
+  options.camera = (folder / "drawn.json").string();
+  EXPECT_NO_THROW(checkExploreCamera(options.camera));
+  const ExploreScript drawn =
+      exploreScriptFromJsonText(R"({"size": [160, 90], "steps": [{"wait": "rest"}, {"expect": "drawn.json"}]})", "s");
+  EXPECT_GT(exploreOffscreen(scene, drawn, options).frames, 0);
+}
+
+TEST(ExploreDrawSteps, whatIsNoCameraIsRefusedAtOnce) {
+  const test::TemporaryFolder folder;
+  EXPECT_NO_THROW(checkExploreCamera("portal"));
+  EXPECT_THROW(checkExploreCamera("telescope"), InputError);
+  EXPECT_THROW(checkExploreCamera((folder / "missing.json").string()), InputError);
+  EXPECT_THROW(checkExploreCamera(folder.write("other.json", "{}").string()), InputError);
 }
 
 TEST(ExploreDrawSteps, errorsNameTheStepOfTheDrawing) {

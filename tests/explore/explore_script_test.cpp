@@ -135,6 +135,9 @@ TEST(ExploreScript, errorsOfStepsNameTheStep) {
   EXPECT_THAT(playError(R"({"record": "a.mp4"})"), HasSubstr("not recorded here"));
   EXPECT_THAT(playError(R"({"camera": "nothing.json"})"), HasSubstr("nothing.json"));
   EXPECT_THAT(playError(R"({"key": "H"})"), HasSubstr("window"));
+  EXPECT_THAT(playError(R"({"walk": {"forward": 10000}})"), HasSubstr("minutes"));
+  EXPECT_THAT(playError(R"({"save": "/tmp/a.png"})"), HasSubstr("no file in the folder"));
+  EXPECT_THAT(playError(R"({"save_camera": "../a.json"})"), HasSubstr("no file in the folder"));
 }
 
 TEST(ExploreScript, savesImagesCamerasAndFrames) {

@@ -2,6 +2,10 @@
 
 #include <gmock/gmock.h>
 
+#include <atomic>
+#include <chrono>
+#include <thread>
+
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/explore/explore_renderer.h"
@@ -265,6 +269,73 @@ TEST(Explorer, followsThePath) {
   EXPECT_NEAR(std::hypot(eye.x + 2, eye.z - 3), 5, 0.05);
   EXPECT_NEAR(5 * std::atan2(3 - eye.z, -2 - eye.x), 3 - begin + 2 * explorer.walker().options().speed, 0.1);
   EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
+}
+
+TEST(Explorer, leadsOnAlongThePathFromWhereOneGoes) {
+  ExploreScene scene(test::hallWithPath());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.walker().jump({{-5, 1.6, 3}, 70, 0});
+  explorer.choose("path");
+  rest(explorer);
+  const glm::dvec3 begin = explorer.walker().view().eye;
+  // As the plan and Home do, and as scripts do.
+  explorer.glideTo({{5, 1.6, -3}, 0, 0});
+  rest(explorer);
+  const glm::dvec3 glided = explorer.walker().view().eye;
+  EXPECT_GT(glm::distance(glided, begin), 3);
+  explorer.jumpTo({{-5, 1.6, 3}, 70, 0});
+  EXPECT_FALSE(explorer.atRest());
+  rest(explorer);
+  EXPECT_LT(glm::distance(explorer.walker().view().eye, begin), 0.1);
+}
+
+TEST(Explorer, theLastValueOfAnOptionThatWaitsCounts) {
+  ExploreScene scene(test::hallWithPath());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.choose("path");
+  rest(explorer);
+  const double usual = explorer.option("turns");
+  for (const double last : {usual, usual + 2}) {
+    explorer.setOption("turns", usual + 1);
+    explorer.advance({}, test::kExploreFrame);
+    explorer.setOption("turns", last);
+    EXPECT_EQ(explorer.option("turns"), last);
+    rest(explorer);
+    EXPECT_EQ(explorer.option("turns"), last);
+  }
+}
+
+TEST(ExploreScene, closesWhileTheSearchForWaysRuns) {
+  std::atomic<bool> hasBegun = false;
+  std::atomic<bool> hasEnded = false;
+  ExploreSceneOptions options;
+  options.findWays = [&](const Mesh&, double, const Progress& progress) {
+    // Ends by itself after a while, so that the test fails rather than hangs.
+    for (int i = 0; i < 2000; ++i) {
+      progress("a search", 0.5);
+      hasBegun = true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
+    }
+    hasEnded = true;
+    return WalkMap();
+  };
+  {
+    ExploreScene scene(test::hall(), options);
+    scene.searchWays();
+    while (!hasBegun) {
+      std::this_thread::yield();
+    }
+  }
+  EXPECT_FALSE(hasEnded);
+}
+
+TEST(ExploreScene, aSearchThatThrowsAnythingHasFailed) {
+  ExploreSceneOptions options;
+  options.findWays = [](const Mesh&, double, const Progress&) -> WalkMap { throw 3; };
+  ExploreScene scene(test::hall(), options);
+  scene.waitForWays();
+  EXPECT_EQ(scene.waysStatus().state, WalkMapStatus::State::kFailed);
+  EXPECT_NE(scene.waysStatus().problem, "");
 }
 
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.

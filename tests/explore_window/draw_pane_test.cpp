@@ -155,6 +155,30 @@ TEST_P(DrawPaneTest, curvedCamerasAreBegunAnew) {
   EXPECT_NE(savedCamera("camera-001.json").find("curved"), std::string::npos);
 }
 
+// Camera files take coordinates up to a million.
+TEST_P(DrawPaneTest, wherePlansCannotBeginItSaysSoAndCloses) {
+  ExploreWindow far(*context, {.make = makeExplorerModel({.read = [](const Progress&) { return smallMaze(); },
+                                                          .start = WalkerView{{3e6, 1.6, 0}, 0, 0}}),
+                               .way = ExploreWindowWork::Way::kStepwise,
+                               .folder = folder.path(),
+                               .showTimes = false});
+  far.handle(ResizeEvent{640, 360, 1, 1});
+  const auto show = [&] {
+    far.update(1.0 / 30);
+    far.draw();
+  };
+  show();
+  for (int i = 0; i < 2; ++i) {
+    far.handle(KeyEvent{Key::kG, true, {}});
+    far.handle(KeyEvent{Key::kG, false, {}});
+    show();
+    EXPECT_FALSE(far.state().shown.contains("draw"));
+    EXPECT_EQ(far.state().active, "view");
+    EXPECT_TRUE(far.state().messageIsError);
+    EXPECT_NE(far.state().message, "");
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Offscreen, DrawPaneTest, kOffscreenProviders, providerName);
 
 }  // namespace

@@ -49,6 +49,17 @@ TEST(ExploreRecorder, framesComeAtTheRateOfTheVideo) {
   EXPECT_FALSE(recorder.isOn());
 }
 
+TEST(ExploreRecorder, isOffOnceAFrameCannotBeWritten) {
+  ExploreRecorder recorder([](const std::filesystem::path&, int, int) {
+    return ExploreRecording{[](const Image<Rgb8>&) { throw WorkError("no space", "walk.mp4", "make room"); }, [] {}};
+  });
+  recorder.start("walk.mp4", 64, 48);
+  EXPECT_THROW(recorder.add(plain(64, 48, 1), 0.1), WorkError);
+  EXPECT_FALSE(recorder.isOn());
+  EXPECT_NO_THROW(recorder.add(plain(64, 48, 1), 0.1));
+  EXPECT_NO_THROW(recorder.start("walk.mp4", 64, 48)) << "another one may be begun";
+}
+
 TEST(ExploreRecorder, sidesAreEvenAndStayAsTheyWere) {
   Video video;
   ExploreRecorder recorder(video.open());

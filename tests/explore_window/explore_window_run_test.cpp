@@ -48,6 +48,41 @@ TEST(ExploreWindowRun, showsAndRecordsUntilItIsClosed) {
   EXPECT_EQ(written, std::vector<std::filesystem::path>{folder / "walk.mp4"});
 }
 
+TEST(ExploreWindowRun, goesOnWhereItsVideoFailsAndMakesItsFolder) {
+  if (!hasScreen()) {
+    GTEST_SKIP() << "no display: install xvfb";
+  }
+  const test::TemporaryFolder folder;
+  int tried = 0;
+  int turns = 0;
+  bool isWhole = false;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  runExploreWindow({.title = "Ocelli: a test",
+                    .model = {.read = smallMaze},
+                    .folder = folder.path() / "new" / "folder",
+                    .record =
+                        [&](const std::filesystem::path&, int, int) {
+                          return ExploreRecording{[&](const Image<Rgb8>&) {
+                                                    ++tried;
+                                                    throw WorkError("no space", "walk.mp4", "make room");
+                                                  },
+                                                  [&] { isWhole = true; }};
+                        },
+                    .video = folder / "walk.mp4",
+                    .goesOn =
+                        [&] {
+                          turns += tried > 0 ? 1 : 0;
+                          return turns < 5 && std::chrono::steady_clock::now() < end;
+                        }});
+  EXPECT_EQ(tried, 1) << "it is off then";
+  EXPECT_EQ(turns, 5);
+  EXPECT_FALSE(isWhole);
+  EXPECT_TRUE(std::filesystem::is_directory(folder.path() / "new" / "folder"));
+  const std::filesystem::path file = folder.write("file", "");
+  EXPECT_THROW(runExploreWindow({.title = "Ocelli: a test", .model = {.read = smallMaze}, .folder = file / "new"}),
+               WorkError);
+}
+
 TEST(ExploreWindowRun, aSceneThatCannotBeReadEndsIt) {
   if (!hasScreen()) {
     GTEST_SKIP() << "no display: install xvfb";

@@ -106,6 +106,25 @@ TEST_P(ExploreWindowTest, nothingIsHeldWithoutTheKeyboard) {
   EXPECT_FALSE(window.state().captured);
 }
 
+TEST_P(ExploreWindowTest, aDragEndsWithoutTheFocus) {
+  press(300, 300);
+  window.loseFocus();
+  // The button is let go elsewhere; what comes back is a pointer without it.
+  window.handle(PointerMoveEvent{500, 300});
+  frames(1);
+  EXPECT_EQ(record.turned, glm::vec2(0));
+  release();
+  EXPECT_TRUE(record.calls.empty());
+}
+
+TEST_P(ExploreWindowTest, whatCannotBeSavedLeavesNoFile) {
+  // The name of what is written first is a folder, so that no file can be.
+  std::filesystem::create_directories(folder / "explore-001.png.partial" / "in the way");
+  key(Key::kP);
+  EXPECT_TRUE(window.state().messageIsError) << window.state().message;
+  EXPECT_FALSE(std::filesystem::exists(folder / "explore-001.png"));
+}
+
 TEST_P(ExploreWindowTest, aDragLooksAroundAndAClickPicks) {
   const ExplorePaneRect view = window.layout().panes.front().rect;
   press(300, 300);

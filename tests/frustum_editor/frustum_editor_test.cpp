@@ -49,6 +49,21 @@ TEST_F(FrustumEditorTest, aDragIsOneStepOfUndo) {
   EXPECT_THAT(editor.message(), HasSubstr("nothing to redo"));
 }
 
+// The file says what shape its images have; whole rows come near to it, whatever the width.
+TEST(FrustumEditorSizes, smallImagesKeepTheShapeOfNarrowOnes) {
+  for (const glm::ivec2& size : {glm::ivec2(15, 199), glm::ivec2(199, 15), glm::ivec2(7, 5), glm::ivec2(1, 1)}) {
+    const PinholeCamera root = test::editorRoot(size.x, size.y);
+    const Mesh mesh = test::editorMesh();
+    const FrustumEditor narrow(FrustumEditor::newGraphCamera(root), "new camera", root, mesh, {});
+    for (int width = 1; width <= size.x; ++width) {
+      EXPECT_NO_THROW(narrow.cameraOfWidth(width)) << width << " of " << size.x << "x" << size.y;
+    }
+    EditorPreview preview(narrow, mesh);
+    EXPECT_FALSE(preview.next()->isWhole);
+    EXPECT_TRUE(preview.next()->isWhole);
+  }
+}
+
 TEST_F(FrustumEditorTest, aDragIntoWhatIsNoCameraKeepsTheLastOne) {
   fixture.stroke("bend", {-6, 2}, {6, 2});
   editor.chooseTool("move");
