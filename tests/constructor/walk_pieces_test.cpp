@@ -32,17 +32,6 @@ TEST(WalkPieces, exitsThatLookBackAreLeftOut) {
   EXPECT_FALSE(aimsAt(aims, 1));
 }
 
-TEST(WalkPieces, raysGoThroughShallowCells) {
-  // A wall's thickness with a higher and a lower door on its sides, both as wide as it.
-  test::PlannedHouse house;
-  house.cells = {{{-2, 0}, {2, 4}}, {{-0.5f, -0.4f}, {0.5f, -0.1f}}, {{-2, -4.5f}, {2, -0.5f}}};
-  house.doors = {{0, 1, 0, 1, 2.3f}, {1, 2, 0, 1, 2.0f}};
-  const ComprehensiveWalk walk = makeComprehensiveWalk(house.map(), northFromTheFirstCell(), 960, 600);
-  for (const WalkCellView& cell : walk.cells) {
-    EXPECT_EQ(cell.unseen, WalkUnseen::kNothing) << textOf(cell.unseen) << ", " << cell.pixels << " pixels";
-  }
-}
-
 TEST(WalkPieces, whatCannotBeReachedTakesNoRays) {
   test::PlannedHouse house;
   house.cells = {{{-4, 0}, {4, 5}}, {{-4, -5}, {4, -0.2f}}};
