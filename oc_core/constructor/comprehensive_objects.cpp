@@ -115,10 +115,11 @@ bool meetsWall(const Maze& maze, const glm::dvec3& from, const glm::dvec3& to) {
       for (const double face : {-half, half}) {
         const double t = (line * size + face - start[across]) / way[across];
         const glm::dvec3 at = start + way * t;
-        const int place = static_cast<int>(std::floor(at[along] / size));
-        if (!(t > 0 && t < 1) || at.y >= top || place < 0 || place >= places) {
+        const double placeAlong = std::floor(at[along] / size);
+        if (!(t > 0 && t < 1) || at.y >= top || !(placeAlong >= 0 && placeAlong < places)) {
           continue;
         }
+        const int place = static_cast<int>(placeAlong);
         const MazeCell cell = north ? MazeCell{place, line - 1} : MazeCell{line - 1, place};
         const double beside = at[along] - place * size;
         if (!maze.isOpen(cell, north ? Direction::kEast : Direction::kSouth) || beside < half || beside > size - half) {

@@ -33,8 +33,9 @@ class PathLine {
   PathLine(const std::vector<glm::vec3>& points, const glm::dvec3& offset) {
     for (const glm::vec3& point : points) {
       const glm::dvec3 moved = glm::dvec3(point) + offset;
-      if (points_.empty() || glm::distance(points_.back(), moved) > 0) {
-        lengths_.push_back(points_.empty() ? 0 : lengths_.back() + glm::distance(points_.back(), moved));
+      const double length = points_.empty() ? 0 : lengths_.back() + glm::distance(points_.back(), moved);
+      if (points_.empty() || length > lengths_.back()) {  // else the point is too near for the length to grow
+        lengths_.push_back(length);
         points_.push_back(moved);
       }
     }

@@ -42,6 +42,11 @@ size_t unseenCells(const ComprehensiveWalk& walk) {
   }));
 }
 
+/// Whether a larger share of the rays may help.
+bool mayNeedMore(const WalkCellView& view) {
+  return view.unseen == WalkUnseen::kTooFewPixels || view.unseen == WalkUnseen::kNoRays;
+}
+
 class WalkBuilder {
  public:
   WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, const WalkStart& start, int width,
@@ -53,6 +58,7 @@ class WalkBuilder {
     }
     tour_ = walkTourOf(regions_, start_.cell, options.order);
     fit();
+    reachable_ = reachable();
     // Small cells need more than their share of the floor.
     double sum = 0;
     for (const WalkRegion& region : regions_) {
@@ -71,10 +77,10 @@ class WalkBuilder {
       ComprehensiveWalk walk = built(weights);
       size_t few = 0;
       for (const WalkCellView& view : walk.cells) {
-        few += view.unseen == WalkUnseen::kTooFewPixels ? 1 : 0;
+        few += mayNeedMore(view) ? 1 : 0;
       }
       for (size_t i = 0; i < weights.size(); ++i) {
-        weights[i] *= walk.cells[regions_[i].cell].unseen == WalkUnseen::kTooFewPixels ? kGrowth : 1;
+        weights[i] *= mayNeedMore(walk.cells[regions_[i].cell]) ? kGrowth : 1;
       }
       if (!best || few < fewest) {
         fewest = few;
@@ -135,11 +141,24 @@ class WalkBuilder {
     std::vector<int> frusta{};
   };
 
+  /// Whether rays can come into each region: there is something of it, and an opening to it from one that can be
+  /// reached.
+  std::vector<bool> reachable() const {
+    std::vector<bool> can(regions_.size(), false);
+    for (const uint32_t region : tour_.order) {
+      const int parent = tour_.stops[region].parent;
+      const bool led =
+          parent < 0 || (can[static_cast<size_t>(parent)] && exitTo(static_cast<uint32_t>(parent), region) != nullptr);
+      can[region] = led && !regions_[region].border.empty();
+    }
+    return can;
+  }
+
   ComprehensiveWalk built(const std::vector<double>& weights) const {
-    std::vector<double> after(weights);  // with the region itself
+    std::vector<double> after(weights);  // with the region itself, and those after it that can be reached
     for (size_t i = tour_.order.size(); i-- > 1;) {
       const uint32_t region = tour_.order[i];
-      after[static_cast<size_t>(tour_.stops[region].parent)] += after[region];
+      after[static_cast<size_t>(tour_.stops[region].parent)] += reachable_[region] ? after[region] : 0;
     }
     const WalkRegion& first = regions_[start_.cell];
     WalkBeginning beginning = beginWalk(first, start_, options_.eyeHeight, reach_, width_, height_);
@@ -182,7 +201,7 @@ class WalkBuilder {
     if (exitTo(static_cast<uint32_t>(parent), region) == nullptr) {
       return WalkUnseen::kNoOpening;
     }
-    return before.rays.turns + 1 >= GraphCamera::kMaxBends ? WalkUnseen::kTooManyTurns : WalkUnseen::kTooFewPixels;
+    return before.rays.turns + 1 >= GraphCamera::kMaxBends ? WalkUnseen::kTooManyTurns : WalkUnseen::kNoRays;
   }
 
   void addRegion(GraphCamera& camera, std::vector<Built>& all, uint32_t region, const PlanPolygon& border,
@@ -190,7 +209,8 @@ class WalkBuilder {
     std::vector<PieceExit> exits;
     std::vector<uint32_t> next;
     for (const uint32_t child : tour_.stops[region].next) {
-      if (const WalkExit* exit = exitTo(region, child)) {
+      const WalkExit* exit = reachable_[child] ? exitTo(region, child) : nullptr;
+      if (exit != nullptr) {
         exits.push_back({exit->mouth, after[child]});
         next.push_back(child);
       }
@@ -221,10 +241,11 @@ class WalkBuilder {
     view.turns = view.turns > 0 ? std::min(view.turns, built.rays.turns + 1) : built.rays.turns + 1;
     const std::vector<glm::dvec3> middle = middleOf(map_.cells[cell]);
     const glm::dvec3 center(map_.cells[cell].center);
+    const int atCenter = view.center ? -1 : walk.camera.frustumOf(center);
     for (const int i : built.frusta) {
       const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
       view.pixels += std::max(pixelsOf(frustumImage(walk.camera, i, middle)), 0.0);
-      if (!view.center && walk.camera.frustumOf(center) == i) {
+      if (atCenter == i) {
         const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
         view.center = glm::dvec2(h) / h.w;
       }
@@ -243,7 +264,8 @@ class WalkBuilder {
   std::vector<WalkRegion> regions_;
   WalkStart start_;
   WalkTour tour_;
-  std::vector<double> floors_;  ///< of each region: its weight at first
+  std::vector<bool> reachable_;  ///< of each region
+  std::vector<double> floors_;   ///< of each region: its weight at first
   double reach_ = 0;
 };
 
@@ -274,12 +296,13 @@ void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& option
 }  // namespace
 
 const char* textOf(WalkUnseen why) {
-  static constexpr std::array<const char*, 6> kTexts{
+  static constexpr std::array<const char*, 7> kTexts{
       "it is seen",
       "no way leads there from the start",
       "the opening to it does not lie on the border of the cell before it",
       "the map has it where another cell lies already",
       "rays turn too often on the way",
+      "no rays come in",
       "too few pixels are left for it"};
   return kTexts[static_cast<size_t>(why)];
 }
@@ -296,10 +319,8 @@ std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
                                         int height) {
   checkWalkOptions(map, options);
-  std::vector<WalkStart> starts = chooseWalkStarts(map, walkRegionsOf(map), kStarts);
-  if (options.start) {
-    starts = {*options.start};
-  }
+  const std::vector<WalkStart> starts =
+      options.start ? std::vector<WalkStart>{*options.start} : chooseWalkStarts(map, walkRegionsOf(map), kStarts);
   if (starts.empty()) {
     throw InputError("no cell of the map has floor", kWalkComprehensive, "use another map, or another camera");
   }

@@ -44,6 +44,7 @@ enum class WalkUnseen : uint8_t {
   kNoOpening,     ///< the opening that leads there does not lie on the border of the cell before it
   kOverlap,       ///< the map has it where a cell lies already
   kTooManyTurns,  ///< of rays, more than a graph camera takes
+  kNoRays,        ///< none come in: those that reach the cell before it pass its opening by
   kTooFewPixels,  ///< the image is too small for it
 };
 /// "no way leads there from the start".

@@ -95,7 +95,8 @@ std::vector<FanAim> aimsOf(const EntryFrame& frame, double width, const std::vec
   for (const Seen& each : seen) {
     // Of exits that overlap, the one more to the left has what both have.
     const double reached = aims.empty() ? -1.0 : angleOf(last);
-    if (!(angleOf(each.end) > reached + kMinAngle)) {
+    // What looks back towards the entry shows its back.
+    if (!(angleOf(each.end) > std::max(reached, angleOf(each.begin)) + kMinAngle)) {
       continue;
     }
     if (angleOf(each.begin) > reached) {

@@ -20,6 +20,12 @@ constexpr size_t kMaxParts = 8;  // beside each other
 constexpr double kTallerShare = 0.9;
 /// Nearest viewpoints of the first and last fan, in widths of the entry.
 constexpr double kNearest = 0.3;
+/// How far ahead of the entry exits lie at least, for the height of rays, in widths of the entry.
+constexpr double kMinDepth = 0.01;
+/// An exit whose near end lies ahead by less than this share of what its far end does: its rays are level, where they
+/// then meet at least so much of its height.
+constexpr double kOblique = 0.5;
+constexpr double kMinLevelShare = 0.3;
 
 size_t turnsOf(const GraphCamera& camera, int i) {
   size_t turns = 0;
@@ -179,18 +185,19 @@ class RegionParts {
       after += exit.weight;
       sum += std::pow(exit.weight, sharing_.evenness);
     }
-    const double scale = std::sqrt(after / (after + own));  // of a length at the exit
+    const double scale = after > 0 ? std::sqrt(after / (after + own)) : 0;  // of a length at the exit
     double walls = 0;
     for (FanAim& aim : aims) {
       if (aim.exit >= 0) {
-        aim.share = scale * std::pow(exits[static_cast<size_t>(aim.exit)].weight, sharing_.evenness) / sum;
+        const double weight = exits[static_cast<size_t>(aim.exit)].weight;
+        aim.share = scale > 0 ? scale * std::pow(weight, sharing_.evenness) / sum : 0;
       } else {
         aim.share = glm::distance(aim.begin, aim.end);
         walls += aim.share;
       }
     }
     for (FanAim& aim : aims) {
-      if (aim.exit < 0) {
+      if (aim.exit < 0 && walls > 0) {
         aim.share *= (1 - scale) / walls;
       }
     }
@@ -202,8 +209,9 @@ class RegionParts {
     }
     for (const size_t k : {size_t{0}, aims.size() - 1}) {
       FanAim& aim = aims[k];
-      const double ahead = std::max((aim.begin.y + aim.end.y) / 2, 1e-3 * width);
       if (aim.exit >= 0) {
+        const WalkMouth& out = exits[static_cast<size_t>(aim.exit)].mouth;
+        const double ahead = std::max(frame.inFrame(out.middle()).y, 1e-3 * width);
         aim.distance = std::max(kNearest * width, ahead * scale / (1 - std::min(scale, 0.999)));
       } else if (aims.size() == 1) {
         // Over the width of the region at half of its depth.
@@ -230,15 +238,25 @@ class RegionParts {
     const double beyond = kWalkBeyond * region_.size;
     const auto at = [&](double x, double z, double height) { return spaceOf(frame.inPlan({x, z}), height); };
     const double behind = -from->y;
-    const double ahead = std::max((aim.begin.y + aim.end.y) / 2, 1e-3 * width);
+    double ahead = std::max((aim.begin.y + aim.end.y) / 2, kMinDepth * width);
     // A ray along the top of the entry, and what it meets ahead.
     PieceRays rays;
     double top = entry.top;
     if (aim.exit >= 0) {
-      rays.mouth = exits[static_cast<size_t>(aim.exit)].mouth;
-      const double keeps = behind / (behind + ahead);
+      // Not between the ends of the aim: the first begins at the entry, and the last ends there.
+      const WalkMouth& out = exits[static_cast<size_t>(aim.exit)].mouth;
+      const double one = frame.inFrame(out.left).y;
+      const double other = frame.inFrame(out.right).y;
+      const double near = std::max(std::min(one, other), kMinDepth * width);
+      ahead = std::max({one, other, kMinDepth * width});  // the far end: nothing nearer lies above the rays
+      rays.mouth = out;
+      const double keeps = behind / (behind + near);
       const double most = std::max(entry.height(), kTallerShare * entry.height() / keeps);
-      rays.mouth.top = rays.mouth.floor + std::min(rays.mouth.height(), most);
+      rays.mouth.top = out.floor + std::min(out.height(), most);
+      const bool isOblique = near < kOblique * ahead;
+      if (isOblique && entry.top > out.floor + kMinLevelShare * out.height()) {
+        rays.mouth.top = std::min(rays.mouth.top, entry.top);  // level, so that its near end is seen too
+      }
       top = rays.mouth.top;
     } else {
       top += region_.floorAt(frame.inPlan((aim.begin + aim.end) / 2.0)) - region_.floorAt(entry.middle());

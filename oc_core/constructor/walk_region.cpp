@@ -141,7 +141,7 @@ std::vector<BoxPart> partsOf(const WalkCell& cell, std::vector<WalkExit>& exits)
   std::vector<BoxPart> parts{{box, {}}};
   for (WalkExit& exit : exits) {
     WalkMouth& mouth = exit.mouth;
-    if (!(planOutside(box, mouth.middle()) > rounding)) {
+    if (!(mouth.width() > 0) || !(planOutside(box, mouth.middle()) > rounding)) {
       continue;
     }
     const std::optional<double> back = wayBack(box, mouth);
@@ -153,7 +153,7 @@ std::vector<BoxPart> partsOf(const WalkCell& cell, std::vector<WalkExit>& exits)
     }
   }
   for (const WalkExit& exit : exits) {
-    for (size_t k = 0; k < parts.size() && parts.size() < kMaxBoxParts; ++k) {
+    for (size_t k = 0; exit.mouth.width() > 0 && k < parts.size() && parts.size() < kMaxBoxParts; ++k) {
       if (planOutside(parts[k].border, exit.mouth.middle()) < -rounding) {
         partAt(parts, k, exit.mouth, planArea(box), exits);
         break;

@@ -13,6 +13,8 @@ namespace {
 constexpr double kStraight = 0.98;
 /// The same between the way and an opening at its end.
 constexpr double kAtEnd = 0.7;
+/// Walls are at least so far aside of an eye, in half widths of the cell, where rings have no width.
+constexpr double kMinAside = 1e-3;
 
 bool isTunnel(const WalkSpace& space, uint32_t region) {
   return space.map().cells[space.regions()[region].cell].kind == WalkCellKind::kTunnel;
@@ -120,7 +122,7 @@ WalkAhead lookAhead(const WalkSpace& space, uint32_t region, const glm::dvec2& e
   const double aside = glm::dot(offset, right);
   const auto [left, rightWall] = wallsAt(tunnel, glm::dot(offset, axis) + static_cast<double>(tunnel.halfLength));
   // The eye may stand in an opening beside it, beyond the wall.
-  const double least = 0.05 * (left + rightWall);
+  const double least = std::max(0.05 * (left + rightWall), kMinAside * static_cast<double>(tunnel.halfWidth));
   ahead.left = std::max(along ? left + aside : rightWall - aside, least);
   ahead.right = std::max(along ? rightWall - aside : left + aside, least);
   if (const WalkExit* opening = lastOpening(space, region, ahead.direction)) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <tuple>
 
 #include "oc_core/base/conventions.h"
@@ -17,6 +18,8 @@ constexpr double kFarBehind = 50;
 constexpr double kWithin = 0.02;
 /// Openings this near to the side that rays come in by, in depths of the cell, lie beside them.
 constexpr double kBeside = 0.05;
+/// Cells from which all that can be reached is looked up.
+constexpr size_t kMaxTried = 500;
 
 /// Least and largest distance along a direction.
 std::pair<double, double> extentAlong(const PlanPolygon& border, const glm::dvec2& direction) {
@@ -100,16 +103,29 @@ WalkStart chooseWalkSide(const WalkMap& map, const std::vector<WalkRegion>& regi
 }
 
 std::vector<WalkStart> chooseWalkStarts(const WalkMap& map, const std::vector<WalkRegion>& regions, size_t most) {
-  std::vector<Reach> reaches;
+  // Of large maps the largest cells: how far each reaches takes as long as the map has regions.
+  std::vector<uint32_t> tried(map.cells.size());
+  std::iota(tried.begin(), tried.end(), 0u);
+  if (tried.size() > kMaxTried) {
+    std::vector<double> areas;
+    for (const uint32_t cell : tried) {
+      areas.push_back(planArea(regions[cell].border));
+    }
+    std::stable_sort(tried.begin(), tried.end(), [&](uint32_t a, uint32_t b) { return areas[a] > areas[b]; });
+    tried.resize(kMaxTried);
+    std::sort(tried.begin(), tried.end());
+  }
+  std::vector<Reach> reaches(map.cells.size());
   double largest = 0;
-  for (const WalkRegion& region : regions) {
-    const auto number = static_cast<uint32_t>(reaches.size());
-    reaches.push_back(region.border.empty() || number >= map.cells.size() ? Reach{} : reachFrom(regions, number));
-    largest = std::max(largest, reaches.back().floor);
+  for (const uint32_t cell : tried) {
+    if (!regions[cell].border.empty()) {
+      reaches[cell] = reachFrom(regions, cell);
+      largest = std::max(largest, reaches[cell].floor);
+    }
   }
   using Cost = std::tuple<bool, size_t, size_t>;
   std::vector<std::pair<Cost, WalkStart>> starts;
-  for (uint32_t cell = 0; cell < map.cells.size(); ++cell) {
+  for (const uint32_t cell : tried) {
     const Reach& reach = reaches[cell];
     if (regions[cell].border.empty() || reach.floor < (1 - 1e-9) * largest) {
       continue;

@@ -41,7 +41,7 @@ class WalkTurning {
     const WalkCamera back = camera(turn.from, backwards(options_));
     deployedBack_ = back.deployed;
     for (const WalkExit& exit : space.regions()[ahead_.opening->region].exits) {
-      if (exit.portal == turn.portal && exit.portal != ahead_.opening->portal) {
+      if (exit.portal == turn.portal && exit.portal != WalkExit::kWithin && exit.portal != ahead_.opening->portal) {
         way_ = exit;
         return;
       }

@@ -104,8 +104,11 @@ class LiveMaze final : public LiveConstructor {
 
   WalkCameraOptions cameraOptions(const LiveMoment& moment) const {
     WalkCameraOptions options;
-    const double sum = std::max(1e-6, values_[0] + values_[1] + values_[2]);
-    options.split = {values_[0] / sum, values_[1] / sum, values_[2] / sum};
+    const double sum = values_[0] + values_[1] + values_[2];
+    options.split = {1.0 / 3, 1.0 / 3, 1.0 / 3};  // where all are at 0
+    if (sum > 1e-6) {
+      options.split = {values_[0] / sum, values_[1] / sum, values_[2] / sum};
+    }
     options.crossingShare = shows(MazeOption::kCrossingShare);
     options.fovWayDegrees = shows(MazeOption::kFovWay);
     options.fovHorizontalDegrees = moment.walkerOptions.fovHorizontal;

@@ -130,7 +130,8 @@ WalkColumns rasterizedColumns(const Mesh& mesh, const WalkRaster& raster, const 
     }
     report(progress, "rasterise floors", static_cast<double>(begin + count) / static_cast<double>(marks.size()));
   }
-  const auto inUnit = [&](float length) { return static_cast<int>(length / unit); };
+  constexpr float kMaxUnits = 1e5f;  // more than any difference of heights, which Recast has in 16 bits
+  const auto inUnit = [&](float length) { return static_cast<int>(std::min(length / unit, kMaxUnits)); };
   rcFilterLowHangingWalkableObstacles(&context, inUnit(raster.stepHeight), *field);
   rcFilterWalkableLowHeightSpans(&context, std::max(3, inUnit(raster.agentHeight)), *field);
 

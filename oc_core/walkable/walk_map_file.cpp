@@ -33,7 +33,7 @@ glm::vec3 axisIn(JsonFields& fields) {
   if (!fields.has("axis")) {
     return WalkCell().axis;
   }
-  const std::vector<double> v = fields.numbers("axis", 2, -1, 1);
+  const std::vector<double> v = fields.numbers("axis", 2, -1.001, 1.001);
   const double length = std::hypot(v[0], v[1]);
   if (std::abs(length - 1) > 1e-3) {
     fields.fail("axis", fmt::format("must have length 1, but has {:.4g}", length));
@@ -63,6 +63,11 @@ std::vector<WalkRing> ringsIn(JsonFields& fields, const WalkCell& cell) {
     if (!isRing || std::min({number(0), number(1), number(2), number(3)}) < 0 ||
         std::max({number(0), number(1), number(2), number(3)}) > kFarthest) {
       fields.fail("rings", fmt::format("ring {} must be four numbers from 0 to {:.0f}", rings.size() + 1, kFarthest));
+    }
+    if (!(number(1) + number(2) >= kShortest) || !(number(3) >= kShortest)) {
+      fields.fail("rings", fmt::format("ring {} must have a width (the second and third number) and a height (the "
+                                       "fourth) above 0",
+                                       rings.size() + 1));
     }
     rings.push_back({static_cast<float>(number(0)), static_cast<float>(number(1)), static_cast<float>(number(2)),
                      static_cast<float>(number(3))});

@@ -25,6 +25,7 @@ namespace {
 
 constexpr const char* kWalkable = "walkable floor";
 constexpr uint16_t kWidestPlace = 128;  // squares; wider places are as wide as that
+constexpr double kMaxRadius = 30000;    // squares: fields have kMaxWalkColumns, so floor as wide as that never is
 constexpr double kMostHeights = 8000;   // Recast's height fields have 8,191
 
 void requireRange(const WalkOptions& options, double unitsOfScene) {
@@ -117,7 +118,8 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   WalkColumns columns;
   const WalkField standing = standingField(aligned, raster, survey, columns, progress);
   report(progress, "find ways", 0);
-  const int radius = std::max(1, static_cast<int>(std::floor(options.agentRadius / raster.cellSize - 0.5 + 1e-6)));
+  const double squares = std::floor(options.agentRadius / raster.cellSize - 0.5 + 1e-6);
+  const int radius = static_cast<int>(std::clamp(squares, 1.0, kMaxRadius));
   WalkReach reach = reachOf(standing, radius, options.partShare);
   if (reach.field.squares.empty()) {
     throw InputError(fmt::format("no floor of the scene is wide enough for the agent: {:.4g} of floor are narrower "
@@ -136,7 +138,8 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   reach.field = {};
   report(progress, "find ways", 0.6);
   const std::vector<uint16_t> half = halfWidths(field, stepsToBorder(field), kWidestPlace);
-  const auto smallest = static_cast<size_t>(std::pow(options.agentHeight / raster.cellSize / 2, 2));
+  const auto smallest =
+      static_cast<size_t>(std::min(std::pow(options.agentHeight / raster.cellSize / 2, 2), kMaxWalkColumns));
   const WalkLayout layout =
       rectangularLayout(field, layoutOf(field, areasOf(field, half, radius, smallest), radius), radius);
   report(progress, "find ways", 0.9);

@@ -135,6 +135,18 @@ TEST(PathCamera, goesAlongRivers) {
   }
 }
 
+TEST(PathCamera, pointsThatDoNotLengthenThePathAreLeftOut) {
+  // The last two points differ by less than the length of the path so far can say.
+  PathOptions options;
+  options.path = {{-1e17f, 0, 0}, {0, 0, 0}, {0, 0, -1}};
+  options.position = 1;
+  PathOptions without = options;
+  without.path.pop_back();
+  const glm::vec3 eye = pathPinhole(options, {}, reference()).eye();
+  EXPECT_TRUE(std::isfinite(eye.x) && std::isfinite(eye.y) && std::isfinite(eye.z));
+  EXPECT_EQ(eye, pathPinhole(without, {}, reference()).eye());
+}
+
 TEST(PathCamera, aPathWithoutALengthIsRefused) {
   EXPECT_THROW(buildPathCamera({}, {}, reference()), InputError);
   PathOptions options;

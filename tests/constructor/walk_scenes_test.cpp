@@ -49,7 +49,7 @@ TEST_P(WalkScenes, areSeenInOneImage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, WalkScenes,
-                         testing::Values(SeenShare{"builtin:house", 0.85}, SeenShare{"builtin:house,seed=3", 0.85},
+                         testing::Values(SeenShare{"builtin:house", 0.9}, SeenShare{"builtin:house,seed=3", 0.85},
                                          SeenShare{"builtin:house,seed=7", 0.85}));
 
 }  // namespace

@@ -271,6 +271,7 @@ TEST(Explorer, followsThePath) {
   EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
 }
 
+<<<<<<< HEAD
 TEST(Explorer, leadsOnAlongThePathFromWhereOneGoes) {
   ExploreScene scene(test::hallWithPath());
   Explorer explorer(scene, test::smallPictures());
@@ -336,6 +337,30 @@ TEST(ExploreScene, aSearchThatThrowsAnythingHasFailed) {
   scene.waitForWays();
   EXPECT_EQ(scene.waysStatus().state, WalkMapStatus::State::kFailed);
   EXPECT_NE(scene.waysStatus().problem, "");
+=======
+TEST(Explorer, mazeCamerasWithAllSharesAtZeroHaveEqualOnes) {
+  SceneOptions unfitted;
+  unfitted.fit = false;
+  ExploreScene scene(loadGuidedScene("builtin:maze,seed=5", unfitted));
+  Explorer explorer(scene, test::smallPictures());
+  explorer.choose("maze");
+  rest(explorer);
+  size_t parted = 1;  // frusta where rays part
+  for (const WalkCell& cell : scene.walkMap()->cells) {
+    explorer.walker().jump({glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), headingDegreesOf(cell.axis), 0});
+    rest(explorer);
+    parted = frustaOf(explorer);
+    if (parted > 2) {
+      break;
+    }
+  }
+  ASSERT_GT(parted, 2u);
+  for (const char* side : {"left", "ahead", "right"}) {
+    explorer.setOption(side, 0);
+  }
+  rest(explorer);
+  EXPECT_EQ(frustaOf(explorer), parted);
+>>>>>>> 545340028dbd732e3cc4643b94975c4e971280a9
 }
 
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.

@@ -55,7 +55,7 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
 }
 
 // The bounds catch what becomes worse: they are what was measured, less some percent. Cities: floor 98.8 % and 91.4 %,
-// cells 81.8 %, openings 74.8 %, seen 32.8 %. Houses: floor 92.0 % and 99.6 %, cells 99.5 %, openings 100 %, seen 24.8
+// cells 81.8 %, openings 74.8 %, seen 39.6 %. Houses: floor 92.0 % and 99.6 %, cells 99.5 %, openings 100 %, seen 55.9
 // %. The aim is that all cells are seen; docs/results.md, "Where one can walk", tells what is missing.
 
 TEST(WalkAcceptance, FindsCities) {
@@ -72,7 +72,7 @@ TEST(WalkAcceptance, FindsCities) {
   EXPECT_GE(totals.planned(), 0.85);
   EXPECT_GE(totals.cellRecall(), 0.8);
   EXPECT_GE(totals.portalRecall(), 0.7);
-  EXPECT_GE(totals.seenShare(), 0.2);
+  EXPECT_GE(totals.seenShare(), 0.35);
 }
 
 TEST(WalkAcceptance, FindsHouses) {
@@ -89,7 +89,7 @@ TEST(WalkAcceptance, FindsHouses) {
   EXPECT_GE(totals.planned(), 0.97);
   EXPECT_GE(totals.cellRecall(), 0.95);
   EXPECT_GE(totals.portalRecall(), 0.97);
-  EXPECT_GE(totals.seenShare(), 0.2);
+  EXPECT_GE(totals.seenShare(), 0.54);
 }
 
 }  // namespace

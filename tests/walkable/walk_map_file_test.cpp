@@ -93,6 +93,12 @@ TEST(WalkMapFile, ErrorsSayFileFieldAndWhatIsWrong) {
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{3, 1, 1, 2}, {2, 1, 1, 2}})), HasSubstr("before"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {7, 1, 1, 2}})), HasSubstr("beyond the end"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1}, {6, 1, 1, 2}})), HasSubstr("four numbers"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 0, 0, 2}, {6, 1, 1, 2}})),
+              HasSubstr("ring 1 must have a width"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {6, 1, 1, 0}})),
+              HasSubstr("ring 2 must have a width"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/axis", {1.002, 0})), HasSubstr("\"axis\""));
+  EXPECT_EQ(mapErrorOf(changed("/cells/1/axis", {1.0005, 0})), "") << "what rounding makes of length 1";
   EXPECT_THAT(mapErrorOf(changed("/cells/1/kind", "room")), HasSubstr("only tunnels have rings"));
   EXPECT_THAT(mapErrorOf(changed("/cells", nlohmann::json::array())), HasSubstr("\"cells\""));
   EXPECT_THAT(mapErrorOf(changed("/ways", 1)), HasSubstr("\"ways\""));
