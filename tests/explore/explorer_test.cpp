@@ -271,7 +271,6 @@ TEST(Explorer, followsThePath) {
   EXPECT_GT(std::get<CurvedRayCamera>(explorer.frame().camera).bends().size(), 0u);
 }
 
-<<<<<<< HEAD
 TEST(Explorer, leadsOnAlongThePathFromWhereOneGoes) {
   ExploreScene scene(test::hallWithPath());
   Explorer explorer(scene, test::smallPictures());
@@ -337,7 +336,8 @@ TEST(ExploreScene, aSearchThatThrowsAnythingHasFailed) {
   scene.waitForWays();
   EXPECT_EQ(scene.waysStatus().state, WalkMapStatus::State::kFailed);
   EXPECT_NE(scene.waysStatus().problem, "");
-=======
+}
+
 TEST(Explorer, mazeCamerasWithAllSharesAtZeroHaveEqualOnes) {
   SceneOptions unfitted;
   unfitted.fit = false;
@@ -360,7 +360,6 @@ TEST(Explorer, mazeCamerasWithAllSharesAtZeroHaveEqualOnes) {
   }
   rest(explorer);
   EXPECT_EQ(frustaOf(explorer), parted);
->>>>>>> 545340028dbd732e3cc4643b94975c4e971280a9
 }
 
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.
