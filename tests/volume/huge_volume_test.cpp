@@ -39,8 +39,8 @@ TEST(HugeVolume, isStoodForByALevelInLittleMemory) {
   const ValueRange range = surveyVoxels(*whole).range;
   EXPECT_EQ(range.greatest, test::SparseVolume::kSlabValue);
   const VolumeBricks bricks(*whole);
-  EXPECT_EQ(bricks.range({3, 4, 100}).greatest, test::SparseVolume::kSlabValue);
-  EXPECT_EQ(bricks.range({3, 4, 102}).greatest, 0);
+  EXPECT_EQ(bricks.range({3, 4, 1608 / VolumeBricks::kEdge}).greatest, test::SparseVolume::kSlabValue);
+  EXPECT_EQ(bricks.range({3, 4, 1632 / VolumeBricks::kEdge}).greatest, 0);
   EXPECT_LT(peakResidentBytes(), kMaxResidentBytes);
 }
 
