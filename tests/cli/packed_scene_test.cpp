@@ -171,7 +171,6 @@ TEST_F(PackedSceneCommands, WhatItCannotDoIsAnErrorThatSaysWhatToDo) {
            {"scene pack " + scene + " -o " + out("again.opack"), "packed already"},
            {"scene info builtin:statues,mesh=" + scene, "the file that it was packed from"},
            {"demo " + scene + " -o " + out("demo"), "the file that it was packed from"},
-           {"render " + scene + " --camera comprehensive -o " + out("a.png"), "no maze"},
            {"ocri build " + scene + " --camera geometry -o " + out("a.exr"), "no image"},
            {"observe " + scene + " -o " + out("a.png"), "no .svol file"},
            {"scene info " + inQuotes(folder_.write("cut.opack", fileBytes(pack()).substr(0, 100'000))), "cut off"},
