@@ -96,9 +96,13 @@ MultiperspectiveCamera mazeCamera(JsonFields& fields, const GuidedScene& scene, 
   walk.crossingShare = place.options.crossingShare;
   walk.deployWidths = fields.has("deploy_cells") ? place.options.deployCells : walk.deployWidths;
   const glm::dvec3 level = turned ? glm::dvec3(vectorOf(place.pose.heading)) : glm::dvec3(reference.forward());
-  return makeWalkCamera(walkMapFor(scene, std::move(ways)), {place.pose.eye, heading.value_or(level)}, walk,
-                        reference.width(), reference.height())
-      .camera;
+  WalkCamera made = makeWalkCamera(walkMapFor(scene, std::move(ways)), {place.pose.eye, heading.value_or(level)}, walk,
+                                   reference.width(), reference.height());
+  if (!made.cell) {
+    throw InputError(made.note, "maze camera",
+                     "move the eye (--view, or \"position\") over floor that `ocelli scene walk` finds");
+  }
+  return std::move(made.camera);
 }
 
 std::string listOfNames() {

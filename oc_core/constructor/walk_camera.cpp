@@ -70,7 +70,7 @@ View rootView(const WalkSpace& space, const glm::dvec3& eye, const glm::dvec2& d
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(lens.tangent / aspect));
   view.centerShift = {static_cast<float>(lens.aside * aspect), 0};
   view.zNear = static_cast<float>(std::max(lens.behind, 0.01 * space.size()));
-  view.zFar = static_cast<float>(lens.behind + 8 * space.reach());
+  view.zFar = static_cast<float>(lens.behind + std::max(8 * space.reach(), space.reachFrom(eye)));
   return view;
 }
 

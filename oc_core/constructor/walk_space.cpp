@@ -83,6 +83,7 @@ WalkSpace::WalkSpace(WalkMap map) : map_(std::move(map)), regions_(walkRegionsOf
     }
   }
   if (!sizes.empty()) {
+    center_ = (lower + upper) / 2.0;
     reach_ = glm::distance(lower, upper) / 2;
     std::nth_element(sizes.begin(), sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2), sizes.end());
     size_ = sizes[sizes.size() / 2];

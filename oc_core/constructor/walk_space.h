@@ -1,6 +1,7 @@
 // Where someone stands in a walk map, and what lies ahead along the tunnel that he walks in.
 #pragma once
 
+#include <glm/geometric.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,8 @@ class WalkSpace {
   const std::vector<WalkRegion>& regions() const { return regions_; }
   /// Half of the diagonal of all regions, or 1 where there are none.
   double reach() const { return reach_; }
+  /// From there nothing of the map is farther.
+  double reachFrom(const glm::dvec3& eye) const { return glm::distance(eye, center_) + reach_; }
   /// Of a region as a rule: the median.
   double size() const { return size_; }
 
@@ -29,6 +32,7 @@ class WalkSpace {
  private:
   WalkMap map_;
   std::vector<WalkRegion> regions_;
+  glm::dvec3 center_{0};
   double reach_ = 1;
   double size_ = 1;
 };

@@ -172,6 +172,7 @@ TEST_F(CameraCommand, errorsSayWhatToDo) {
            {"camera edit builtin:box --edits /tmp --camera " + path("cross.json") + " -o " + path("e.json"), "/tmp"},
            {"render builtin:box --identity " + path("x.png") + " --camera " + path("cross.json"), "both would go into"},
            {"camera show " + path("wall.obj") + " --camera comprehensive", "no floor"},
+           {"camera show builtin:house --camera maze", "no walkable floor below"},
            {"camera compare builtin:box --camera ddoc -o " + path("focus"), "no regions of detail"},
            {"camera compare builtin:box --camera " + path("out.json") + " -o " + path("focus"), "zoom by more than 1"},
            {"camera compare builtin:box --camera gpc --view " + path("away.json") + " -o " + path("focus"), "view"},

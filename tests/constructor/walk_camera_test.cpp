@@ -217,6 +217,8 @@ TEST(WalkCamera, alwaysGivesAnImage) {
 TEST(WalkCamera, saysWhyItIsAPinhole) {
   const WalkSpace space(test::smallHouse().map());
   const auto noteAt = [&](const WalkPose& pose) { return makeWalkCamera(space, pose, {}, 90, 60).note; };
+  // From far outside one still sees where the map is.
+  EXPECT_GT(makeWalkCamera(space, walkerAt(3000, 2), {}, 90, 60).camera.root().view().zFar, 3000.0f);
   EXPECT_THAT(noteAt(walkerAt(30, 2)), HasSubstr("no walkable floor below"));
   EXPECT_THAT(noteAt(walkerAt(2.8, 6.1)), HasSubstr("retracted"));
   EXPECT_THAT(makeWalkCamera(WalkMap{}, walkerAt(2, 2), {}, 90, 60).note, HasSubstr("no floor to walk on"));
