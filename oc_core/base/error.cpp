@@ -1,6 +1,7 @@
 #include "oc_core/base/error.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace ocelli {
 namespace {
@@ -29,23 +30,30 @@ std::string oneLine(const std::string& text) {
   return printable(text.substr(0, end), false) + "...";
 }
 
-std::string sentence(const std::string& what, const std::string& where, const std::string& next,
+Error::Parts cleaned(const std::string& what, const std::string& where, const std::string& next,
                      const std::string& details) {
-  std::string text = where.empty() ? oneLine(what) : oneLine(where) + ": " + oneLine(what);
-  for (size_t begin = 0; begin < details.size();) {
-    const size_t end = std::min(details.find('\n', begin), details.size());
-    text += "\n    " + details.substr(begin, end - begin);
+  return {oneLine(what), oneLine(where), printable(next, true), printable(details, true)};
+}
+
+std::string sentence(const Error::Parts& parts) {
+  std::string text = parts.where.empty() ? parts.problem : parts.where + ": " + parts.problem;
+  for (size_t begin = 0; begin < parts.details.size();) {
+    const size_t end = std::min(parts.details.find('\n', begin), parts.details.size());
+    text += "\n    " + parts.details.substr(begin, end - begin);
     begin = end + 1;
   }
-  if (!next.empty()) {
-    text += "\n  try: " + next;
+  if (!parts.next.empty()) {
+    text += "\n  try: " + parts.next;
   }
-  return printable(text, true);
+  return text;
 }
 
 }  // namespace
 
 Error::Error(const std::string& what, const std::string& where, const std::string& next, const std::string& details)
-    : std::runtime_error(sentence(what, where, next, details)) {}
+    : Error(cleaned(what, where, next, details)) {}
+
+Error::Error(Parts parts)
+    : std::runtime_error(sentence(parts)), parts_(std::make_shared<const Parts>(std::move(parts))) {}
 
 }  // namespace ocelli

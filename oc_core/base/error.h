@@ -1,6 +1,7 @@
 // What is thrown for bad input and failed work. Every error says what went wrong, where, and what to do next.
 #pragma once
 
+#include <memory>
 #include <stdexcept>
 #include <string>
 
@@ -12,6 +13,20 @@ class Error : public std::runtime_error {
   /// stand below `what`. What comes out of damaged files and databases may stand in all of them: control characters
   /// become "?", `what` and `where` stay one line, and are cut where they are longer than any message of ours.
   Error(const std::string& what, const std::string& where, const std::string& next, const std::string& details = "");
+
+  /// Of what() one by one, for programs: what went wrong, where ("" where that is said by the first), what to try next.
+  struct Parts {
+    std::string problem;
+    std::string where;
+    std::string next;
+    std::string details;
+  };
+  const Parts& parts() const { return *parts_; }
+
+ private:
+  explicit Error(Parts parts);
+
+  std::shared_ptr<const Parts> parts_;  ///< shared: copies of exceptions must not throw
 };
 
 /// The command line or an input file is wrong: exit code 2. Of an analysis: its data contradict themselves. What merely

@@ -31,6 +31,15 @@ TEST(Error, DetailsAreLinesBelow) {
                "here: two do not work:\n    one: no?\n    two: no\n  try: a third");
 }
 
+TEST(Error, TellsItsPartsOneByOne) {
+  const WorkError error("two do\nnot work:", "here\x1b", "a third", "one: no\ntwo: no");
+  const WorkError copy = error;
+  EXPECT_EQ(copy.parts().problem, "two do?not work:");
+  EXPECT_EQ(copy.parts().where, "here?");
+  EXPECT_EQ(copy.parts().next, "a third");
+  EXPECT_EQ(copy.parts().details, "one: no\ntwo: no");
+}
+
 TEST(Error, KindsAreDistinct) {
   // Exit codes 2 and 1 hang on it.
   EXPECT_THROW(throw InputError("a", "", ""), InputError);
