@@ -15,6 +15,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
   libteem-dev libnifti2-dev libgdcm-dev libpugixml-dev
   libopenvdb-dev
   librecast-dev
+  pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas
   libjpeg62-turbo-dev libwebp-dev libjxl-dev
   libgtest-dev libgmock-dev libbenchmark-dev libosmesa6-dev libosmesa6 libegl-dev libegl1
   libgl1-mesa-dri libglfw3-dev libimgui-dev libfontconfig-dev libfribidi-dev fonts-dejavu-core fonts-droid-fallback python3-glad xvfb xauth libxtst6 xdotool

@@ -1,5 +1,6 @@
 #include "oc_core/base/reader_process.h"
 
+#include <dlfcn.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
@@ -47,6 +48,14 @@ std::string fixed(double value, int digits) {
 
 std::string moreSeconds(const ReaderProgram& reader) {
   return std::string(reader.convert) + ", or set " + reader.secondsVariable + " to more seconds";
+}
+
+/// Where this code was loaded from: the running program, or a library that a program such as Python has loaded.
+fs::path ownFile() {
+  Dl_info info{};
+  return dladdr(reinterpret_cast<const void*>(&ownFile), &info) != 0 && info.dli_fname != nullptr
+             ? fs::absolute(info.dli_fname)
+             : fs::path();
 }
 
 /// Whether only those who could change the running program anyway can have put this one there.
@@ -137,12 +146,13 @@ fs::path findReaderProgram(const ReaderProgram& reader) {
     return given;
   }
   std::error_code ignored;
-  fs::path folder = fs::read_symlink("/proc/self/exe", ignored);
-  while (folder.has_relative_path()) {
-    folder = folder.parent_path();
-    const fs::path program = folder / "libexec" / "ocelli" / reader.name;
-    if (isTrusted(program)) {
-      return program;
+  for (fs::path folder : {fs::read_symlink("/proc/self/exe", ignored), ownFile()}) {
+    while (folder.has_relative_path()) {
+      folder = folder.parent_path();
+      const fs::path program = folder / "libexec" / "ocelli" / reader.name;
+      if (isTrusted(program)) {
+        return program;
+      }
     }
   }
   if (const fs::path installed = reader.installed; isTrusted(installed)) {

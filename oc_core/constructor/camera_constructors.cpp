@@ -113,6 +113,22 @@ std::string listOfNames() {
   return names;
 }
 
+MultiperspectiveCamera constructCamera(const nlohmann::json& json, const std::string& where, const GuidedScene& scene,
+                                       const PinholeCamera& reference) {
+  return readAs(schemaOf(json), [&] {
+    JsonFields fields(json, where);
+    const std::string name = fields.text("camera");
+    const CameraConstructor* constructor = find(name);
+    if (constructor == nullptr) {
+      throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
+                       "use " + listOfNames());
+    }
+    MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
+    fields.rejectUnknown();
+    return camera;
+  });
+}
+
 }  // namespace
 
 const std::vector<CameraConstructor>& cameraConstructors() {
@@ -171,20 +187,14 @@ std::optional<glm::ivec2> sizeInFile(const std::string& nameOrFile) {
 
 MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const GuidedScene& scene,
                                        const PinholeCamera& reference) {
-  const nlohmann::json json = isFile(nameOrFile) ? readJsonFile(nameOrFile) : nlohmann::json{{"camera", nameOrFile}};
-  const std::string where = isFile(nameOrFile) ? nameOrFile : "--camera " + nameOrFile;
-  return readAs(schemaOf(json), [&] {
-    JsonFields fields(json, where);
-    const std::string name = fields.text("camera");
-    const CameraConstructor* constructor = find(name);
-    if (constructor == nullptr) {
-      throw InputError("there is no constructor of cameras \"" + name + "\"", where + ", field \"camera\"",
-                       "use " + listOfNames());
-    }
-    MultiperspectiveCamera camera = constructor->build(fields, scene, reference);
-    fields.rejectUnknown();
-    return camera;
-  });
+  return isFile(nameOrFile)
+             ? constructCamera(readJsonFile(nameOrFile), nameOrFile, scene, reference)
+             : constructCamera(nlohmann::json{{"camera", nameOrFile}}, "--camera " + nameOrFile, scene, reference);
+}
+
+MultiperspectiveCamera constructCameraFromJson(const std::string& text, const std::string& where,
+                                               const GuidedScene& scene, const PinholeCamera& reference) {
+  return constructCamera(parseJson(text, where), where, scene, reference);
 }
 
 }  // namespace ocelli

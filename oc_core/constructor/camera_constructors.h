@@ -42,5 +42,8 @@ std::optional<glm::ivec2> sizeInFile(const std::string& nameOrFile);
 /// Throws InputError for an unknown name, a file that is wrong, and options that do not fit the scene.
 MultiperspectiveCamera constructCamera(const std::string& nameOrFile, const GuidedScene& scene,
                                        const PinholeCamera& reference);
+/// The same from the text of such a file; `where` names it in messages.
+MultiperspectiveCamera constructCameraFromJson(const std::string& text, const std::string& where,
+                                               const GuidedScene& scene, const PinholeCamera& reference);
 
 }  // namespace ocelli

@@ -34,6 +34,7 @@ THIRD_PARTIES = {
     "meshoptimizer.h": "meshoptimizer::meshoptimizer",
     "embree3/": "embree",
     "openvdb/": "OpenVDB::openvdb",
+    "pybind11/": "pybind11::module",
     "Recast.h": "Recast::recast",
     "Imf": "PkgConfig::OpenEXR",
     "Imath": "PkgConfig::OpenEXR",

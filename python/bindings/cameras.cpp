@@ -1,0 +1,95 @@
+// Cameras by name and options: their images.
+#include <pybind11/stl.h>
+
+#include <map>
+#include <variant>
+
+#include "oc_core/constructor/camera_constructors.h"
+#include "oc_core/multiperspective/multiperspective_image.h"
+#include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/nothing_seen.h"
+#include "oc_core/ocri/placed_image.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/images.h"
+#include "python/bindings/options.h"
+#include "python/bindings/progress.h"
+
+namespace py = pybind11;
+
+namespace ocelli {
+namespace {
+
+/// Any way to draw an image: "raster" is the one that cameras build their images with.
+std::optional<Technique> techniqueOf(const std::string& method) {
+  static const std::map<std::string, std::optional<Technique>> kTechniques{{"raster", std::nullopt},
+                                                                          {"points", Technique::kPoints},
+                                                                          {"hybrid", Technique::kHybrid},
+                                                                          {"raycast", Technique::kRaycast}};
+  const auto found = kTechniques.find(method);
+  if (found == kTechniques.end()) {
+    throw InputError("there is no method \"" + method + "\"", "method", "use raster, points, hybrid or raycast");
+  }
+  return found->second;
+}
+
+ReferenceImages buildImages(const Mesh& mesh, const std::string& options, const View& view, int width, int height,
+                            const std::string& construction, const py::object& progress) {
+  requireImageSize(width, height);
+  const Construction wanted = constructionFromText(construction, "construction");
+  const PythonProgress told(progress);
+  const py::gil_scoped_release released;
+  return buildReferenceImages(cameraChoiceFromJson(options), PinholeCamera(view, width, height), mesh, told.function(), wanted,
+                              nullptr);
+}
+
+ReferenceImages drawImages(const Mesh& mesh, const std::string& options, const View& view, int width, int height,
+                           const std::string& method, const py::object& progress) {
+  requireImageSize(width, height);
+  const std::optional<Technique> technique = techniqueOf(method);
+  const PythonProgress told(progress);
+  const py::gil_scoped_release released;
+  const CameraChoice choice = cameraChoiceFromJson(options);
+  const PinholeCamera reference(view, width, height);
+  return technique ? ReferenceImages{drawReferenceImage(*technique, choice, reference, mesh, told.function())}
+                   : buildReferenceImages(choice, reference, mesh, told.function());
+}
+
+/// Of a graph or curved ray camera.
+ReferenceImages constructImages(const GuidedScene& scene, const std::string& options, const View& view, int width,
+                                int height, bool byRays) {
+  requireImageSize(width, height);
+  const py::gil_scoped_release released;
+  const PinholeCamera reference(view, width, height);
+  const MultiperspectiveCamera camera = constructCameraFromJson(options, kCameraOptions, scene, reference);
+  const FragmentImage fragments = byRays ? raycast(camera, scene.mesh) : rasterize(camera, scene.mesh);
+  const ReferenceImage image = std::visit(
+      [&](const auto& each) { return placedImage(each, fragments, scene.mesh, view, "constructed"); }, camera);
+  if (image.sampleCount() == 0) {
+    failSeeingNothing(reference, scene.mesh, "camera");
+  }
+  return {image};
+}
+
+template <class Rows>
+std::vector<std::pair<std::string, std::string>> namesOf(const Rows& rows) {
+  std::vector<std::pair<std::string, std::string>> names;
+  for (const auto& row : rows) {
+    names.emplace_back(row.name, row.description);
+  }
+  return names;
+}
+
+}  // namespace
+
+void bindCameras(py::module_& module) {
+  module.def("representations", [] { return namesOf(cameraNames()); });
+  module.def("constructors", [] { return namesOf(cameraConstructors()); });
+  module.def("build_images", &buildImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),
+             py::arg("height"), py::arg("construction"), py::arg("progress"));
+  module.def("draw_images", &drawImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),
+             py::arg("height"), py::arg("method"), py::arg("progress"));
+  module.def("construct_images", &constructImages, py::arg("scene"), py::arg("options"), py::arg("view"),
+             py::arg("width"), py::arg("height"), py::arg("by_rays"));
+}
+
+}  // namespace ocelli

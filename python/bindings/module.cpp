@@ -1,0 +1,14 @@
+#include "python/bindings/bindings.h"
+
+PYBIND11_MODULE(_ocelli, module) {
+  module.doc() = "The C++ side of ocelli: see the package's own modules.";
+  module.attr("__version__") = OCELLI_VERSION;
+  // In the order in which signatures name each other's classes.
+  ocelli::bindErrors(module);
+  ocelli::bindViews(module);
+  ocelli::bindScenes(module);
+  ocelli::bindImages(module);
+  ocelli::bindCameras(module);
+  ocelli::bindEvaluation(module);
+  ocelli::bindDisplays(module);
+}

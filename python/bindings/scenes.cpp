@@ -1,0 +1,130 @@
+// Meshes and scenes.
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "oc_core/ocri/union_mesh.h"
+#include "oc_core/scene/ply_file.h"
+#include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/scene_source.h"
+#include "python/bindings/arrays.h"
+#include "python/bindings/bindings.h"
+#include "python/bindings/progress.h"
+
+namespace py = pybind11;
+
+namespace ocelli {
+namespace {
+
+Mesh meshOf(const DenseArray<float>& positions, const DenseArray<uint32_t>& triangles,
+            const std::optional<DenseArray<float>>& colors) {
+  Mesh mesh;
+  mesh.positions = rowsOf<glm::vec3>(positions, "Mesh(positions=)");
+  mesh.triangles = rowsOf<glm::uvec3>(triangles, "Mesh(triangles=)");
+  if (colors) {
+    mesh.colors = rowsOf<glm::vec3>(*colors, "Mesh(colors=)");
+  }
+  validate(mesh, "Mesh");
+  return mesh;
+}
+
+GuidedScene sceneOfMesh(const Mesh& mesh, bool fit) {
+  GuidedScene scene;
+  scene.mesh = mesh;
+  scene.objectOfTriangle.assign(mesh.triangles.size(), 1);
+  if (fit) {
+    scene.worldFromScene = unitFromWorld(mesh, "Scene(mesh)");
+    transform(scene.mesh, scene.worldFromScene);
+  }
+  return scene;
+}
+
+GuidedScene load(const std::string& source, bool fit, bool shaded, bool textures, std::optional<double> seconds,
+                 std::optional<double> iso, const py::object& progress) {
+  std::vector<std::string> warnings;
+  SceneOptions options;
+  options.fit = fit;
+  options.shading = shaded ? Shading::kLambert : Shading::kNone;
+  options.textures = textures;
+  options.motion.seconds = seconds;
+  options.iso = iso;
+  options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
+  const PythonProgress told(progress);
+  GuidedScene scene = [&] {
+    const py::gil_scoped_release released;
+    return loadGuidedScene(source, options, told.function());
+  }();
+  for (const std::string& warning : warnings) {
+    PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 2);
+    if (PyErr_Occurred() != nullptr) {
+      throw py::error_already_set();
+    }
+  }
+  return scene;
+}
+
+}  // namespace
+
+void bindScenes(py::module_& module) {
+  py::class_<Mesh>(module, "Mesh")
+      .def(py::init(&meshOf), py::arg("positions"), py::arg("triangles"), py::arg("colors") = py::none())
+      .def_property_readonly("positions",
+                             [](const py::object& self) { return viewOf(self.cast<const Mesh&>().positions, self); })
+      .def_property_readonly("triangles",
+                             [](const py::object& self) { return viewOf(self.cast<const Mesh&>().triangles, self); })
+      .def_property_readonly("colors",
+                             [](const py::object& self) -> py::object {
+                               const Mesh& mesh = self.cast<const Mesh&>();
+                               return mesh.colors.empty() ? py::object(py::none()) : viewOf(mesh.colors, self);
+                             })
+      .def("write_ply",
+           [](const Mesh& mesh, const std::filesystem::path& path) {
+             const py::gil_scoped_release released;
+             writePly(path, mesh);
+           },
+           py::arg("path"))
+      .def_static("read_ply",
+                  [](const std::filesystem::path& path) {
+                    const py::gil_scoped_release released;
+                    return readPly(path);
+                  },
+                  py::arg("path"))
+      .def("__len__", [](const Mesh& mesh) { return mesh.triangles.size(); })
+      .def("__repr__", [](const Mesh& mesh) {
+        return "<ocelli.Mesh of " + std::to_string(mesh.triangles.size()) + " triangles, " +
+               std::to_string(mesh.positions.size()) + " vertices>";
+      });
+
+  py::class_<GuidedScene>(module, "Scene")
+      .def(py::init(&sceneOfMesh), py::arg("mesh"), py::kw_only(), py::arg("fit") = false)
+      .def_property_readonly(
+          "mesh", [](const GuidedScene& scene) -> const Mesh& { return scene.mesh; },
+          py::return_value_policy::reference_internal)
+      .def_property_readonly(
+          "object_of_triangle",
+          [](const py::object& self) { return viewOf(self.cast<const GuidedScene&>().objectOfTriangle, self); })
+      .def_property_readonly("world_from_scene",
+                             [](const GuidedScene& scene) {
+                               py::array_t<float> matrix({4, 4});
+                               for (int row = 0; row < 4; ++row) {
+                                 for (int column = 0; column < 4; ++column) {
+                                   matrix.mutable_at(row, column) = scene.worldFromScene[column][row];
+                                 }
+                               }
+                               return matrix;
+                             })
+      .def("__repr__", [](const GuidedScene& scene) {
+        return "<ocelli.Scene of " + std::to_string(scene.mesh.triangles.size()) + " triangles>";
+      });
+
+  module.def("load_scene", &load, py::arg("source"), py::arg("fit"), py::arg("shaded"), py::arg("textures"),
+             py::arg("seconds"), py::arg("iso"), py::arg("progress"));
+  module.def("builtin_scenes", [] {
+    std::vector<std::pair<std::string, std::string>> rows;
+    for (const BuiltinScene& scene : listBuiltinScenes()) {
+      rows.emplace_back(scene.name, scene.summary);
+    }
+    return rows;
+  });
+}
+
+}  // namespace ocelli

@@ -1,0 +1,48 @@
+"""Ocelli: cameras that are not pinholes.
+
+    import ocelli
+    statues = ocelli.scene.load("builtin:statues")
+    images = ocelli.ocri.build(statues, "ddoc")          # an occlusion camera's reference image
+    images.write("statues.exr")
+    mesh = ocelli.ocri.mesh(images)                      # its bounded mesh
+    rows = ocelli.evaluate(statues, ["di", "ddoc"])      # figures: pandas.DataFrame(rows)
+
+Conventions: right-handed, y up; arrays of images have their first row at the top; colours are linear RGB (`ocelli.srgb()`
+turns them into bytes that a PNG takes); angles in degrees. A scene is fitted into the unit sphere unless `fit=False`.
+Arrays of C++ objects are read-only views of their memory: copy what you want to change.
+
+Whatever takes a scene takes a `Scene`, a `Mesh`, a file name, or "builtin:NAME[,key=value...]". Errors are
+`ocelli.InputError` and `ocelli.WorkError`: what, where, next. Long work shows its progress on a terminal or in a notebook,
+unless `progress=False`; give a function `progress(stage, fraction)` to show it yourself. Ctrl-C ends it.
+"""
+
+from ocelli import camera, ocri, scene
+from ocelli._drawing import render, resample, srgb
+from ocelli._evaluating import evaluate
+from ocelli._ocelli import DisplayVolume, Mesh, ReferenceImage, ReferenceImages, ResampledView, Scene, View, __version__
+from ocelli._slicing import observe, profiles, slice  # noqa: A004 - as the command is called
+from ocelli.errors import Error, InputError, WorkError
+
+__all__ = [
+    "DisplayVolume",
+    "Error",
+    "InputError",
+    "Mesh",
+    "ReferenceImage",
+    "ReferenceImages",
+    "ResampledView",
+    "Scene",
+    "View",
+    "WorkError",
+    "__version__",
+    "camera",
+    "evaluate",
+    "observe",
+    "ocri",
+    "profiles",
+    "render",
+    "resample",
+    "scene",
+    "slice",
+    "srgb",
+]

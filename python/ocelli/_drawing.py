@@ -1,0 +1,59 @@
+from ocelli import _ocelli
+from ocelli._arguments import camera_options, is_constructor, mesh_of, scene_of, size_of, view_of
+from ocelli._progress import Shown
+from ocelli.errors import InputError
+
+
+def render(scene, camera="di", *, view=None, size=(720, 480), method="raster", progress=None, **options):
+    """Draws a scene with any camera.
+
+    Args:
+        scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
+        camera: a name ("di" is the pinhole), a dict with options, or a JSON file; see `ocelli.camera`.
+        view: a `View` or a JSON file; None: from (0, 0, 10), just holding the unit sphere.
+        size: (width, height), pixels.
+        method: "raster", or "raycast", the slow reference for it; "points" and "hybrid" for cameras that displace a pinhole.
+        progress: None, True, False or a function `progress(stage, fraction)`.
+        **options: of the camera, by name.
+
+    Returns:
+        `ReferenceImage`: `.color` (height, width, 3), linear RGB; `.t`, along the rays; `.held`, 1 where something is seen.
+
+    Raises:
+        InputError: for unknown names and options, and views that see nothing.
+    """
+    text = camera_options(camera, options)
+    width, height = size_of(size)
+    with Shown(progress) as callback:
+        if is_constructor(text):
+            if method not in ("raster", "raycast"):
+                raise InputError(f"graph and curved ray cameras are not drawn by {method}", "method", "use raster or raycast")
+            images = _ocelli.construct_images(
+                scene_of(scene, callback), text, view_of(view), width, height, method == "raycast"
+            )
+        else:
+            mesh = mesh_of(scene, callback)
+            images = _ocelli.draw_images(mesh, text, view_of(view), width, height, method, callback)
+    if len(images) > 1:
+        raise InputError(f"{images[0].camera} is a union of {len(images)} images", "camera", "build it with ocelli.ocri.build()")
+    return images[0]
+
+
+def resample(images, view, *, size=(720, 480)):
+    """What a pinhole would see, of what reference images hold.
+
+    Args:
+        images: `ReferenceImages`.
+        view: a `View` or a JSON file.
+        size: (width, height), pixels.
+
+    Returns:
+        `ResampledView`: `.color` (height, width, 3), linear RGB; `.hole` (height, width), 1 where nothing is known.
+    """
+    width, height = size_of(size)
+    return _ocelli.resample(images, view_of(view), width, height)
+
+
+def srgb(linear):
+    """Linear RGB, shape (height, width, 3), as bytes of sRGB: what PNG files and matplotlib take."""
+    return _ocelli.srgb_from_linear(linear)

@@ -1,0 +1,64 @@
+import json
+
+from ocelli import _ocelli
+from ocelli._arguments import camera_options, mesh_of, size_of, view_of
+from ocelli._progress import Shown
+
+
+def evaluate(
+    scene,
+    cameras=("di", "ddoc"),
+    *,
+    view=None,
+    size=(720, 480),
+    cell_side=1.6,
+    cell_shape="cube",
+    interior_views=12,
+    edge_views=1,
+    seed=1,
+    compare_images=True,
+    runs=3,
+    progress=None,
+):
+    """Measures representations against the scene, over the viewpoints of a cell.
+
+    Args:
+        scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
+        cameras: names, dicts with options, or JSON files.
+        view: the reference view; None: from (0, 0, 10).
+        size: (width, height), pixels.
+        cell_side: of the cell, display radii; 1.6 are 8 inches at the reference display.
+        cell_shape: "cube", "sphere" or "segment".
+        interior_views: viewpoints inside the cell, from `seed`.
+        edge_views: viewpoints between the corners of each edge of a cube.
+        compare_images: measure PSNR, SSIM and FLIP too, which takes most of the time.
+        runs: how often each representation is made; the best times count.
+        progress: None, True, False or a function `progress(stage, fraction)`.
+
+    Returns:
+        A list of dicts, one for each camera: docs/metrics.md lists the fields. `pandas.json_normalize(rows)` makes a table.
+
+    Raises:
+        InputError: for unknown cameras, and where a viewpoint lies inside an object.
+    """
+    width, height = size_of(size)
+    texts = [camera_options(camera, {}) for camera in cameras]
+    with Shown(progress) as callback:
+        mesh = mesh_of(scene, callback)
+        text = _ocelli.evaluate(
+            mesh,
+            scene if isinstance(scene, str) else repr(scene),
+            texts,
+            view_of(view),
+            width,
+            height,
+            cell_side,
+            cell_shape,
+            interior_views,
+            edge_views,
+            seed,
+            compare_images,
+            runs,
+            callback,
+        )
+    return json.loads(text)["representations"]

@@ -1,0 +1,60 @@
+"""Reference images: what a camera samples of a scene, and the bounded mesh that is made of it.
+
+    images = ocelli.ocri.build("builtin:statues", "ddoc", size=(720, 480))
+    images[0].color          # (height, width, 3), linear RGB
+    images[0].points()       # (height, width, 3), world coordinates; NaN where there is no sample
+    mesh = ocelli.ocri.mesh(images)
+"""
+
+import os
+
+from ocelli import _ocelli
+from ocelli._arguments import camera_options, is_constructor, mesh_of, scene_of, size_of, view_of
+from ocelli._progress import Shown
+
+
+def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="auto", progress=None, **options):
+    """Builds the reference images of a scene: one, or those of a union.
+
+    Args:
+        scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
+        camera: a name of `ocelli.camera.representations()` or `constructors()`, a dict with its options, or a JSON file.
+        view: a `View` or a JSON file; None: from (0, 0, 10), just holding the unit sphere.
+        size: (width, height) of the reference view, pixels.
+        construction: "auto", "raster" or "rays".
+        progress: None, True, False or a function `progress(stage, fraction)`.
+        **options: of the camera, by name: `ocelli camera info NAME` on a command line lists them.
+
+    Returns:
+        `ReferenceImages`: a sequence of `ReferenceImage`, with `.write(path)` (OpenEXR) and `.mesh()`.
+
+    Raises:
+        InputError: for unknown names and options, and views that see nothing or lie inside an object.
+    """
+    text = camera_options(camera, options)
+    width, height = size_of(size)
+    with Shown(progress) as callback:
+        if is_constructor(text):
+            by_rays = construction == "rays"
+            return _ocelli.construct_images(scene_of(scene, callback), text, view_of(view), width, height, by_rays)
+        mesh = mesh_of(scene, callback)
+        return _ocelli.build_images(mesh, text, view_of(view), width, height, construction, callback)
+
+
+def mesh(images):
+    """The bounded mesh of reference images: a `Mesh` in world coordinates."""
+    return images.mesh()
+
+
+def read(path):
+    """`ReferenceImages` of a file that `images.write()` or `ocelli ocri build` wrote.
+
+    Raises:
+        InputError: for a file that is missing, broken, or holds something else.
+    """
+    return _ocelli.read_reference_images(os.fspath(path))
+
+
+def write(path, images):
+    """Writes reference images to an OpenEXR file."""
+    images.write(os.fspath(path))

@@ -1,0 +1,38 @@
+"""Scenes: files, what the toolkit makes itself, and your own meshes.
+
+    bunny = ocelli.scene.load("bunny.ply")
+    room = ocelli.scene.load("builtin:room,mesh=bunny.ply")
+    mine = ocelli.Mesh(positions, triangles, colors)
+"""
+
+import os
+
+from ocelli import _ocelli
+from ocelli._progress import Shown
+
+
+def load(source, *, fit=True, shaded=True, textures=True, seconds=None, iso=None, progress=None):
+    """Loads a scene as one mesh with a colour at each vertex.
+
+    Args:
+        source: a file name, or "builtin:NAME[,key=value...]": `builtins()` lists the names.
+        fit: scale and move it into the unit sphere; otherwise it keeps its own coordinates.
+        shaded: multiply colours by a fixed light, so that shapes show.
+        textures: bake the textures of a file to the colours of its vertices.
+        seconds: of a scene that moves, the moment that is taken; None: as it is at rest.
+        iso: of a volume, the value whose surface is taken.
+        progress: None, True, False or a function `progress(stage, fraction)`.
+
+    Returns:
+        `Scene`: `.mesh`, and `.object_of_triangle`, shape (triangles,).
+
+    Raises:
+        InputError: for a file or a name that is wrong.
+    """
+    with Shown(progress) as callback:
+        return _ocelli.load_scene(os.fspath(source), fit, shaded, textures, seconds, iso, callback)
+
+
+def builtins():
+    """The scenes that the toolkit makes: {name: what it is}."""
+    return dict(_ocelli.builtin_scenes())
