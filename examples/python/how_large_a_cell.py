@@ -12,7 +12,7 @@ for name, mark in [("di", "o"), ("cell", "s")]:
         100
         * ocelli.evaluate(
             scene, [name], cell_side=side, size=(180, 120), interior_views=2, runs=1, compare_images=False
-        )[0]["edges"]["thick_share"]
+        )[0]["missing_thick"]["edges"]
         for side in sides
     ]
     axes.plot(sides, missing, mark + "-", label=name)
