@@ -7,8 +7,10 @@
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/multiperspective/multiperspective_image.h"
 #include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ocri/camera_option.h"
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/placed_image.h"
+#include "oc_core/ocri/representation_kind.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/images.h"
 #include "python/bindings/options.h"
@@ -79,11 +81,40 @@ std::vector<std::pair<std::string, std::string>> namesOf(const Rows& rows) {
   return names;
 }
 
+/// What a representation may be told: a dict for each option.
+py::list optionsOf(const std::string& name) {
+  const CameraChoice defaults = cameraChoice(name);
+  py::list rows;
+  for (const CameraOption* option : defaults.kind->options) {
+    py::dict row;
+    row["name"] = option->name;
+    row["meaning"] = option->meaning;
+    row["unit"] = option->unit;
+    if (isDirection(*option)) {
+      const glm::vec3 direction = directionOf(*option, defaults);
+      row["default"] = py::make_tuple(direction.x, direction.y, direction.z);
+    } else if (isBoolean(*option)) {
+      row["default"] = numberOf(*option, defaults) != 0;
+    } else if (isInteger(*option)) {
+      row["default"] = static_cast<int>(numberOf(*option, defaults));
+    } else {
+      row["default"] = numberOf(*option, defaults);
+    }
+    if (!isBoolean(*option)) {
+      row["min"] = option->min;
+      row["max"] = option->max;
+    }
+    rows.append(row);
+  }
+  return rows;
+}
+
 }  // namespace
 
 void bindCameras(py::module_& module) {
   module.def("representations", [] { return namesOf(cameraNames()); });
   module.def("constructors", [] { return namesOf(cameraConstructors()); });
+  module.def("camera_options", &optionsOf, py::arg("name"));
   module.def("build_images", &buildImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),
              py::arg("height"), py::arg("construction"), py::arg("progress"));
   module.def("draw_images", &drawImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),

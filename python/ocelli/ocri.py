@@ -23,7 +23,7 @@ def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="aut
         size: (width, height) of the reference view, pixels.
         construction: "auto", "raster" or "rays".
         progress: None, True, False or a function `progress(stage, fraction)`.
-        **options: of the camera, by name: `ocelli camera info NAME` on a command line lists them.
+        **options: of the camera, by name: `ocelli.camera.options(name)` lists those of representations.
 
     Returns:
         `ReferenceImages`: a sequence of `ReferenceImage`, with `.write(path)` (OpenEXR) and `.mesh()`.

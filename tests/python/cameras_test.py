@@ -30,7 +30,7 @@ class Cameras(unittest.TestCase):
                 try:
                     images = ocelli.ocri.build(self.teapot, name, size=SIZE)
                 except ocelli.InputError as error:
-                    self.assertIn("no reference image", str(error))
+                    self.assertIn("is a mesh and has no image", error.what)
                     continue
                 self.assertGreater(sum(image.sample_count for image in images), 0)
                 self.assertGreater(len(ocelli.ocri.mesh(images)), 0)
@@ -62,16 +62,26 @@ class Cameras(unittest.TestCase):
             numpy.testing.assert_array_equal(again.t, images[0].t)
 
     def test_options_are_keywords_fields_and_files(self):
-        by_keyword = ocelli.ocri.build(self.teapot, "cell", cell_side=0.4, size=SIZE)
-        by_field = ocelli.ocri.build(self.teapot, {"camera": "cell", "cell_side": 0.4}, size=SIZE)
+        by_keyword = ocelli.ocri.build(self.teapot, "cell", cell_side_radii=0.4, size=SIZE)
+        by_field = ocelli.ocri.build(self.teapot, {"camera": "cell", "cell_side_radii": 0.4}, size=SIZE)
         numpy.testing.assert_array_equal(by_keyword[0].color, by_field[0].color)
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
-            file.write('{"camera": "cell", "cell_side": 0.4}')
+            file.write('{"camera": "cell", "cell_side_radii": 0.4}')
             file.flush()
             by_file = ocelli.ocri.build(self.teapot, file.name, size=SIZE)
         numpy.testing.assert_array_equal(by_keyword[0].color, by_file[0].color)
-        other = ocelli.ocri.build(self.teapot, "cell", cell_side=1.6, size=SIZE)
+        other = ocelli.ocri.build(self.teapot, "cell", cell_side_radii=1.6, size=SIZE)
         self.assertNotEqual(by_keyword[0].sample_count, other[0].sample_count)
+
+    def test_options_are_listed(self):
+        for name in ocelli.camera.representations():
+            for option in ocelli.camera.options(name):
+                with self.subTest(name + "." + option["name"]):
+                    self.assertTrue(option["meaning"])
+        [side] = [option for option in ocelli.camera.options("cell") if option["name"] == "cell_side_radii"]
+        self.assertAlmostEqual(side["default"], 1.6, places=6)
+        with self.assertRaises(ocelli.InputError):
+            ocelli.camera.options("telephoto")
 
     def test_unknown_names_and_options_are_told(self):
         with self.assertRaises(ocelli.InputError) as caught:
