@@ -62,15 +62,16 @@ class Cameras(unittest.TestCase):
             numpy.testing.assert_array_equal(again.t, images[0].t)
 
     def test_options_are_keywords_fields_and_files(self):
-        by_keyword = ocelli.ocri.build(self.teapot, "cell", cell_side_radii=0.4, size=SIZE)
-        by_field = ocelli.ocri.build(self.teapot, {"camera": "cell", "cell_side_radii": 0.4}, size=SIZE)
+        fence = ocelli.scene.load("builtin:fence")
+        by_keyword = ocelli.ocri.build(fence, "cell", cell_side_radii=0.4, size=SIZE)
+        by_field = ocelli.ocri.build(fence, {"camera": "cell", "cell_side_radii": 0.4}, size=SIZE)
         numpy.testing.assert_array_equal(by_keyword[0].color, by_field[0].color)
         with tempfile.NamedTemporaryFile("w", suffix=".json") as file:
             file.write('{"camera": "cell", "cell_side_radii": 0.4}')
             file.flush()
-            by_file = ocelli.ocri.build(self.teapot, file.name, size=SIZE)
+            by_file = ocelli.ocri.build(fence, file.name, size=SIZE)
         numpy.testing.assert_array_equal(by_keyword[0].color, by_file[0].color)
-        other = ocelli.ocri.build(self.teapot, "cell", cell_side_radii=1.6, size=SIZE)
+        other = ocelli.ocri.build(fence, "cell", cell_side_radii=1.6, size=SIZE)
         self.assertNotEqual(by_keyword[0].sample_count, other[0].sample_count)
 
     def test_options_are_listed(self):
