@@ -5,11 +5,11 @@ from _picture import pyplot, save
 
 import ocelli
 
-rows = ocelli.evaluate("builtin:fence", ["di", "spoc", "ddoc", "eoc-hv", "cell"], size=(240, 160), interior_views=4, runs=1)
+rows = ocelli.evaluate("builtin:statues", ["di", "spoc", "ddoc", "eoc-hv", "cell"], size=(240, 160), interior_views=4, runs=1)
 table = pandas.json_normalize(rows).set_index("name")
-print(table[["samples", "triangles", "missing_thick.edges"]])
+print(table[["samples", "triangles", "missing_strict.edges"]])
 figure, axes = pyplot.subplots(figsize=(7, 4))
-axes.bar(table.index, 100 * table["missing_thick.edges"])
-axes.set_ylabel("thickly missing, % of the pixels")
-axes.set_title("fence, from the edges of an 8 inch cell")
+axes.bar(table.index, 100 * table["missing_strict.edges"])
+axes.set_ylabel("missing, % of the pixels")
+axes.set_title("statues, from the edges of an 8 inch cell")
 save(figure, "compare_representations")
