@@ -57,8 +57,9 @@ inline constexpr int kReaderDone = 0;
 inline constexpr int kReaderFailed = 1;
 inline constexpr int kReaderOutOfMemory = 3;
 
-/// The program: what its environment variable names; else libexec/ocelli/NAME in the folder of the running program, or of
-/// the library that this code was loaded from, or one above it; else where it was configured to be installed. Throws WorkError where there is none.
+/// The program: what its environment variable names; else libexec/ocelli/NAME in the folder of the running program, or
+/// of the library that this code was loaded from, or one above it; else where it was configured to be installed. Throws
+/// WorkError where there is none.
 ///
 /// Programs that someone else may have put there are passed over: its owner must be root, this user, or the owner of
 /// the running program.

@@ -1,5 +1,5 @@
-// The extension module `ocelli._ocelli`: one function a subject adds its classes and functions to the module. The Python
-// files of python/ocelli/ are what users see; they turn paths, keywords and defaults into what stands here.
+// The extension module `ocelli._ocelli`: one function a subject adds its classes and functions to the module. The
+// Python files of python/ocelli/ are what users see; they turn paths, keywords and defaults into what stands here.
 //
 // Every call that works for long releases the interpreter (py::gil_scoped_release) and takes a PythonProgress, so that
 // other threads run and Ctrl-C ends it (progress.h). Arrays are views of the memory of the C++ objects (arrays.h).

@@ -24,9 +24,9 @@ namespace {
 /// Any way to draw an image: "raster" is the one that cameras build their images with.
 std::optional<Technique> techniqueOf(const std::string& method) {
   static const std::map<std::string, std::optional<Technique>> kTechniques{{"raster", std::nullopt},
-                                                                          {"points", Technique::kPoints},
-                                                                          {"hybrid", Technique::kHybrid},
-                                                                          {"raycast", Technique::kRaycast}};
+                                                                           {"points", Technique::kPoints},
+                                                                           {"hybrid", Technique::kHybrid},
+                                                                           {"raycast", Technique::kRaycast}};
   const auto found = kTechniques.find(method);
   if (found == kTechniques.end()) {
     throw InputError("there is no method \"" + method + "\"", "method", "use raster, points, hybrid or raycast");
@@ -40,8 +40,8 @@ ReferenceImages buildImages(const Mesh& mesh, const std::string& options, const 
   const Construction wanted = constructionFromText(construction, "construction");
   const PythonProgress told(progress);
   const py::gil_scoped_release released;
-  return buildReferenceImages(cameraChoiceFromJson(options), PinholeCamera(view, width, height), mesh, told.function(), wanted,
-                              nullptr);
+  return buildReferenceImages(cameraChoiceFromJson(options), PinholeCamera(view, width, height), mesh, told.function(),
+                              wanted, nullptr);
 }
 
 ReferenceImages drawImages(const Mesh& mesh, const std::string& options, const View& view, int width, int height,

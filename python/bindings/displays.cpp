@@ -70,28 +70,31 @@ void bindDisplays(py::module_& module) {
       .def_property_readonly("bits_per_channel", &Volume::bitsPerChannel)
       .def_property_readonly("lit_voxels", &Volume::litVoxels)
       .def("levels", &levelsOf, py::arg("slice"))
-      .def("bit_planes",
-           [](const py::object& self, int slice) {
-             const Volume& volume = self.cast<const Volume&>();
-             const VolumeLayout& layout = volume.layout();
-             return viewOf(volume.slice(sliceIndex(volume, slice)).data(),
-                           {static_cast<py::ssize_t>(layout.planes), volume.height(),
-                            static_cast<py::ssize_t>(layout.rowBytes)},
-                           self);
-           },
-           py::arg("slice"))
-      .def("write",
-           [](const Volume& volume, const std::filesystem::path& path) {
-             const py::gil_scoped_release released;
-             writeSvol(path, volume);
-           },
-           py::arg("path"))
-      .def_static("read",
-                  [](const std::filesystem::path& path, size_t frame) {
-                    const py::gil_scoped_release released;
-                    return readSvol(path, frame);
-                  },
-                  py::arg("path"), py::arg("frame") = 0)
+      .def(
+          "bit_planes",
+          [](const py::object& self, int slice) {
+            const Volume& volume = self.cast<const Volume&>();
+            const VolumeLayout& layout = volume.layout();
+            return viewOf(
+                volume.slice(sliceIndex(volume, slice)).data(),
+                {static_cast<py::ssize_t>(layout.planes), volume.height(), static_cast<py::ssize_t>(layout.rowBytes)},
+                self);
+          },
+          py::arg("slice"))
+      .def(
+          "write",
+          [](const Volume& volume, const std::filesystem::path& path) {
+            const py::gil_scoped_release released;
+            writeSvol(path, volume);
+          },
+          py::arg("path"))
+      .def_static(
+          "read",
+          [](const std::filesystem::path& path, size_t frame) {
+            const py::gil_scoped_release released;
+            return readSvol(path, frame);
+          },
+          py::arg("path"), py::arg("frame") = 0)
       .def("__len__", &Volume::slices)
       .def("__eq__", [](const Volume& a, const Volume& b) { return a == b; })
       .def("__repr__", [](const Volume& volume) {

@@ -1,6 +1,6 @@
-// Errors of the toolkit as Python exceptions, whose three parts are attributes: python/ocelli/errors.py has the classes.
+// Errors of the toolkit as Python exceptions, whose three parts are attributes: python/ocelli/errors.py has the
+// classes.
 #include "oc_core/base/error.h"
-
 #include "python/bindings/bindings.h"
 
 namespace py = pybind11;

@@ -59,12 +59,13 @@ void bindReferenceImage(py::module_& module) {
              }
              return arrayOf(std::move(points));
            })
-      .def("write_png",
-           [](const ReferenceImage& image, const std::filesystem::path& path) {
-             const py::gil_scoped_release released;
-             writePng(path, srgbFromLinear(image.color));
-           },
-           py::arg("path"))
+      .def(
+          "write_png",
+          [](const ReferenceImage& image, const std::filesystem::path& path) {
+            const py::gil_scoped_release released;
+            writePng(path, srgbFromLinear(image.color));
+          },
+          py::arg("path"))
       .def("__repr__", [](const ReferenceImage& image) {
         return "<ocelli.ReferenceImage " + image.camera + " of " + std::to_string(image.width()) + "x" +
                std::to_string(image.height()) + ">";
@@ -74,20 +75,22 @@ void bindReferenceImage(py::module_& module) {
 void bindReferenceImages(py::module_& module) {
   py::class_<ReferenceImages>(module, "ReferenceImages")
       .def("__len__", [](const ReferenceImages& images) { return images.size(); })
-      .def("__getitem__",
-           [](const ReferenceImages& images, py::ssize_t index) -> const ReferenceImage& {
-             return images[indexOf(images, index)];
-           },
-           py::return_value_policy::reference_internal)
-      .def("__iter__",
-           [](const ReferenceImages& images) { return py::make_iterator(images.begin(), images.end()); },
-           py::keep_alive<0, 1>())
-      .def("write",
-           [](const ReferenceImages& images, const std::filesystem::path& path) {
-             const py::gil_scoped_release released;
-             writeReferenceImages(path, images);
-           },
-           py::arg("path"))
+      .def(
+          "__getitem__",
+          [](const ReferenceImages& images, py::ssize_t index) -> const ReferenceImage& {
+            return images[indexOf(images, index)];
+          },
+          py::return_value_policy::reference_internal)
+      .def(
+          "__iter__", [](const ReferenceImages& images) { return py::make_iterator(images.begin(), images.end()); },
+          py::keep_alive<0, 1>())
+      .def(
+          "write",
+          [](const ReferenceImages& images, const std::filesystem::path& path) {
+            const py::gil_scoped_release released;
+            writeReferenceImages(path, images);
+          },
+          py::arg("path"))
       .def("mesh",
            [](const ReferenceImages& images) {
              const py::gil_scoped_release released;

@@ -76,18 +76,20 @@ void bindScenes(py::module_& module) {
                                const Mesh& mesh = self.cast<const Mesh&>();
                                return mesh.colors.empty() ? py::object(py::none()) : viewOf(mesh.colors, self);
                              })
-      .def("write_ply",
-           [](const Mesh& mesh, const std::filesystem::path& path) {
-             const py::gil_scoped_release released;
-             writePly(path, mesh);
-           },
-           py::arg("path"))
-      .def_static("read_ply",
-                  [](const std::filesystem::path& path) {
-                    const py::gil_scoped_release released;
-                    return readPly(path);
-                  },
-                  py::arg("path"))
+      .def(
+          "write_ply",
+          [](const Mesh& mesh, const std::filesystem::path& path) {
+            const py::gil_scoped_release released;
+            writePly(path, mesh);
+          },
+          py::arg("path"))
+      .def_static(
+          "read_ply",
+          [](const std::filesystem::path& path) {
+            const py::gil_scoped_release released;
+            return readPly(path);
+          },
+          py::arg("path"))
       .def("__len__", [](const Mesh& mesh) { return mesh.triangles.size(); })
       .def("__repr__", [](const Mesh& mesh) {
         return "<ocelli.Mesh of " + std::to_string(mesh.triangles.size()) + " triangles, " +

@@ -28,7 +28,12 @@ void bindViews(py::module_& module) {
   py::class_<View>(module, "View")
       .def(py::init([](const Point& eye, const Point& target, const Point& up, double fovVerticalDegrees, float near,
                        float far, const std::array<float, 2>& centerShift) {
-             const View view{vectorOf(eye), vectorOf(target), vectorOf(up), fovVerticalDegrees, near, far,
+             const View view{vectorOf(eye),
+                             vectorOf(target),
+                             vectorOf(up),
+                             fovVerticalDegrees,
+                             near,
+                             far,
                              {centerShift[0], centerShift[1]}};
              validate(view, "View");
              return view;
@@ -42,16 +47,18 @@ void bindViews(py::module_& module) {
       .def_property_readonly("fov_vertical_degrees", &View::resolvedFovVerticalDegrees)
       .def_readonly("near", &View::zNear)
       .def_readonly("far", &View::zFar)
-      .def("moved",
-           [](const View& view, const Point& offset) {
-             View moved = movedEye(view, vectorOf(offset));
-             validate(moved, "View.moved()");
-             return moved;
-           },
-           py::arg("offset"))
+      .def(
+          "moved",
+          [](const View& view, const Point& offset) {
+            View moved = movedEye(view, vectorOf(offset));
+            validate(moved, "View.moved()");
+            return moved;
+          },
+          py::arg("offset"))
       .def("json", [](const View& view) { return jsonText(view); })
       .def_static("from_json", [](const std::string& text) { return viewFromJsonText(text, "View.from_json()"); })
-      .def_static("read", [](const std::filesystem::path& path) { return readView(path); }, py::arg("path"))
+      .def_static(
+          "read", [](const std::filesystem::path& path) { return readView(path); }, py::arg("path"))
       .def("__eq__", [](const View& a, const View& b) { return a == b; })
       .def("__repr__", [](const View& view) { return "View.from_json('" + jsonText(view) + "')"; });
 }
