@@ -189,13 +189,13 @@ TEST(MappedVolumes, mayBeginAnywhereAtAMultipleOfAVoxel) {
   std::ofstream(path, std::ios::binary).write(reinterpret_cast<const char*>(numbers.data()), 2000);
   VolumeGrid grid;
   grid.size = {10, 10, 5};
-  const ScalarVolume volume = mapVolume(grid, VoxelType::kUint16, {path, 2 * 123, 1000});
+  const ScalarVolume volume = mapVolumes(grid, VoxelType::kUint16, path, {2 * 123}).front();
   EXPECT_EQ(volume.valueAt({0, 0, 0}), 123);
   EXPECT_EQ(volume.valueAt({9, 9, 4}), 622);
   EXPECT_TRUE(areVoxelsAligned(4, VoxelType::kFloat32));
   EXPECT_FALSE(areVoxelsAligned(4, VoxelType::kFloat64));
   try {
-    mapVolume(grid, VoxelType::kUint16, {path, 1002, 1000});
+    mapVolumes(grid, VoxelType::kUint16, path, {1002});
     FAIL() << "the file is too short";
   } catch (const InputError& error) {
     EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("numbers.raw"), testing::HasSubstr("2000")));
