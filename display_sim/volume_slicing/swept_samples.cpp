@@ -6,7 +6,6 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "display_sim/volume_slicing/coarser_volume.h"
 #include "display_sim/volume_slicing/swept_field.h"
 #include "display_sim/volume_slicing/swept_light.h"
 #include "display_sim/volume_slicing/swept_outline.h"
@@ -14,6 +13,7 @@
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/scene/shading.h"
+#include "oc_core/volume/volume_levels.h"
 
 namespace ocelli {
 namespace {
@@ -298,8 +298,8 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   glm::dmat4 sceneFromIndex = scene.worldFromIndex;
   if (factor != glm::ivec3(1)) {
     report(progress, "making the volume coarser", 0);
-    coarser = coarserVolume(*scene.volume, factor, range_);
-    sceneFromIndex = sceneFromIndex * fineFromCoarserIndex(factor);
+    coarser = averagedInRange(*scene.volume, factor, range_);
+    sceneFromIndex = sceneFromIndex * wholeFromLevelIndex(factor);
   }
   const ScalarVolume& volume = coarser ? *coarser : *scene.volume;
   const glm::dmat4 indexFromScene = glm::inverse(sceneFromIndex);

@@ -4,7 +4,7 @@
 // spread of the field in it (swept_code.h). A cell is a thin wedge: columns and rows are as wide everywhere, and the
 // thickness grows from 0 at the axis. So it is sampled by points spread evenly over it, as many in each direction as
 // the volume has voxels there, and two at least across it where it is thicker than wide; a volume that is finer
-// than 1.5 voxels a column is made coarser first, by averages (coarser_volume.h). What the points miss of the spread
+// than 1.5 voxels a column is made coarser first, by averages (volume_levels.h). What the points miss of the spread
 // follows from the differences to the neighbours in the slice. The spread within what was averaged is lost: such a
 // volume is classified as a coarser scan would be.
 //

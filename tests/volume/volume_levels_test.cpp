@@ -101,7 +101,7 @@ TEST(VolumeLevels, haveNoMoreThanAPartOfALargeSliceInMemory) {
 
 TEST(VolumeLevels, standWhereTheirVoxelsDo) {
   const ScalarVolume whole = shortVolume({24, 9, 7});
-  const VolumeGrid grid = levelGrid(whole.grid(), 3);
+  const VolumeGrid grid = levelGrid(whole.grid(), glm::ivec3(3));
   // The centre of voxels 3, 4 and 5 is that of voxel 4.
   const auto at = [](const VolumeGrid& any, double i, double j, double k) {
     return glm::dvec3(any.worldFromIndex * glm::dvec4(i, j, k, 1));
@@ -166,6 +166,9 @@ TEST(MappedVolumes, areReadWithoutTheirHolesAsVolumesInMemoryAre) {
   const ScalarVolume whole = copied(mapped);
   EXPECT_TRUE(haveSameBytes(averagedLevel(mapped, 3), averagedLevel(whole, 3)));
   EXPECT_TRUE(haveSameBytes(sampledLevel(mapped, 4), sampledLevel(whole, 4)));
+  // Holes are zeros, which this range takes for its lower end.
+  const ValueRange range{100, 900};
+  EXPECT_TRUE(haveSameBytes(averagedInRange(mapped, {3, 2, 4}, range), averagedInRange(whole, {3, 2, 4}, range)));
   const VoxelSurvey survey = surveyVoxels(mapped);
   EXPECT_EQ(survey.range.least, 0);
   EXPECT_EQ(survey.range.greatest, test::SparseVolume::kSlabValue);
