@@ -203,8 +203,8 @@ TEST(Isosurface, VerticesHaveTheValue) {
 
 TEST(Isosurface, TypesOfVoxelsAndTheirScaleMeanTheSame) {
   const glm::ivec3 size(12);
-  const std::vector<float> values =
-      sampledField(size, [](const glm::dvec3& p) { return std::round(250 - 30 * glm::distance(p, glm::dvec3(5.5))); });
+  const std::vector<float> values = test::voxelsOf(
+      size, [](const glm::dvec3& p) { return std::round(250 - 30 * glm::distance(p, glm::dvec3(5.5))); });
   std::vector<int16_t> stored;
   for (const float value : values) {
     stored.push_back(static_cast<int16_t>((value + 1024) / 2));

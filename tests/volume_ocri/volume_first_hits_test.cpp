@@ -55,20 +55,12 @@ TEST(VolumeFirstHits, AnOpaqueVolumeAndItsIsosurfaceLieInEachOther) {
   // Two axes change places, and the box is no cube.
   grid.worldFromIndex = glm::dmat4(glm::dvec4(0, spacing, 0, 0), glm::dvec4(spacing, 0, 0, 0),
                                    glm::dvec4(0, 0, 0.8 * spacing, 0), glm::dvec4(-0.9, -1, -0.7, 1));
-  std::vector<float> values;
-  for (int k = 0; k < kEdge; ++k) {
-    for (int j = 0; j < kEdge; ++j) {
-      for (int i = 0; i < kEdge; ++i) {
-        values.push_back(14 - static_cast<float>(glm::distance(glm::dvec3(i, j, k), glm::dvec3(19, 21, 18))));
-      }
-    }
-  }
   // Opaque within a twentieth of a voxel from the value 0 on.
   TransferFunction transfer({{0, {1, 1, 1}, 0}, {0, {1, 1, 1}, 0.9999}}, spacing / 20);
-  const glm::dmat4 worldFromIndex = grid.worldFromIndex;
-  VolumeScene scene{.volume = std::make_shared<ScalarVolume>(std::move(grid), std::move(values)),
-                    .worldFromIndex = worldFromIndex,
-                    .appearance = {.transfer = std::move(transfer)}};
+  VolumeScene scene = test::sceneOfVoxels(
+      grid,
+      test::voxelsOf(grid.size, [](const glm::dvec3& p) { return 14 - glm::distance(p, glm::dvec3(19, 21, 18)); }),
+      std::move(transfer));
   const Mesh mesh = isosurface(scene, {.value = 0}, "the volume");
   const ReferenceImage ofMesh = buildDepthImage(smallCamera(), mesh);
   const VolumeFirstHits volume(std::move(scene), {.step = 0.05});
