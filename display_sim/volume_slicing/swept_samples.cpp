@@ -12,7 +12,7 @@
 #include "display_sim/volume_slicing/swept_range.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
-#include "oc_core/scene/shading.h"
+#include "oc_core/volume/gradient_light.h"
 #include "oc_core/volume/volume_levels.h"
 
 namespace ocelli {
@@ -38,28 +38,18 @@ int pointsFor(const glm::dvec3& indexStep) {
   return std::max(static_cast<int>(std::ceil(std::max({steps.x, steps.y, steps.z}) - 1e-6)), 1);
 }
 
-/// What gradients do to light.
+/// What gradients do to light. Specular light depends on the eye, and is left out.
 struct Weighing {
   bool shaded = false;
-  VolumeShading shading{};
-  glm::mat3 sceneFromIndexGradient{1};  ///< per mean distance of the volume's voxels
-  float flatBelow = 0;
+  GradientLight<float> light{};
   float fullGradient = 0;  ///< 0: every gradient gives full light
-  glm::vec3 toLight{0};
 
   bool isNeeded() const { return shaded || fullGradient > 0; }
 
   uint8_t weightOf(const glm::vec3& indexGradient) const {
-    const glm::vec3 gradient = sceneFromIndexGradient * indexGradient;
-    const float length = glm::length(gradient);
-    float weight = 1;
-    if (shaded && length > 0) {
-      const float lit = static_cast<float>(shading.ambient) +
-                        static_cast<float>(shading.diffuse) * std::abs(glm::dot(gradient, toLight)) / length;
-      weight = flatBelow > 0 && length < flatBelow ? glm::mix(1.0f, lit, length / flatBelow) : lit;
-    }
+    float weight = shaded ? light.factorAt(indexGradient) : 1;
     if (fullGradient > 0) {
-      weight *= std::min(length / fullGradient, 1.0f);
+      weight *= std::min(glm::length(light.worldFromIndexGradient * indexGradient) / fullGradient, 1.0f);
     }
     return static_cast<uint8_t>(std::clamp(weight, 0.0f, 1.0f) * 255 + 0.5f);
   }
@@ -315,15 +305,13 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   codes_.assign(bricks * kSweptBrickVoxels, kNothingSwept);
   reaches_.resize(bricks);
 
-  const double spacing = std::cbrt(std::abs(glm::determinant(glm::dmat3(scene.worldFromIndex))));
-  const double width = range_.greatest - range_.least;
   const VolumeShading& shading = scene.appearance.shading;
-  const Weighing weighing{.shaded = sampling.shaded && shading.isOn,
-                          .shading = shading,
-                          .sceneFromIndexGradient = glm::mat3(glm::transpose(glm::dmat3(indexFromScene)) * spacing),
-                          .flatBelow = static_cast<float>(width * kFlatShare),
-                          .fullGradient = static_cast<float>(width * sampling.fullLightGradient),
-                          .toLight = glm::normalize(directionToLight())};
+  // Gradients are told by the voxels of the volume, also where they are those of a coarser one.
+  const double bySpacing = 1 / std::cbrt(double(factor.x) * factor.y * factor.z);
+  const Weighing weighing{
+      .shaded = sampling.shaded && shading.isOn,
+      .light = singleLight(gradientLight(sceneFromIndex, shading, range_), bySpacing),
+      .fullGradient = static_cast<float>((range_.greatest - range_.least) * sampling.fullLightGradient)};
   if (weighing.isNeeded()) {
     sampledWeights_.resize(codes_.size());
   }

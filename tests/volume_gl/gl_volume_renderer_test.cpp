@@ -12,6 +12,7 @@
 #include "tests/gl/gl_test_context.h"
 #include "tests/render/camera_cases.h"
 #include "tests/volume_gl/volume_agreement.h"
+#include "tests/volume_render/place_lights.h"
 #include "tests/volume_render/test_volumes.h"
 
 namespace ocelli {
@@ -80,6 +81,17 @@ TEST_P(GlVolumeRendererTest, isFiniteAndTheSameHoweverDense) {
     const TransferFunction dense({{10.3, {1, 0, 0}, 0}, {10.3, {1, 0, 0}, 0.9999}, {30.3, {0, 0, 1}, 0.9999}}, length);
     const VolumeScene scene = test::floatVolume({32, 8, 8}, 0.05, number, dense);
     expectCpu(PinholeCamera(View{}, 30, 20), scene, "dense " + std::to_string(length));
+  }
+}
+
+// The shader's copy of the lighting rule, for rays that it makes and for those that are uploaded.
+TEST_P(GlVolumeRendererTest, lightsPlacesByTheRule) {
+  for (const test::LightCase& each : test::lightCases()) {
+    const GlVolumeRenderer renderer(*context_, each.scene, test::placeOptions());
+    const PinholeCamera camera = test::placeCamera();
+    test::expectPlaceLights(renderer.render(camera), each);
+    test::expectPlaceLights(
+        renderer.render(camera.width(), camera.height(), [&](const glm::vec2& p) { return camera.rayPath(p); }), each);
   }
 }
 
