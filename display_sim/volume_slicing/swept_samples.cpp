@@ -46,12 +46,12 @@ struct Weighing {
 
   bool isNeeded() const { return shaded || fullGradient > 0; }
 
-  uint8_t weightOf(const glm::vec3& indexGradient) const {
+  float weightOf(const glm::vec3& indexGradient) const {
     float weight = shaded ? light.factorAt(indexGradient) : 1;
     if (fullGradient > 0) {
       weight *= std::min(glm::length(light.worldFromIndexGradient * indexGradient) / fullGradient, 1.0f);
     }
-    return static_cast<uint8_t>(std::clamp(weight, 0.0f, 1.0f) * 255 + 0.5f);
+    return std::clamp(weight, 0.0f, 1.0f);
   }
 };
 
@@ -64,6 +64,13 @@ struct CellMoments {
 
 enum class CellState : char { kOutside, kBeside, kInVolume };
 
+/// Less of full light than this counts as none.
+constexpr float kMinWeight = 0.5f / 255;
+
+uint8_t roundedWeight(float weight) {
+  return static_cast<uint8_t>(weight * 255 + 0.5f);
+}
+
 /// Cells of a slice that are sampled, with one more on each side, and which of them were.
 struct SlicePatch {
   int firstColumn = 0;
@@ -72,7 +79,7 @@ struct SlicePatch {
   int rows = 0;
   std::vector<float> means;
   std::vector<float> variances;
-  std::vector<uint8_t> weights;
+  std::vector<float> weights;
   std::vector<CellState> states;
 
   explicit SlicePatch(const SweptSlice& slice)
@@ -114,8 +121,9 @@ class SweptSampler {
         byRange_(range.greatest > range.least ? static_cast<float>(1 / (range.greatest - range.least)) : 0),
         weighing_(weighing) {}
 
-  /// `codes`, `weights` (where there are any) and `reaches` are those of the first brick of the slice.
-  void sample(int slice, const SweptSlice& place, uint16_t* codes, uint8_t* weights, SweptReach* reaches) const {
+  /// `codes` and `reaches` are those of the first brick of the slice.
+  void sample(int slice, const SweptSlice& place, uint16_t* codes, SweptReach* reaches,
+              SweptWeights::Some& weights) const {
     if (place.brickColumns == 0) {
       return;
     }
@@ -127,27 +135,27 @@ class SweptSampler {
     for (int x = 0; x < patch.columns; ++x) {
       columns.push_back(pointsOf(plane, patch.firstColumn + x, pointsAColumn, pointsARow));
     }
-    // Cells one beside the volume are the neighbours of its outermost ones.
-    const glm::dvec3 margin =
+    // Neighbours of the volume's outermost cells are no farther from them.
+    const glm::dvec3 beside =
         glm::abs(plane.byRadius) * sweep_.columnWidth() + glm::abs(plane.byHeight) * sweep_.rowHeight();
     for (int y = 0; y < patch.rows; ++y) {
       const glm::dvec3 rowShift = plane.byHeight * sweep_.rowCenterY(patch.firstRow + y);
       for (int x = 0; x < patch.columns; ++x) {
         const ColumnPoints& column = columns[static_cast<size_t>(x)];
-        if (!isIn(column.center + rowShift, margin)) {
+        const glm::dvec3 center = column.center + rowShift;
+        if (!isIn(center, column.reach + beside)) {
           continue;
         }
         const CellMoments moments = momentsOf(column.points, glm::vec3(rowShift));
         const size_t at = static_cast<size_t>(y) * static_cast<size_t>(patch.columns) + static_cast<size_t>(x);
         patch.means[at] = moments.mean;
         patch.variances[at] = moments.variance;
-        patch.states[at] = isIn(column.center + rowShift, glm::dvec3(0)) ? CellState::kInVolume : CellState::kBeside;
-        if (weighing_.isNeeded()) {
-          patch.weights[at] = weighing_.weightOf(moments.gradient);
-        }
+        const float share = shareInBox(center, column.reach);
+        patch.states[at] = share > kMinWeight ? CellState::kInVolume : CellState::kBeside;
+        patch.weights[at] = weighing_.isNeeded() ? share * weighing_.weightOf(moments.gradient) : share;
       }
     }
-    encode(place, patch, columns, pointsAColumn, pointsARow, codes, weights, reaches);
+    encode(place, patch, columns, pointsAColumn, pointsARow, codes, reaches, weights);
   }
 
  private:
@@ -155,14 +163,18 @@ class SweptSampler {
   struct ColumnPoints {
     glm::dvec3 center{0};
     std::vector<glm::vec3> points{};
-    float line = 1;  ///< the variance of a line by that of the points on it
+    float line = 1;       ///< the variance of a line by that of the points on it
+    glm::dvec3 reach{0};  ///< how far a cell reaches from its centre, along each axis
   };
 
   ColumnPoints pointsOf(const SweptPlane& plane, int column, int pointsAColumn, int pointsARow) const {
     const double radius = sweep_.columnRadius(column);
     const double thickness = 2 * std::abs(radius) * sweep_.tanHalfStep();
     const int across = thickness > sweep_.columnWidth() ? std::max(pointsFor(plane.byAcross * thickness), 2) : 1;
-    ColumnPoints made{.center = plane.origin + plane.byRadius * radius};
+    ColumnPoints made{.center = plane.origin + plane.byRadius * radius,
+                      .reach = (glm::abs(plane.byRadius) * sweep_.columnWidth() +
+                                glm::abs(plane.byHeight) * sweep_.rowHeight() + glm::abs(plane.byAcross) * thickness) /
+                               2.0};
     for (int c = 0; c < pointsAColumn; ++c) {
       const double r = radius + ((c + 0.5) / pointsAColumn - 0.5) * sweep_.columnWidth();
       for (int a = 0; a < across; ++a) {
@@ -185,6 +197,21 @@ class SweptSampler {
       }
     }
     return true;
+  }
+
+  /// How much of a cell lies in the volume's box: exact where the cell is parallel to its faces, and ramps in between.
+  float shareInBox(const glm::dvec3& center, const glm::dvec3& reach) const {
+    if (isIn(center, -reach)) {
+      return 1;
+    }
+    double share = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const double width = std::max(2 * reach[axis], 1e-12);
+      const double above = std::clamp(0.5 + (center[axis] + 0.5) / width, 0.0, 1.0);
+      const double below = std::clamp(0.5 + (upper_[axis] - center[axis]) / width, 0.0, 1.0);
+      share *= std::max(above + below - 1, 0.0);
+    }
+    return static_cast<float>(share);
   }
 
   CellMoments momentsOf(const std::vector<glm::vec3>& points, const glm::vec3& shift) const {
@@ -211,20 +238,25 @@ class SweptSampler {
   }
 
   void encode(const SweptSlice& place, const SlicePatch& patch, const std::vector<ColumnPoints>& columns,
-              int pointsAColumn, int pointsARow, uint16_t* codes, uint8_t* weights, SweptReach* reaches) const {
+              int pointsAColumn, int pointsARow, uint16_t* codes, SweptReach* reaches,
+              SweptWeights::Some& weights) const {
     // Of the variance 1 / 12 of a line of the length 1 the part that n points spread evenly over it have.
     const auto part = [](int n) { return (1 - 1.0f / static_cast<float>(n * n)) / 12; };
     const float columnPart = part(pointsAColumn);
     const float rowPart = part(pointsARow);
     const auto stride = static_cast<size_t>(patch.columns);
+    size_t brick = place.firstBrick;
     for (int brickRow = 0; brickRow < place.brickRows; ++brickRow) {
-      for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reaches) {
+      for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reaches, ++brick) {
+        SweptWeights::Brick brickWeights;
+        brickWeights.fill(255);
+        auto* weight = brickWeights.data();
         float first = kSweptMeans;
         float last = -1;
         for (int y = 0; y < kSweptBrickSide; ++y) {
           size_t at = static_cast<size_t>(brickRow * kSweptBrickSide + y + 1) * stride +
                       static_cast<size_t>(brickColumn * kSweptBrickSide + 1);
-          for (int x = 0; x < kSweptBrickSide; ++x, ++at) {
+          for (int x = 0; x < kSweptBrickSide; ++x, ++at, ++weight) {
             uint16_t code = kNothingSwept;
             // The last bricks may reach beyond the screen.
             const bool isOnScreen = (place.firstBrickColumn + brickColumn) * kSweptBrickSide + x < sweep_.width() &&
@@ -238,17 +270,16 @@ class SweptSampler {
               const float across = std::max(patch.variances[at] - byPoints, 0.0f) * columns[column].line;
               const float variance = squares + across;
               code = sweptCode(patch.means[at], std::sqrt(3 * variance));
+              *weight = roundedWeight(patch.weights[at]);
               const float step = sweptMeanOf(code) * (kSweptMeans - 1);
               const float reach = sweptReach(sweptHalfSpreadOf(code));
               first = std::min(first, step - reach);
               last = std::max(last, step + reach);
             }
             *codes++ = code;
-            if (weights != nullptr) {
-              *weights++ = patch.weights[at];
-            }
           }
         }
+        weights.add(brick, brickWeights);
         if (last >= 0) {
           reaches->first = static_cast<uint16_t>(std::max(std::floor(first), 0.0f));
           reaches->last = static_cast<uint16_t>(std::min(std::ceil(last), float{kSweptMeans - 1}));
@@ -312,25 +343,23 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
       .shaded = sampling.shaded && shading.isOn,
       .light = singleLight(gradientLight(sceneFromIndex, shading, range_), bySpacing),
       .fullGradient = static_cast<float>((range_.greatest - range_.least) * sampling.fullLightGradient)};
-  if (weighing.isNeeded()) {
-    sampledWeights_.resize(codes_.size());
-  }
+  std::vector<SweptWeights::Some> weights(slices_.size());
   visitSweptField(volume, [&](const auto& field) {
     const SweptSampler sampler(field, upper, indexFromScene, sweep_, range_, weighing);
     parallelFor(slices_.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const size_t at = slices_[i].firstBrick;
-        sampler.sample(static_cast<int>(i), slices_[i], codes_.data() + at * kSweptBrickVoxels,
-                       weighing.isNeeded() ? sampledWeights_.data() + at * kSweptBrickVoxels : nullptr,
-                       reaches_.data() + at);
+        sampler.sample(static_cast<int>(i), slices_[i], codes_.data() + at * kSweptBrickVoxels, reaches_.data() + at,
+                       weights[i]);
       }
     });
   });
+  sampledWeights_ = SweptWeights(bricks, weights);
   report(progress, "sampling the volume", 1);
 }
 
 size_t SweptSamples::bytes() const {
-  return codes_.size() * sizeof(uint16_t) + sampledWeights_.size() + weights_.size() +
+  return codes_.size() * sizeof(uint16_t) + sampledWeights_.bytes() + weights_.bytes() +
          reaches_.size() * sizeof(SweptReach);
 }
 
@@ -353,24 +382,29 @@ uint16_t SweptSamples::codeAt(int slice, int column, int row) const {
 
 uint8_t SweptSamples::weightAt(int slice, int column, int row) const {
   const std::optional<size_t> place = placeOf(slice, column, row);
-  return place && weights() != nullptr ? weights()[*place] : 255;
+  const uint8_t* ofBrick = place ? weights().of(*place / kSweptBrickVoxels) : nullptr;
+  return ofBrick != nullptr ? ofBrick[*place % kSweptBrickVoxels] : 255;
 }
 
 void SweptSamples::setPart(const Part& part, const Progress& progress) {
+  hasPart_ = static_cast<bool>(part);
+  weights_ = {};
   if (!part) {
-    weights_.clear();
     return;
   }
   report(progress, "weighing the voxels", 0);
-  weights_.resize(codes_.size());
+  std::vector<SweptWeights::Some> weights(slices_.size());
   parallelFor(slices_.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const SweptSlice& place = slices_[i];
-      size_t at = place.firstBrick * kSweptBrickVoxels;
+      size_t brick = place.firstBrick;
       for (int brickRow = 0; brickRow < place.brickRows; ++brickRow) {
-        for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn) {
-          for (size_t k = 0; k < kSweptBrickVoxels; ++k, ++at) {
-            if (codes_[at] == kNothingSwept) {
+        for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++brick) {
+          SweptWeights::Brick made;
+          made.fill(255);
+          const uint8_t* sampled = sampledWeights_.of(brick);
+          for (size_t k = 0; k < kSweptBrickVoxels; ++k) {
+            if (codes_[brick * kSweptBrickVoxels + k] == kNothingSwept) {
               continue;
             }
             const int row = (place.firstBrickRow + brickRow) * kSweptBrickSide + static_cast<int>(k) / kSweptBrickSide;
@@ -378,13 +412,14 @@ void SweptSamples::setPart(const Part& part, const Progress& progress) {
                 (place.firstBrickColumn + brickColumn) * kSweptBrickSide + static_cast<int>(k) % kSweptBrickSide;
             const double side = std::max({sweep_.columnWidth(), sweep_.rowHeight(), sweptThickness(sweep_, column)});
             const double share = std::clamp(part(sweep_.voxelCenter(static_cast<int>(i), column, row), side), 0.0, 1.0);
-            const double sampled = sampledWeights_.empty() ? 255 : sampledWeights_[at];
-            weights_[at] = static_cast<uint8_t>(sampled * share + 0.5);
+            made[k] = static_cast<uint8_t>((sampled != nullptr ? sampled[k] : 255) * share + 0.5);
           }
+          weights[i].add(brick, made);
         }
       }
     }
   });
+  weights_ = SweptWeights(bricks(), weights);
   report(progress, "weighing the voxels", 1);
 }
 

@@ -59,7 +59,7 @@ size_t expectDithered(const SweptSamples& samples, const SweptLight& light, cons
         for (int channel = 0; channel < 3; ++channel) {
           const float scaled = color[channel] * full;
           // Lights and thresholds are in 2^-20, opacities in 2^-12 (weights round them again).
-          const float tolerance = (samples.weights() != nullptr ? 0x1p-11f : 0x1p-18f) * full;
+          const float tolerance = (samples.weights().areFull() ? 0x1p-18f : 0x1p-11f) * full;
           const float threshold = dither == ColorReduction::kOccupancy ? 0 : by.threshold(slice, column, row);
           const float distance = std::abs(scaled - std::floor(scaled) - threshold);
           const Rgb8 wanted = by.levels(color, volume.fullLevel(), slice, column, row);
