@@ -6,6 +6,7 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
+#include "display_sim/volume_slicing/cell_share.h"
 #include "display_sim/volume_slicing/swept_field.h"
 #include "display_sim/volume_slicing/swept_light.h"
 #include "display_sim/volume_slicing/swept_outline.h"
@@ -150,7 +151,7 @@ class SweptSampler {
         const size_t at = static_cast<size_t>(y) * static_cast<size_t>(patch.columns) + static_cast<size_t>(x);
         patch.means[at] = moments.mean;
         patch.variances[at] = moments.variance;
-        const float share = shareInBox(center, column.reach);
+        const float share = shareInBox(center, column);
         patch.states[at] = share > kMinWeight ? CellState::kInVolume : CellState::kBeside;
         patch.weights[at] = weighing_.isNeeded() ? share * weighing_.weightOf(moments.gradient) : share;
       }
@@ -163,8 +164,12 @@ class SweptSampler {
   struct ColumnPoints {
     glm::dvec3 center{0};
     std::vector<glm::vec3> points{};
-    float line = 1;       ///< the variance of a line by that of the points on it
-    glm::dvec3 reach{0};  ///< how far a cell reaches from its centre, along each axis
+    float line = 1;  ///< the variance of a line by that of the points on it
+    // How far half a cell reaches along each index axis, by its width, its height, its thickness and by all of them.
+    glm::dvec3 byColumn{0};
+    glm::dvec3 byRow{0};
+    glm::dvec3 byAcross{0};
+    glm::dvec3 reach{0};
   };
 
   ColumnPoints pointsOf(const SweptPlane& plane, int column, int pointsAColumn, int pointsARow) const {
@@ -172,9 +177,10 @@ class SweptSampler {
     const double thickness = 2 * std::abs(radius) * sweep_.tanHalfStep();
     const int across = thickness > sweep_.columnWidth() ? std::max(pointsFor(plane.byAcross * thickness), 2) : 1;
     ColumnPoints made{.center = plane.origin + plane.byRadius * radius,
-                      .reach = (glm::abs(plane.byRadius) * sweep_.columnWidth() +
-                                glm::abs(plane.byHeight) * sweep_.rowHeight() + glm::abs(plane.byAcross) * thickness) /
-                               2.0};
+                      .byColumn = glm::abs(plane.byRadius) * (sweep_.columnWidth() / 2),
+                      .byRow = glm::abs(plane.byHeight) * (sweep_.rowHeight() / 2),
+                      .byAcross = glm::abs(plane.byAcross) * (thickness / 2)};
+    made.reach = made.byColumn + made.byRow + made.byAcross;
     for (int c = 0; c < pointsAColumn; ++c) {
       const double r = radius + ((c + 0.5) / pointsAColumn - 0.5) * sweep_.columnWidth();
       for (int a = 0; a < across; ++a) {
@@ -199,16 +205,16 @@ class SweptSampler {
     return true;
   }
 
-  /// How much of a cell lies in the volume's box: exact where the cell is parallel to its faces, and ramps in between.
-  float shareInBox(const glm::dvec3& center, const glm::dvec3& reach) const {
-    if (isIn(center, -reach)) {
+  /// How much of a cell lies in the volume's box: exact where one pair of its faces cuts the cell.
+  float shareInBox(const glm::dvec3& center, const ColumnPoints& column) const {
+    if (isIn(center, -column.reach)) {
       return 1;
     }
     double share = 1;
     for (int axis = 0; axis < 3; ++axis) {
-      const double width = std::max(2 * reach[axis], 1e-12);
-      const double above = std::clamp(0.5 + (center[axis] + 0.5) / width, 0.0, 1.0);
-      const double below = std::clamp(0.5 + (upper_[axis] - center[axis]) / width, 0.0, 1.0);
+      const glm::dvec3 reaches(column.byColumn[axis], column.byRow[axis], column.byAcross[axis]);
+      const double above = shareOfBlock(center[axis] + 0.5, reaches);
+      const double below = shareOfBlock(upper_[axis] - center[axis], reaches);
       share *= std::max(above + below - 1, 0.0);
     }
     return static_cast<float>(share);

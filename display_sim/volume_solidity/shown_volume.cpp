@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "display_sim/observing/observer.h"
+#include "display_sim/volume_slicing/cell_share.h"
 #include "display_sim/volume_solidity/masked_volume.h"
 #include "display_sim/volume_solidity/volume_sight.h"
 
@@ -31,13 +32,10 @@ class SweptCell {
                   glm::dvec3(-outward.z, 0, outward.x) * (radius * sweep.tanHalfStep())};
   }
 
-  /// On the shown side of the plane: exact where it is parallel to a face of the cell, and in between a ramp.
+  /// On the shown side of the plane.
   double shareOf(const ClipPlane& clip) const {
-    double reach = 0;
-    for (const glm::dvec3& edge : halfEdges_) {
-      reach += std::abs(glm::dot(clip.normal, edge));
-    }
-    return std::clamp(0.5 + (glm::dot(clip.normal, center_) - clip.distance) / (2 * reach), 0.0, 1.0);
+    const auto reach = [&](size_t edge) { return std::abs(glm::dot(clip.normal, halfEdges_[edge])); };
+    return shareOfBlock(glm::dot(clip.normal, center_) - clip.distance, {reach(0), reach(1), reach(2)});
   }
 
   /// Of the points in the middles of its eighths.
