@@ -15,9 +15,9 @@ namespace {
 using glm::vec3;
 
 constexpr double kEdgeMillimetres = 240;
-/// Over which a material begins, in voxels: as wide as scanners blur, so that what is interpolated between voxels has
-/// no steps from one to the next.
-constexpr float kRampVoxels = 2;
+/// Over which a material begins, in voxels: by a smooth step, which is as steep in its middle as a straight ramp of
+/// two. So gradients, which are taken over two voxels, do not change by steps from one voxel to the next.
+constexpr float kRampVoxels = 3;
 
 // Hounsfield units.
 constexpr float kAir = -1000;
@@ -158,7 +158,8 @@ class HeadAt {
  private:
   /// A material where `distance` is negative. Nothing of it is left half a ramp outside.
   void paint(float distance, float hounsfield) {
-    value_ = glm::mix(value_, hounsfield, solid::coverage(distance, kRampVoxels * spacing_));
+    const float share = solid::coverage(distance, kRampVoxels * spacing_);
+    value_ = glm::mix(value_, hounsfield, share * share * (3 - 2 * share));
   }
 
   void addVault() {
