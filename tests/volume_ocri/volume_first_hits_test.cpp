@@ -39,6 +39,7 @@ TEST(VolumeFirstHits, LayersAreWhatLiesBehindAndNotTheInside) {
   const VolumeFirstHits volume(test::blockBeforeWall());
   const ReferenceImages layers = imagesOf(volume, "ldi-3");
   ASSERT_EQ(layers.size(), 2u);
+  // As above: the light is lost within a voxel.
   EXPECT_NEAR(layers[0].t(45, 30), 9.5f, test::kBlocksSpacing);
   EXPECT_NEAR(layers[1].t(45, 30), 10.5f, test::kBlocksSpacing);
   EXPECT_FALSE(layers[1].holds(45, 10));
@@ -98,10 +99,12 @@ TEST(VolumeFirstHits, OcclusionCamerasLackLessOfAVolumeThanADepthImage) {
   const RepresentationFigures di = evaluator.measure(cameraChoice("di"));
   // The block hides a frame of the wall, about a pixel wide on average: some 40 of 5000 samples.
   EXPECT_GT(di.edges.strictRatio(), 0.005);
+  // The reference view hides nothing from itself; samples along the silhouette may fall on its other side.
   EXPECT_LT(di.reference.strictRatio(), 0.002);
   EXPECT_EQ(di.strictRatioToDi, 1);
   for (const char* name : {"ddoc", "eoc-hv", "ldi-2"}) {
     const RepresentationFigures figures = evaluator.measure(cameraChoice(name));
+    // What they are for: to show most of what a pinhole misses.
     EXPECT_LT(figures.strictRatioToDi, 0.5) << name;
     // The mesh joins nothing over what is clear: but for a pixel or two where it ends.
     EXPECT_LT(figures.edges.falseSkinRatio(), 0.005) << name;
