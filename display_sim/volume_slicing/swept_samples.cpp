@@ -147,11 +147,11 @@ class SweptSampler {
         if (!isIn(center, column.reach + beside)) {
           continue;
         }
-        const CellMoments moments = momentsOf(column.points, glm::vec3(rowShift));
+        const float share = shareInBox(center, column);
+        const CellMoments moments = momentsOf(column.points, glm::vec3(rowShift), share < 1);
         const size_t at = static_cast<size_t>(y) * static_cast<size_t>(patch.columns) + static_cast<size_t>(x);
         patch.means[at] = moments.mean;
         patch.variances[at] = moments.variance;
-        const float share = shareInBox(center, column);
         patch.states[at] = share > kMinWeight ? CellState::kInVolume : CellState::kBeside;
         patch.weights[at] = weighing_.isNeeded() ? share * weighing_.weightOf(moments.gradient) : share;
       }
@@ -220,23 +220,31 @@ class SweptSampler {
     return static_cast<float>(share);
   }
 
-  CellMoments momentsOf(const std::vector<glm::vec3>& points, const glm::vec3& shift) const {
+  /// Of a cell that is cut by faces only of the points in the volume's box; of all, which have the field of the nearest
+  /// place there, where no point is in it.
+  CellMoments momentsOf(const std::vector<glm::vec3>& points, const glm::vec3& shift, bool isCut) const {
+    const auto isInBox = [&](const glm::vec3& point) { return isIn(glm::dvec3(point + shift), glm::dvec3(0)); };
+    const bool leavesOut = isCut && std::ranges::any_of(points, isInBox);
     CellMoments moments;
+    float count = 0;
     // From the first value on, so that single precision does.
     float first = 0;
     float sum = 0;
     float squares = 0;
-    for (size_t i = 0; i < points.size(); ++i) {
+    for (const glm::vec3& point : points) {
+      if (leavesOut && !isInBox(point)) {
+        continue;
+      }
       glm::vec3 gradient(0);
-      const glm::vec3 at = points[i] + shift;
+      const glm::vec3 at = point + shift;
       const float field = weighing_.isNeeded() ? field_.at(at, gradient) : field_.at(at);
       const float value = std::clamp((field - least_) * byRange_, 0.0f, 1.0f);
-      first = i == 0 ? value : first;
+      first = count == 0 ? value : first;
+      count += 1;
       sum += value - first;
       squares += (value - first) * (value - first);
       moments.gradient += gradient;
     }
-    const auto count = static_cast<float>(points.size());
     moments.mean = first + sum / count;
     moments.gradient /= count;
     moments.variance = std::max(squares - sum * sum / count, 0.0f) / count;

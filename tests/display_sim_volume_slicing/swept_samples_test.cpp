@@ -223,8 +223,9 @@ TEST(SweptSamples, OfSlabsThinnerThanAVoxelHaveTheSameLightWhereverTheyStand) {
   // Weights are in 255ths: 0.4 of a voxel is 102 of them, rounded where it lies in two rows.
   EXPECT_LT(level.spread(), 0.01);
   EXPECT_NEAR(twice.greatest / level.greatest, 2, 0.02);
-  // Cells that a slab cuts at a slant have what a ramp says instead of their share.
-  EXPECT_LT(upright.spread(), 0.03);
+  // Cells are thinner on the side of the axis, and their light is that of their middle: half of a column, at the radius
+  // 0.3, is 5 % of it.
+  EXPECT_LT(upright.spread(), 0.05);
 }
 
 // So is that of a block that turns: its slanted faces have no teeth.
@@ -248,12 +249,12 @@ TEST(SweptSamples, AtFacesGiveTheLightThatManyPointsInEachCellGive) {
       VolumeScene scene = slabAt({0.21, 0.04, 0.13}, edges);
       scene.worldFromIndex = glm::rotate(glm::dmat4(1), angle, glm::dvec3(0.2, 1, 0.1)) * scene.worldFromIndex;
       const LightDifference difference = differenceToReference(scene, sweptProfile(24, 64, 64), 12, 32);
-      EXPECT_GT(difference.meanLight, 1e-5);
+      EXPECT_GT(difference.meanLight, 1e-7);
       RecordProperty("angle " + std::to_string(angle) + ", " + std::to_string(edges.y),
                      std::to_string(difference.mean / difference.meanLight));
-      // The reference's 12 layers of points say the share of a cell to a 24th, of the cells at faces, which are half of
-      // all or more.
-      EXPECT_LT(difference.mean, 0.05 * difference.meanLight) << angle << ", " << edges.y;
+      // The reference's 12 layers of points tell shares to a 24th, of those cells that faces cut; weights are in
+      // 255ths.
+      EXPECT_LT(difference.mean, 0.02 * difference.meanLight) << angle << ", " << edges.y;
     }
   }
 }

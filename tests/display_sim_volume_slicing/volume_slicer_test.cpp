@@ -261,7 +261,7 @@ TEST(VolumeSliceReference, IsWhatTheSlicerComesNearTo) {
   const SweptSamples samples(scene, profile);
   VolumeSlicer slicer(profile);
   const Volume& fast = slicer.slice(samples, lightOfScene(scene, samples));
-  const Volume slow = VolumeSliceReference(scene, profile, 8).slice({});
+  const Volume slow = VolumeSliceReference(scene, profile, 12).slice({});
   size_t differ = 0;
   for (int slice = 0; slice < 12; ++slice) {
     for (int row = 0; row < 32; ++row) {
