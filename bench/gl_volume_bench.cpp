@@ -16,10 +16,8 @@
 
 #include "bench/bench_program.h"
 #include "bench/timing.h"
+#include "bench/volume_bench_cameras.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/camera/curved_ray_camera.h"
-#include "oc_core/camera/gpc_camera.h"
-#include "oc_core/camera/graph_camera.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/volume_gl/gl_volume_renderer.h"
 
@@ -46,14 +44,6 @@ double greatestDifference(const VolumeImage& a, const VolumeImage& b) {
     }
   }
   return greatest;
-}
-
-uint64_t samplesOf(const VolumeImage& image) {
-  uint64_t sum = 0;
-  for (const VolumePixel& pixel : image) {
-    sum += pixel.samples;
-  }
-  return sum;
 }
 
 struct Timed {
@@ -112,15 +102,6 @@ Json measureCamera(const std::string& name, const C& camera, const VolumeRendere
 }
 
 Json measureScene(GlContext& context, const GlVolumeChoice& choice, VolumeScene scene) {
-  const View view;  // from (0, 0, 10)
-  const PinholeCamera pinhole(view, choice.width, choice.height);
-  const GpcCamera gpc(pinhole, {findGpcSampling("cubic"), {{{0.5f, 0.5f}, {0.5f, 0.5f}, 2, 1}}});
-  GraphCamera graph(pinhole);
-  graph.bend(0, {Plane::through({0, 0, 0}, {0, 0, -1}), {-2, 0, 6}}, "bend");
-  CurvedRayCamera curved(pinhole);
-  curved.bend({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0, -1}),
-               Plane::through({4, 0, 0}, {0.25, 0, -1})},
-              {-2, 0, 6});
   const VolumeRenderer cpu(scene);
   std::unique_ptr<GlVolumeRenderer> exact;
   const double upload = milliseconds([&] {
@@ -136,11 +117,10 @@ Json measureScene(GlContext& context, const GlVolumeChoice& choice, VolumeScene 
   fmt::print("  upload {:.1f} ms, another transfer function {:.1f} ms\n", upload, transfer);
   fmt::print("  {:<16} {:>9} {:>9} {:>9} {:>7} {:>9} {:>7} {:>9} {:>9} {:>11} {:>11}\n", "", "CPU ms", "GL ms",
              "kept ms", "/CPU", "filter ms", "/CPU", "off /255", "filter", "CPU samples", "GL samples");
-  const int runs = choice.runs;
-  Json cameras{measureCamera("pinhole", pinhole, cpu, *exact, hardware, runs),
-               measureCamera("general pinhole", gpc, cpu, *exact, hardware, runs),
-               measureCamera("graph", graph, cpu, *exact, hardware, runs),
-               measureCamera("curved", curved, cpu, *exact, hardware, runs)};
+  Json cameras = Json::array();
+  forEachVolumeCamera(choice.width, choice.height, [&](const char* name, const auto& camera) {
+    cameras.push_back(measureCamera(name, camera, cpu, *exact, hardware, choice.runs));
+  });
   return {{"uploadMs", upload}, {"transferMs", transfer}, {"cameras", cameras}};
 }
 

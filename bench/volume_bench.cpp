@@ -11,10 +11,8 @@
 
 #include "bench/bench_program.h"
 #include "bench/timing.h"
+#include "bench/volume_bench_cameras.h"
 #include "bench/volume_peer.h"
-#include "oc_core/camera/curved_ray_camera.h"
-#include "oc_core/camera/gpc_camera.h"
-#include "oc_core/camera/graph_camera.h"
 #include "oc_core/render/pixel_tiles.h"
 #include "oc_core/volume_render/march_kernel.h"
 #include "oc_core/volume_render/volume_reference.h"
@@ -62,14 +60,6 @@ Image<glm::vec4> colorsOf(const VolumeImage& image) {
     colors[i] = image[i].color;
   }
   return colors;
-}
-
-uint64_t samplesOf(const VolumeImage& image) {
-  uint64_t sum = 0;
-  for (const VolumePixel& pixel : image) {
-    sum += pixel.samples;
-  }
-  return sum;
 }
 
 /// The same view of fewer pixels, for what takes the reference long.
@@ -150,8 +140,8 @@ struct TimedCamera {
 
 template <class C>
 TimedCamera timed(const std::string& name, const C& camera, const VolumeRenderer& renderer) {
-  return {name, [&] { return renderVolume(camera, renderer); },
-          [&] {
+  return {name, [camera, &renderer] { return renderVolume(camera, renderer); },
+          [camera] {
             castTiles<float>(
                 camera.width(), camera.height(), [&](const glm::vec2& pixel) { return camera.rayPath(pixel); },
                 [](std::span<const RayPath> rays, std::span<float> ends) {
@@ -164,18 +154,10 @@ TimedCamera timed(const std::string& name, const C& camera, const VolumeRenderer
 
 /// Rays that bend in the middle of the volume.
 void measureCameras(const VolumeBenchChoice& choice, const VolumeScene& scene) {
-  const View view;  // from (0, 0, 10)
-  const PinholeCamera pinhole(view, choice.width, choice.height);
   const VolumeRenderer renderer(scene, {.step = choice.cameraStep});
-  const GpcCamera gpc(pinhole, {findGpcSampling("cubic"), {{{0.5f, 0.5f}, {0.5f, 0.5f}, 2, 1}}});
-  GraphCamera graph(pinhole);
-  graph.bend(0, {Plane::through({0, 0, 0}, {0, 0, -1}), {-2, 0, 6}}, "bend");
-  CurvedRayCamera curved(pinhole);
-  curved.bend({Plane::through({4, 0, 0}, {-0.25, 0, -1}), Plane::through({4, 0, 0}, {0, 0, -1}),
-               Plane::through({4, 0, 0}, {0.25, 0, -1})},
-              {-2, 0, 6});
-  std::vector<TimedCamera> cameras{timed("pinhole", pinhole, renderer), timed("general pinhole", gpc, renderer),
-                                   timed("graph", graph, renderer), timed("curved", curved, renderer)};
+  std::vector<TimedCamera> cameras;
+  forEachVolumeCamera(choice.width, choice.height,
+                      [&](const char* name, const auto& camera) { cameras.push_back(timed(name, camera, renderer)); });
   for (int run = 0; run <= choice.runs; ++run) {  // the first is not counted
     for (TimedCamera& camera : cameras) {
       const double time = processorMilliseconds([&] { camera.samples = samplesOf(camera.render()); });

@@ -3,7 +3,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <cmath>
 #include <exception>
 #include <functional>
 #include <optional>
@@ -31,6 +30,7 @@
 #include "display_driver/pacing/pacer.h"
 #include "display_driver/pacing/recording_device.h"
 #include "display_driver/pacing/recording_source.h"
+#include "display_driver/pacing/series_moment.h"
 #include "display_driver/pacing/still_source.h"
 #include "display_driver/pacing/turning_source.h"
 #include "display_driver/pacing/turning_volume_source.h"
@@ -142,41 +142,19 @@ void addMotionSource(Presented& presented, const PresentChoice& choice, std::uni
   presented.source = std::move(source);
 }
 
-/// The light of a transfer function that moves: there in the first half of the time, and back in the second.
-using MovingLight = std::function<std::shared_ptr<const SweptLight>(const ShownVolume& volume, double seconds)>;
-
-MovingLight movingLight(const PresentChoice& choice, const ShownVolume& first, const CommandContext& context) {
-  const ScalarVolume& scalars = *first.scene().volume;
-  const VolumeAppearance& begun = first.scene().appearance;
-  const VolumeAppearance later = appearanceOf(transferByName(choice.transferTo), scalars, first.scene().voxelSpacing());
-  if (!isSameOnDisplay(begun.shading, later.shading)) {
+/// The transfer function of a volume that turns into another one and back, where it does.
+std::optional<TransferSwing> transferSwing(const PresentChoice& choice, const VolumeScene& scene,
+                                           const CommandContext& context) {
+  if (choice.transferTo.empty()) {
+    return std::nullopt;
+  }
+  const VolumeAppearance later = appearanceOf(transferByName(choice.transferTo), *scene.volume, scene.voxelSpacing());
+  if (!isSameOnDisplay(scene.appearance.shading, later.shading)) {
     context.note(
         fmt::format("warning: the shading of \"{}\" does not count: what is shown keeps the shading that it has",
                     choice.transferTo));
   }
-  return [seconds = choice.transferSeconds, from = begun.transfer, to = later.transfer](const ShownVolume& volume,
-                                                                                        double passed) {
-    const double turn = passed / seconds - std::floor(passed / seconds);
-    return std::make_shared<const SweptLight>(volume.lightOf(blendedTransfer(from, to, 1 - std::abs(1 - 2 * turn))));
-  };
-}
-
-/// Which volume of a series is shown, and when it ends.
-std::optional<size_t> momentOf(const ShownSeries& series, const PresentChoice& choice, double seconds) {
-  if (series.times.empty()) {
-    return 0;
-  }
-  // The last one stays as long as one does in the mean.
-  const size_t count = series.times.size();
-  const double first = series.times.front();
-  const double length = (series.times.back() - first) * static_cast<double>(count) / static_cast<double>(count - 1);
-  double passed = seconds * choice.speed;
-  if (passed >= length && !choice.loop) {
-    return std::nullopt;
-  }
-  passed -= std::floor(passed / length) * length;
-  const auto next = std::ranges::upper_bound(series.times, first + passed);
-  return static_cast<size_t>(std::max<std::ptrdiff_t>(next - series.times.begin() - 1, 0));
+  return TransferSwing(scene.appearance.transfer, later.transfer, choice.transferSeconds);
 }
 
 /// A volume of scalars, straight from its field.
@@ -202,16 +180,18 @@ void addScalarVolume(Presented& presented, const PresentChoice& choice, const Di
   for (const std::unique_ptr<ShownVolume>& volume : series.volumes) {
     lights.push_back(std::make_shared<const SweptLight>(volume->light()));
   }
-  const MovingLight light =
-      choice.transferTo.empty() ? MovingLight{} : movingLight(choice, *series.volumes.front(), context);
+  const std::optional<TransferSwing> swing = transferSwing(choice, series.volumes.front()->scene(), context);
+  const MotionPlayback playback{.speed = choice.speed, .loop = choice.loop};
   presented.source = std::make_unique<TurningVolumeSource>(
-      [&series, &choice, lights, light](double seconds) -> std::optional<VolumeMoment> {
-        const std::optional<size_t> moment = momentOf(series, choice, seconds);
+      [&series, playback, lights, swing](double seconds) -> std::optional<VolumeMoment> {
+        const std::optional<size_t> moment = seriesMoment(series.times, seconds, playback);
         if (!moment) {
           return std::nullopt;
         }
         const ShownVolume& volume = *series.volumes[*moment];
-        return VolumeMoment{&volume.samples(), light ? light(volume, seconds) : lights[*moment]};
+        return VolumeMoment{
+            &volume.samples(),
+            swing ? std::make_shared<const SweptLight>(volume.lightOf(swing->at(seconds))) : lights[*moment]};
       },
       profile, options, choice.turn.value_or(0));
 }

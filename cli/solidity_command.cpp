@@ -10,6 +10,7 @@
 #include "cli/scene_options.h"
 #include "cli/values.h"
 #include "cli/volume_options.h"
+#include "cli/volume_slicing_options.h"
 #include "display_sim/slicing/slicer.h"
 #include "display_sim/solidity/solidity_report.h"
 #include "display_sim/volume_solidity/volume_ways.h"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/vec2.hpp>
 #include <vector>
 
@@ -51,16 +52,36 @@ SweptPlane::SweptPlane(const glm::dmat4& indexFromScene, const SweepGeometry& sw
   byHeight = linear * glm::dvec3(0, 1, 0);
 }
 
-SweptSlice sweptOutline(const SweptPlane& plane, const glm::dvec3& upper, const SweepGeometry& sweep) {
-  const double h = sweep.halfHeight();
-  std::vector<glm::dvec2> polygon{{-1, -h}, {1, -h}, {1, h}, {-1, h}};  // (r, y)
+namespace {
+
+/// What of the screen a box cuts out, as (r, y), that reaches `margin` farther along each index axis than the volume's.
+std::vector<glm::dvec2> boxOnScreen(const SweptPlane& plane, const glm::dvec3& upper, const glm::dvec3& margin,
+                                    double halfHeight) {
+  std::vector<glm::dvec2> polygon{{-1, -halfHeight}, {1, -halfHeight}, {1, halfHeight}, {-1, halfHeight}};
   for (int axis = 0; axis < 3 && !polygon.empty(); ++axis) {
     const auto indexAt = [&](const glm::dvec2& p) {
       return plane.origin[axis] + plane.byRadius[axis] * p.x + plane.byHeight[axis] * p.y;
     };
-    polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return indexAt(p) + 0.5; });
-    polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return upper[axis] - indexAt(p); });
+    polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return indexAt(p) + 0.5 + margin[axis]; });
+    polygon = clippedOutline(polygon, [&](const glm::dvec2& p) { return upper[axis] + margin[axis] - indexAt(p); });
   }
+  return polygon;
+}
+
+}  // namespace
+
+SweptSlice sweptOutline(const SweptPlane& plane, const glm::dvec3& upper, const SweepGeometry& sweep) {
+  // Half of a column and of a row, and half of the thickness of cells: that at the rim, and then that of the farthest
+  // ones which the box may cover.
+  const glm::dvec3 beside =
+      (glm::abs(plane.byRadius) * sweep.columnWidth() + glm::abs(plane.byHeight) * sweep.rowHeight()) / 2.0;
+  const glm::dvec3 thickness = glm::abs(plane.byAcross) * sweep.tanHalfStep();
+  std::vector<glm::dvec2> polygon = boxOnScreen(plane, upper, beside + thickness, sweep.halfHeight());
+  double farthest = 0;
+  for (const glm::dvec2& p : polygon) {
+    farthest = std::max(farthest, std::abs(p.x) + sweep.columnWidth());
+  }
+  polygon = boxOnScreen(plane, upper, beside + thickness * std::min(farthest, 1.0), sweep.halfHeight());
   if (polygon.empty()) {
     return {};
   }

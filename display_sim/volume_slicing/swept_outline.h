@@ -20,8 +20,8 @@ struct SweptPlane {
   glm::dvec3 byHeight;
 };
 
-/// The bricks of the screen that the volume's box covers there; none where the plane passes it by. The box reaches from
-/// (-0.5, -0.5, -0.5) to `upper`, in index coordinates.
+/// The bricks of the screen whose cells the volume's box may cover some of, and none where it lies beside them. The box
+/// reaches from (-0.5, -0.5, -0.5) to `upper`, in index coordinates.
 SweptSlice sweptOutline(const SweptPlane& plane, const glm::dvec3& upper, const SweepGeometry& sweep);
 
 }  // namespace ocelli

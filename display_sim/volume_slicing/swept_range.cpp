@@ -25,7 +25,7 @@ std::vector<double> sampledValues(const ScalarVolume& volume) {
   std::vector<double> values;
   visitVoxels(volume, [&](const auto* first) {
     for (size_t k = 0; k < static_cast<size_t>(size.z); ++k) {
-      const SlicesInMemory slice(volume, k, k + 1, stride < 64);
+      const RowsInMemory slice(volume, {k, k + 1}, kAllRows, stride < 64);
       for (size_t i = (k * layer + stride - 1) / stride * stride; i < (k + 1) * layer; i += stride) {
         const double value = volume.scale() * static_cast<double>(first[i]) + volume.offset();
         if (std::isfinite(value)) {

@@ -6,14 +6,15 @@
 #include <glm/geometric.hpp>
 #include <glm/matrix.hpp>
 
-#include "display_sim/volume_slicing/coarser_volume.h"
+#include "display_sim/volume_slicing/cell_share.h"
 #include "display_sim/volume_slicing/swept_field.h"
 #include "display_sim/volume_slicing/swept_light.h"
 #include "display_sim/volume_slicing/swept_outline.h"
 #include "display_sim/volume_slicing/swept_range.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/parallel.h"
-#include "oc_core/scene/shading.h"
+#include "oc_core/volume/gradient_light.h"
+#include "oc_core/volume/volume_levels.h"
 
 namespace ocelli {
 namespace {
@@ -38,30 +39,20 @@ int pointsFor(const glm::dvec3& indexStep) {
   return std::max(static_cast<int>(std::ceil(std::max({steps.x, steps.y, steps.z}) - 1e-6)), 1);
 }
 
-/// What gradients do to light.
+/// What gradients do to light. Specular light depends on the eye, and is left out.
 struct Weighing {
   bool shaded = false;
-  VolumeShading shading{};
-  glm::mat3 sceneFromIndexGradient{1};  ///< per mean distance of the volume's voxels
-  float flatBelow = 0;
+  GradientLight<float> light{};
   float fullGradient = 0;  ///< 0: every gradient gives full light
-  glm::vec3 toLight{0};
 
   bool isNeeded() const { return shaded || fullGradient > 0; }
 
-  uint8_t weightOf(const glm::vec3& indexGradient) const {
-    const glm::vec3 gradient = sceneFromIndexGradient * indexGradient;
-    const float length = glm::length(gradient);
-    float weight = 1;
-    if (shaded && length > 0) {
-      const float lit = static_cast<float>(shading.ambient) +
-                        static_cast<float>(shading.diffuse) * std::abs(glm::dot(gradient, toLight)) / length;
-      weight = flatBelow > 0 && length < flatBelow ? glm::mix(1.0f, lit, length / flatBelow) : lit;
-    }
+  float weightOf(const glm::vec3& indexGradient) const {
+    float weight = shaded ? light.factorAt(indexGradient) : 1;
     if (fullGradient > 0) {
-      weight *= std::min(length / fullGradient, 1.0f);
+      weight *= std::min(glm::length(light.worldFromIndexGradient * indexGradient) / fullGradient, 1.0f);
     }
-    return static_cast<uint8_t>(std::clamp(weight, 0.0f, 1.0f) * 255 + 0.5f);
+    return std::clamp(weight, 0.0f, 1.0f);
   }
 };
 
@@ -74,6 +65,13 @@ struct CellMoments {
 
 enum class CellState : char { kOutside, kBeside, kInVolume };
 
+/// Less of full light than this counts as none.
+constexpr float kMinWeight = 0.5f / 255;
+
+uint8_t roundedWeight(float weight) {
+  return static_cast<uint8_t>(weight * 255 + 0.5f);
+}
+
 /// Cells of a slice that are sampled, with one more on each side, and which of them were.
 struct SlicePatch {
   int firstColumn = 0;
@@ -82,7 +80,7 @@ struct SlicePatch {
   int rows = 0;
   std::vector<float> means;
   std::vector<float> variances;
-  std::vector<uint8_t> weights;
+  std::vector<float> weights;
   std::vector<CellState> states;
 
   explicit SlicePatch(const SweptSlice& slice)
@@ -124,8 +122,9 @@ class SweptSampler {
         byRange_(range.greatest > range.least ? static_cast<float>(1 / (range.greatest - range.least)) : 0),
         weighing_(weighing) {}
 
-  /// `codes`, `weights` (where there are any) and `reaches` are those of the first brick of the slice.
-  void sample(int slice, const SweptSlice& place, uint16_t* codes, uint8_t* weights, SweptReach* reaches) const {
+  /// `codes` and `reaches` are those of the first brick of the slice.
+  void sample(int slice, const SweptSlice& place, uint16_t* codes, SweptReach* reaches,
+              SweptWeights::Some& weights) const {
     if (place.brickColumns == 0) {
       return;
     }
@@ -137,27 +136,27 @@ class SweptSampler {
     for (int x = 0; x < patch.columns; ++x) {
       columns.push_back(pointsOf(plane, patch.firstColumn + x, pointsAColumn, pointsARow));
     }
-    // Cells one beside the volume are the neighbours of its outermost ones.
-    const glm::dvec3 margin =
+    // Neighbours of the volume's outermost cells are no farther from them.
+    const glm::dvec3 beside =
         glm::abs(plane.byRadius) * sweep_.columnWidth() + glm::abs(plane.byHeight) * sweep_.rowHeight();
     for (int y = 0; y < patch.rows; ++y) {
       const glm::dvec3 rowShift = plane.byHeight * sweep_.rowCenterY(patch.firstRow + y);
       for (int x = 0; x < patch.columns; ++x) {
         const ColumnPoints& column = columns[static_cast<size_t>(x)];
-        if (!isIn(column.center + rowShift, margin)) {
+        const glm::dvec3 center = column.center + rowShift;
+        if (!isIn(center, column.reach + beside)) {
           continue;
         }
-        const CellMoments moments = momentsOf(column.points, glm::vec3(rowShift));
+        const float share = shareInBox(center, column);
+        const CellMoments moments = momentsOf(column.points, glm::vec3(rowShift), share < 1);
         const size_t at = static_cast<size_t>(y) * static_cast<size_t>(patch.columns) + static_cast<size_t>(x);
         patch.means[at] = moments.mean;
         patch.variances[at] = moments.variance;
-        patch.states[at] = isIn(column.center + rowShift, glm::dvec3(0)) ? CellState::kInVolume : CellState::kBeside;
-        if (weighing_.isNeeded()) {
-          patch.weights[at] = weighing_.weightOf(moments.gradient);
-        }
+        patch.states[at] = share > kMinWeight ? CellState::kInVolume : CellState::kBeside;
+        patch.weights[at] = weighing_.isNeeded() ? share * weighing_.weightOf(moments.gradient) : share;
       }
     }
-    encode(place, patch, columns, pointsAColumn, pointsARow, codes, weights, reaches);
+    encode(place, patch, columns, pointsAColumn, pointsARow, codes, reaches, weights);
   }
 
  private:
@@ -166,13 +165,22 @@ class SweptSampler {
     glm::dvec3 center{0};
     std::vector<glm::vec3> points{};
     float line = 1;  ///< the variance of a line by that of the points on it
+    // How far half a cell reaches along each index axis, by its width, its height, its thickness and by all of them.
+    glm::dvec3 byColumn{0};
+    glm::dvec3 byRow{0};
+    glm::dvec3 byAcross{0};
+    glm::dvec3 reach{0};
   };
 
   ColumnPoints pointsOf(const SweptPlane& plane, int column, int pointsAColumn, int pointsARow) const {
     const double radius = sweep_.columnRadius(column);
     const double thickness = 2 * std::abs(radius) * sweep_.tanHalfStep();
     const int across = thickness > sweep_.columnWidth() ? std::max(pointsFor(plane.byAcross * thickness), 2) : 1;
-    ColumnPoints made{.center = plane.origin + plane.byRadius * radius};
+    ColumnPoints made{.center = plane.origin + plane.byRadius * radius,
+                      .byColumn = glm::abs(plane.byRadius) * (sweep_.columnWidth() / 2),
+                      .byRow = glm::abs(plane.byHeight) * (sweep_.rowHeight() / 2),
+                      .byAcross = glm::abs(plane.byAcross) * (thickness / 2)};
+    made.reach = made.byColumn + made.byRow + made.byAcross;
     for (int c = 0; c < pointsAColumn; ++c) {
       const double r = radius + ((c + 0.5) / pointsAColumn - 0.5) * sweep_.columnWidth();
       for (int a = 0; a < across; ++a) {
@@ -197,23 +205,46 @@ class SweptSampler {
     return true;
   }
 
-  CellMoments momentsOf(const std::vector<glm::vec3>& points, const glm::vec3& shift) const {
+  /// How much of a cell lies in the volume's box: exact where one pair of its faces cuts the cell.
+  float shareInBox(const glm::dvec3& center, const ColumnPoints& column) const {
+    if (isIn(center, -column.reach)) {
+      return 1;
+    }
+    double share = 1;
+    for (int axis = 0; axis < 3; ++axis) {
+      const glm::dvec3 reaches(column.byColumn[axis], column.byRow[axis], column.byAcross[axis]);
+      const double above = shareOfBlock(center[axis] + 0.5, reaches);
+      const double below = shareOfBlock(upper_[axis] - center[axis], reaches);
+      share *= std::max(above + below - 1, 0.0);
+    }
+    return static_cast<float>(share);
+  }
+
+  /// Of a cell that is cut by faces only of the points in the volume's box; of all, which have the field of the nearest
+  /// place there, where no point is in it.
+  CellMoments momentsOf(const std::vector<glm::vec3>& points, const glm::vec3& shift, bool isCut) const {
+    const auto isInBox = [&](const glm::vec3& point) { return isIn(glm::dvec3(point + shift), glm::dvec3(0)); };
+    const bool leavesOut = isCut && std::ranges::any_of(points, isInBox);
     CellMoments moments;
+    float count = 0;
     // From the first value on, so that single precision does.
     float first = 0;
     float sum = 0;
     float squares = 0;
-    for (size_t i = 0; i < points.size(); ++i) {
+    for (const glm::vec3& point : points) {
+      if (leavesOut && !isInBox(point)) {
+        continue;
+      }
       glm::vec3 gradient(0);
-      const glm::vec3 at = points[i] + shift;
+      const glm::vec3 at = point + shift;
       const float field = weighing_.isNeeded() ? field_.at(at, gradient) : field_.at(at);
       const float value = std::clamp((field - least_) * byRange_, 0.0f, 1.0f);
-      first = i == 0 ? value : first;
+      first = count == 0 ? value : first;
+      count += 1;
       sum += value - first;
       squares += (value - first) * (value - first);
       moments.gradient += gradient;
     }
-    const auto count = static_cast<float>(points.size());
     moments.mean = first + sum / count;
     moments.gradient /= count;
     moments.variance = std::max(squares - sum * sum / count, 0.0f) / count;
@@ -221,20 +252,25 @@ class SweptSampler {
   }
 
   void encode(const SweptSlice& place, const SlicePatch& patch, const std::vector<ColumnPoints>& columns,
-              int pointsAColumn, int pointsARow, uint16_t* codes, uint8_t* weights, SweptReach* reaches) const {
+              int pointsAColumn, int pointsARow, uint16_t* codes, SweptReach* reaches,
+              SweptWeights::Some& weights) const {
     // Of the variance 1 / 12 of a line of the length 1 the part that n points spread evenly over it have.
     const auto part = [](int n) { return (1 - 1.0f / static_cast<float>(n * n)) / 12; };
     const float columnPart = part(pointsAColumn);
     const float rowPart = part(pointsARow);
     const auto stride = static_cast<size_t>(patch.columns);
+    size_t brick = place.firstBrick;
     for (int brickRow = 0; brickRow < place.brickRows; ++brickRow) {
-      for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reaches) {
+      for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reaches, ++brick) {
+        SweptWeights::Brick brickWeights;
+        brickWeights.fill(255);
+        auto* weight = brickWeights.data();
         float first = kSweptMeans;
         float last = -1;
         for (int y = 0; y < kSweptBrickSide; ++y) {
           size_t at = static_cast<size_t>(brickRow * kSweptBrickSide + y + 1) * stride +
                       static_cast<size_t>(brickColumn * kSweptBrickSide + 1);
-          for (int x = 0; x < kSweptBrickSide; ++x, ++at) {
+          for (int x = 0; x < kSweptBrickSide; ++x, ++at, ++weight) {
             uint16_t code = kNothingSwept;
             // The last bricks may reach beyond the screen.
             const bool isOnScreen = (place.firstBrickColumn + brickColumn) * kSweptBrickSide + x < sweep_.width() &&
@@ -248,17 +284,16 @@ class SweptSampler {
               const float across = std::max(patch.variances[at] - byPoints, 0.0f) * columns[column].line;
               const float variance = squares + across;
               code = sweptCode(patch.means[at], std::sqrt(3 * variance));
+              *weight = roundedWeight(patch.weights[at]);
               const float step = sweptMeanOf(code) * (kSweptMeans - 1);
               const float reach = sweptReach(sweptHalfSpreadOf(code));
               first = std::min(first, step - reach);
               last = std::max(last, step + reach);
             }
             *codes++ = code;
-            if (weights != nullptr) {
-              *weights++ = patch.weights[at];
-            }
           }
         }
+        weights.add(brick, brickWeights);
         if (last >= 0) {
           reaches->first = static_cast<uint16_t>(std::max(std::floor(first), 0.0f));
           reaches->last = static_cast<uint16_t>(std::min(std::ceil(last), float{kSweptMeans - 1}));
@@ -298,8 +333,8 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   glm::dmat4 sceneFromIndex = scene.worldFromIndex;
   if (factor != glm::ivec3(1)) {
     report(progress, "making the volume coarser", 0);
-    coarser = coarserVolume(*scene.volume, factor, range_);
-    sceneFromIndex = sceneFromIndex * fineFromCoarserIndex(factor);
+    coarser = averagedInRange(*scene.volume, factor, range_);
+    sceneFromIndex = sceneFromIndex * wholeFromLevelIndex(factor);
   }
   const ScalarVolume& volume = coarser ? *coarser : *scene.volume;
   const glm::dmat4 indexFromScene = glm::inverse(sceneFromIndex);
@@ -315,34 +350,30 @@ SweptSamples::SweptSamples(const VolumeScene& scene, const DisplayProfile& profi
   codes_.assign(bricks * kSweptBrickVoxels, kNothingSwept);
   reaches_.resize(bricks);
 
-  const double spacing = std::cbrt(std::abs(glm::determinant(glm::dmat3(scene.worldFromIndex))));
-  const double width = range_.greatest - range_.least;
   const VolumeShading& shading = scene.appearance.shading;
-  const Weighing weighing{.shaded = sampling.shaded && shading.isOn,
-                          .shading = shading,
-                          .sceneFromIndexGradient = glm::mat3(glm::transpose(glm::dmat3(indexFromScene)) * spacing),
-                          .flatBelow = static_cast<float>(width * kFlatShare),
-                          .fullGradient = static_cast<float>(width * sampling.fullLightGradient),
-                          .toLight = glm::normalize(directionToLight())};
-  if (weighing.isNeeded()) {
-    sampledWeights_.resize(codes_.size());
-  }
+  // Gradients are told by the voxels of the volume, also where they are those of a coarser one.
+  const double bySpacing = 1 / std::cbrt(double(factor.x) * factor.y * factor.z);
+  const Weighing weighing{
+      .shaded = sampling.shaded && shading.isOn,
+      .light = singleLight(gradientLight(sceneFromIndex, shading, range_), bySpacing),
+      .fullGradient = static_cast<float>((range_.greatest - range_.least) * sampling.fullLightGradient)};
+  std::vector<SweptWeights::Some> weights(slices_.size());
   visitSweptField(volume, [&](const auto& field) {
     const SweptSampler sampler(field, upper, indexFromScene, sweep_, range_, weighing);
     parallelFor(slices_.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const size_t at = slices_[i].firstBrick;
-        sampler.sample(static_cast<int>(i), slices_[i], codes_.data() + at * kSweptBrickVoxels,
-                       weighing.isNeeded() ? sampledWeights_.data() + at * kSweptBrickVoxels : nullptr,
-                       reaches_.data() + at);
+        sampler.sample(static_cast<int>(i), slices_[i], codes_.data() + at * kSweptBrickVoxels, reaches_.data() + at,
+                       weights[i]);
       }
     });
   });
+  sampledWeights_ = SweptWeights(bricks, weights);
   report(progress, "sampling the volume", 1);
 }
 
 size_t SweptSamples::bytes() const {
-  return codes_.size() * sizeof(uint16_t) + sampledWeights_.size() + weights_.size() +
+  return codes_.size() * sizeof(uint16_t) + sampledWeights_.bytes() + weights_.bytes() +
          reaches_.size() * sizeof(SweptReach);
 }
 
@@ -365,24 +396,29 @@ uint16_t SweptSamples::codeAt(int slice, int column, int row) const {
 
 uint8_t SweptSamples::weightAt(int slice, int column, int row) const {
   const std::optional<size_t> place = placeOf(slice, column, row);
-  return place && weights() != nullptr ? weights()[*place] : 255;
+  const uint8_t* ofBrick = place ? weights().of(*place / kSweptBrickVoxels) : nullptr;
+  return ofBrick != nullptr ? ofBrick[*place % kSweptBrickVoxels] : 255;
 }
 
 void SweptSamples::setPart(const Part& part, const Progress& progress) {
+  hasPart_ = static_cast<bool>(part);
+  weights_ = {};
   if (!part) {
-    weights_.clear();
     return;
   }
   report(progress, "weighing the voxels", 0);
-  weights_.resize(codes_.size());
+  std::vector<SweptWeights::Some> weights(slices_.size());
   parallelFor(slices_.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const SweptSlice& place = slices_[i];
-      size_t at = place.firstBrick * kSweptBrickVoxels;
+      size_t brick = place.firstBrick;
       for (int brickRow = 0; brickRow < place.brickRows; ++brickRow) {
-        for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn) {
-          for (size_t k = 0; k < kSweptBrickVoxels; ++k, ++at) {
-            if (codes_[at] == kNothingSwept) {
+        for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++brick) {
+          SweptWeights::Brick made;
+          made.fill(255);
+          const uint8_t* sampled = sampledWeights_.of(brick);
+          for (size_t k = 0; k < kSweptBrickVoxels; ++k) {
+            if (codes_[brick * kSweptBrickVoxels + k] == kNothingSwept) {
               continue;
             }
             const int row = (place.firstBrickRow + brickRow) * kSweptBrickSide + static_cast<int>(k) / kSweptBrickSide;
@@ -390,13 +426,14 @@ void SweptSamples::setPart(const Part& part, const Progress& progress) {
                 (place.firstBrickColumn + brickColumn) * kSweptBrickSide + static_cast<int>(k) % kSweptBrickSide;
             const double side = std::max({sweep_.columnWidth(), sweep_.rowHeight(), sweptThickness(sweep_, column)});
             const double share = std::clamp(part(sweep_.voxelCenter(static_cast<int>(i), column, row), side), 0.0, 1.0);
-            const double sampled = sampledWeights_.empty() ? 255 : sampledWeights_[at];
-            weights_[at] = static_cast<uint8_t>(sampled * share + 0.5);
+            made[k] = static_cast<uint8_t>((sampled != nullptr ? sampled[k] : 255) * share + 0.5);
           }
+          weights[i].add(brick, made);
         }
       }
     }
   });
+  weights_ = SweptWeights(bricks(), weights);
   report(progress, "weighing the voxels", 1);
 }
 

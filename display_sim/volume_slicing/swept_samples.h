@@ -1,19 +1,19 @@
 // A volume as the voxels of a display cover it: what does not change when its transfer function moves.
 //
-// Each cell of the sweep (display_sim/frames/sweep_geometry.h) whose centre lies in the volume keeps the mean and the
-// spread of the field in it (swept_code.h). A cell is a thin wedge: columns and rows are as wide everywhere, and the
-// thickness grows from 0 at the axis. So it is sampled by points spread evenly over it, as many in each direction as
-// the volume has voxels there, and two at least across it where it is thicker than wide; a volume that is finer
-// than 1.5 voxels a column is made coarser first, by averages (coarser_volume.h). What the points miss of the spread
-// follows from the differences to the neighbours in the slice. The spread within what was averaged is lost: such a
-// volume is classified as a coarser scan would be.
+// Each cell of the sweep (display_sim/frames/sweep_geometry.h) that the volume's box covers some of keeps the mean and
+// the spread of the field in it (swept_code.h), and gives its light by the covered share. A cell is a thin wedge:
+// columns and rows are as wide everywhere, and the thickness grows from 0 at the axis. So it is sampled by points
+// spread evenly over it, as many in each direction as the volume has voxels there, and two at least across it where it
+// is thicker than wide; a volume that is finer than 1.5 voxels a column is made coarser first, by averages
+// (volume_levels.h). What the points miss of the spread follows from the differences to the neighbours in the slice.
+// The spread within what was averaged is lost: such a volume is classified as a coarser scan would be.
 //
 // Slices of one half turn stand for all: those of a second half turn are the same, seen from behind. So a volume turns
 // with the screen by whole steps of the sweep, without being sampled anew (VolumeSlicer).
 //
 // In memory: for each slice, the bricks of 8 rows and 8 columns that hold some of the volume, rows of bricks from the
 // top, each from left to right; the 64 codes of a brick row by row. Two bytes for each voxel of the display, and one
-// for its weight where there are weights, however large the volume is.
+// for its weight in bricks that have weights (swept_weights.h), however large the volume is.
 #pragma once
 
 #include <cstddef>
@@ -27,14 +27,12 @@
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/frames/sweep_geometry.h"
 #include "display_sim/volume_slicing/swept_code.h"
+#include "display_sim/volume_slicing/swept_weights.h"
 #include "oc_core/base/progress.h"
 #include "oc_core/volume/scalar_volume.h"
 #include "oc_core/volume/volume_scene.h"
 
 namespace ocelli {
-
-inline constexpr int kSweptBrickSide = 8;
-inline constexpr size_t kSweptBrickVoxels = size_t{kSweptBrickSide} * kSweptBrickSide;
 
 /// The bricks of a slice that hold some of the volume: those of a rectangle.
 struct SweptSlice {
@@ -85,11 +83,7 @@ class SweptSamples {
   const std::vector<SweptSlice>& slices() const { return slices_; }
   size_t bricks() const { return reaches_.size(); }
   const uint16_t* codes() const { return codes_.data(); }  ///< of the first brick; the others follow
-  /// 255 is full light; nullptr where all voxels have that.
-  const uint8_t* weights() const {
-    const std::vector<uint8_t>& given = weights_.empty() ? sampledWeights_ : weights_;
-    return given.empty() ? nullptr : given.data();
-  }
+  const SweptWeights& weights() const { return hasPart_ ? weights_ : sampledWeights_; }
   const std::vector<SweptReach>& reaches() const { return reaches_; }
   size_t bytes() const;
 
@@ -113,8 +107,9 @@ class SweptSamples {
   double sceneLengthOfUnit_ = 1;
   std::vector<SweptSlice> slices_;
   std::vector<uint16_t> codes_;
-  std::vector<uint8_t> sampledWeights_;
-  std::vector<uint8_t> weights_;  ///< with what setPart() was told; empty: the sampled ones
+  SweptWeights sampledWeights_;
+  SweptWeights weights_;  ///< with what setPart() was told
+  bool hasPart_ = false;
   std::vector<SweptReach> reaches_;
 };
 

@@ -7,6 +7,8 @@
 #include <utility>
 #include <vector>
 
+#include "oc_core/base/check.h"
+
 namespace ocelli {
 namespace {
 
@@ -49,6 +51,17 @@ TransferFunction blendedTransfer(const TransferFunction& from, const TransferFun
     points.push_back({value, glm::mix(a.color, b.color, ofB), -std::expm1(-extinction * length)});
   }
   return {std::move(points), length};
+}
+
+TransferSwing::TransferSwing(TransferFunction from, TransferFunction to, double periodSeconds)
+    : from_(std::move(from)), to_(std::move(to)), periodSeconds_(periodSeconds) {
+  OC_CHECK(periodSeconds > 0, "a swing takes time");
+}
+
+TransferFunction TransferSwing::at(double seconds) const {
+  const double periods = seconds / periodSeconds_;
+  const double share = periods - std::floor(periods);
+  return blendedTransfer(from_, to_, 1 - std::abs(1 - 2 * share));
 }
 
 }  // namespace ocelli

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/matrix.hpp>
+#include <glm/vector_relational.hpp>
 #include <utility>
 
 #include "display_sim/dither/diffusion.h"
@@ -23,18 +24,13 @@ VolumeSliceReference::VolumeSliceReference(const VolumeScene& scene, const Displ
 glm::vec3 VolumeSliceReference::lightOf(int slice, int column, int row) const {
   const glm::ivec3& size = scene_.volume->grid().size;
   const auto indexOf = [&](const glm::dvec3& point) { return glm::dvec3(indexFromScene_ * glm::dvec4(point, 1)); };
-  const glm::dvec3 center = indexOf(sweep_.voxelCenter(slice, column, row));
-  for (int axis = 0; axis < 3; ++axis) {
-    if (center[axis] < -0.5 || center[axis] > size[axis] - 0.5) {
-      return glm::vec3(0);
-    }
-  }
   const glm::dvec2& direction = sweep_.sectorDirection(slice);
   const glm::dvec3 outward(direction.x, 0, direction.y);
   const glm::dvec3 across(-direction.y, 0, direction.x);
   const auto share = [&](int i) { return (i + 0.5) / pointsASide_ - 0.5; };
   double extinction = 0;
   double weights = 0;
+  double weightsInside = 0;
   glm::dvec3 emission(0);
   for (int i = 0; i < pointsASide_; ++i) {
     const double r = sweep_.columnRadius(column) + share(i) * sweep_.columnWidth();
@@ -43,9 +39,14 @@ glm::vec3 VolumeSliceReference::lightOf(int slice, int column, int row) const {
       for (int k = 0; k < pointsASide_; ++k) {
         const double y = sweep_.rowCenterY(row) + share(k) * sweep_.rowHeight();
         const glm::dvec3 index = indexOf(outward * r + across * s + glm::dvec3(0, y, 0));
-        const double value = scene_.volume->fieldAt(glm::clamp(index, glm::dvec3(-0.5), glm::dvec3(size) - 0.5));
         const double weight = std::abs(r);
         weights += weight;
+        if (glm::any(glm::lessThan(index, glm::dvec3(-0.5))) ||
+            glm::any(glm::greaterThan(index, glm::dvec3(size) - 0.5))) {
+          continue;
+        }
+        weightsInside += weight;
+        const double value = scene_.volume->fieldAt(index);
         if (options_.shown && (value < options_.shown->least || value > options_.shown->greatest)) {
           continue;
         }
@@ -58,8 +59,9 @@ glm::vec3 VolumeSliceReference::lightOf(int slice, int column, int row) const {
   if (!(extinction > 0)) {
     return glm::vec3(0);
   }
-  const double mean = extinction / weights * options_.gain / scene_.sceneLengthOfUnit();
-  return glm::vec3(emission / extinction * -std::expm1(-mean * sweptThickness(sweep_, column)));
+  const double mean = extinction / weightsInside * options_.gain / scene_.sceneLengthOfUnit();
+  const double covered = weightsInside / weights;
+  return glm::vec3(covered * emission / extinction * -std::expm1(-mean * sweptThickness(sweep_, column)));
 }
 
 VoxelColors VolumeSliceReference::colors(const Progress& progress) const {

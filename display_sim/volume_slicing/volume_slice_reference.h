@@ -20,8 +20,8 @@ class VolumeSliceReference {
   VolumeSliceReference(const VolumeScene& scene, const DisplayProfile& profile, int pointsASide,
                        const SweptLightOptions& options = {});
 
-  /// By the formula of swept_light.h. 0 where the centre of the cell lies outside of the volume; points of other cells
-  /// that do have the field of the nearest point in it. Without the light that shades the volume.
+  /// By the formula of swept_light.h, of the points of the cell that lie in the volume's box, times the share of points
+  /// that do. Without the light that shades the volume.
   glm::vec3 lightOf(int slice, int column, int row) const;
   /// Of all voxels that have any.
   VoxelColors colors(const Progress& progress = {}) const;

@@ -112,6 +112,7 @@ void forEachSweptRow(const SweptTask& task, const Visit& visit) {
   const int width = samples.profile().width;
   const SweptSlice& place = samples.slices()[static_cast<size_t>(task.source)];
   const bool wholeBricks = width % kSweptBrickSide == 0;
+  const SweptWeights& allWeights = samples.weights();
   if (task.isMirrored && !wholeBricks) {
     // Bricks of the mirrored slice lie between those of the screen.
     for (int row = place.firstBrickRow * kSweptBrickSide;
@@ -124,24 +125,22 @@ void forEachSweptRow(const SweptTask& task, const Visit& visit) {
           codes[static_cast<size_t>(x)] = from >= 0 ? samples.codeAt(task.source, from, row) : kNothingSwept;
           weights[static_cast<size_t>(x)] = from >= 0 ? samples.weightAt(task.source, from, row) : uint8_t{0};
         }
-        visit(column, row, SweptEight{codes.data(), samples.weights() != nullptr ? weights.data() : nullptr});
+        visit(column, row, SweptEight{codes.data(), allWeights.areFull() ? nullptr : weights.data()});
       }
     }
     return;
   }
   const uint16_t* codes = samples.codes() + place.firstBrick * kSweptBrickVoxels;
-  const uint8_t* weights =
-      samples.weights() != nullptr ? samples.weights() + place.firstBrick * kSweptBrickVoxels : nullptr;
+  size_t brick = place.firstBrick;
   const SweptReach* reach = samples.reaches().data() + place.firstBrick;
   for (int brickRow = 0; brickRow < place.brickRows; ++brickRow) {
-    for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reach) {
+    for (int brickColumn = 0; brickColumn < place.brickColumns; ++brickColumn, ++reach, ++brick) {
       const uint16_t* brickCodes = codes;
-      const uint8_t* brickWeights = weights;
       codes += kSweptBrickVoxels;
-      weights = weights != nullptr ? weights + kSweptBrickVoxels : nullptr;
       if (reach->first >= reach->last || !task.light.mayBeLit(reach->first, reach->last)) {
         continue;
       }
+      const uint8_t* brickWeights = allWeights.of(brick);
       const int from = (place.firstBrickColumn + brickColumn) * kSweptBrickSide;
       const int column = task.isMirrored ? width - kSweptBrickSide - from : from;
       MirroredEight mirrored;
@@ -177,7 +176,7 @@ uint64_t litEight(const SweptEntry* entries, const SweptEight& eight, const Swep
 }
 
 /// A bit for each channel.
-template <class DitherRow, bool kWeighted>
+template <class DitherRow>
 void sliceOneBit(const SweptTask& task, const VolumeLayout& layout, std::span<uint8_t> planes) {
   const SweptEntry* entries = task.light.entries();
   const int height = task.samples.profile().height;
@@ -187,9 +186,15 @@ void sliceOneBit(const SweptTask& task, const VolumeLayout& layout, std::span<ui
     }
     const DitherRow dither(task.slice, row);
     const SweptColumn* columns = &task.light.column(column);
-    const uint64_t lit = task.light.isShifted(column)
-                             ? litEight<kWeighted, true>(entries, eight, columns, dither, column)
-                             : litEight<kWeighted, false>(entries, eight, columns, dither, column);
+    const bool isShifted = task.light.isShifted(column);
+    uint64_t lit = 0;
+    if (eight.weights == nullptr) {
+      lit = isShifted ? litEight<false, true>(entries, eight, columns, dither, column)
+                      : litEight<false, false>(entries, eight, columns, dither, column);
+    } else {
+      lit = isShifted ? litEight<true, true>(entries, eight, columns, dither, column)
+                      : litEight<true, false>(entries, eight, columns, dither, column);
+    }
     const size_t at = static_cast<size_t>(row) * layout.rowBytes + static_cast<size_t>(column / kSweptBrickSide);
     for (size_t channel = 0; channel < kColorChannels; ++channel) {
       planes[channel * layout.planeBytes + at] =
@@ -235,10 +240,8 @@ void sliceWith(const SweptTask& task, bool occupancy, Volume& volume) {
   std::ranges::fill(planes, uint8_t{0});
   if (volume.bitsPerChannel() > 1) {
     sliceLevels<DitherRow>(task, volume.layout(), volume.bitsPerChannel(), occupancy, planes);
-  } else if (task.samples.weights() != nullptr) {
-    sliceOneBit<DitherRow, true>(task, volume.layout(), planes);
   } else {
-    sliceOneBit<DitherRow, false>(task, volume.layout(), planes);
+    sliceOneBit<DitherRow>(task, volume.layout(), planes);
   }
 }
 

@@ -4,9 +4,11 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <glm/matrix.hpp>
 #include <utility>
 
 #include "display_sim/observing/observer.h"
+#include "display_sim/volume_slicing/cell_share.h"
 #include "display_sim/volume_solidity/masked_volume.h"
 #include "display_sim/volume_solidity/volume_sight.h"
 
@@ -31,13 +33,10 @@ class SweptCell {
                   glm::dvec3(-outward.z, 0, outward.x) * (radius * sweep.tanHalfStep())};
   }
 
-  /// On the shown side of the plane: exact where it is parallel to a face of the cell, and in between a ramp.
+  /// On the shown side of the plane.
   double shareOf(const ClipPlane& clip) const {
-    double reach = 0;
-    for (const glm::dvec3& edge : halfEdges_) {
-      reach += std::abs(glm::dot(clip.normal, edge));
-    }
-    return std::clamp(0.5 + (glm::dot(clip.normal, center_) - clip.distance) / (2 * reach), 0.0, 1.0);
+    const auto reach = [&](size_t edge) { return std::abs(glm::dot(clip.normal, halfEdges_[edge])); };
+    return shareOfBlock(glm::dot(clip.normal, center_) - clip.distance, {reach(0), reach(1), reach(2)});
   }
 
   /// Of the points in the middles of its eighths.
@@ -123,13 +122,27 @@ SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const 
     const VolumeRenderer renderer(seenScene(), {.depthOpacity = *options.seenOpacity});
     sight = std::make_shared<VolumeSight>(renderer, options.eyes, samples_->profile().height, progress);
   }
-  return [&clips = scene_.clips, &sweep = samples_->sweep(), mask, sight](const glm::dvec3& center, double cellSide) {
+  // Eyes look at what a cell shows: of one that a face cuts, whose middle may lie beside the volume, at a place half a
+  // cell within.
+  const glm::dmat4 worldFromIndex = scene_.worldFromIndex;
+  const glm::dmat4 indexFromWorld = glm::inverse(worldFromIndex);
+  const glm::dvec3 size(scene_.volume->grid().size);
+  const auto within = [worldFromIndex, indexFromWorld, size](const glm::dvec3& center, double cellSide) {
+    glm::dvec3 index = indexFromWorld * glm::dvec4(center, 1);
+    for (int axis = 0; axis < 3; ++axis) {
+      const double half = std::min(cellSide / 2 / glm::length(glm::dvec3(worldFromIndex[axis])), size[axis] / 2);
+      index[axis] = std::clamp(index[axis], -0.5 + half, size[axis] - 0.5 - half);
+    }
+    return glm::dvec3(worldFromIndex * glm::dvec4(index, 1));
+  };
+  return [&clips = scene_.clips, &sweep = samples_->sweep(), mask, sight, within](const glm::dvec3& center,
+                                                                                  double cellSide) {
     const SweptCell cell(center, sweep);
     double share = 1;
     for (const ClipPlane& clip : clips) {
       share *= cell.shareOf(clip);
     }
-    if (share == 0 || (sight != nullptr && !sight->sees(center, cellSide))) {
+    if (share == 0 || (sight != nullptr && !sight->sees(within(center, cellSide), cellSide))) {
       return 0.0;
     }
     return mask == nullptr ? share : share * cell.shareOf(*mask);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 #include "display_sim/volume_solidity/volume_truth.h"
 #include "oc_core/base/error.h"
@@ -40,10 +41,8 @@ void cutAwayAndShowSeen(ShownVolumeOptions& options, const VolumeWaySettings& se
   options.seenOpacity = settings.seenOpacity;
 }
 
-}  // namespace
-
-const std::vector<VolumeWay>& volumeWays() {
-  static const std::vector<VolumeWay> ways{
+std::vector<VolumeWay> builtinVolumeWays() {
+  return {
       {"visible", "each eye sees what is not hidden from it alone: what no display for several eyes shows", keepAll,
        SolidityMeter::Shown::kVisibleOnly},
       {"everything", "all light of the volume", keepAll},
@@ -54,15 +53,37 @@ const std::vector<VolumeWay>& volumeWays() {
       {"seen-gradient", "what the reference eye would see, lit by the gradient", showSeenGradients},
       {"cutaway-seen", "what the reference eye would see of the volume cut away", cutAwayAndShowSeen},
   };
-  return ways;
+}
+
+Registry<VolumeWay>& volumeWayRegistry() {
+  static Registry<VolumeWay> registry("way to show a volume", builtinVolumeWays());
+  return registry;
+}
+
+}  // namespace
+
+Rows<VolumeWay> volumeWays() {
+  return volumeWayRegistry().rows();
+}
+
+void registerVolumeWay(VolumeWay way) {
+  if (way.name.empty() || way.name.find(',') != std::string::npos) {
+    throw InputError("a way to show a volume cannot have this name", "\"" + way.name + "\"",
+                     "give it a name without a comma");
+  }
+  if (!way.set) {
+    throw InputError("this way has no function that sets what is shown", way.name, "set `set` of its row");
+  }
+  volumeWayRegistry().add(std::move(way));
 }
 
 const VolumeWay& volumeWayByName(const std::string& name, const std::string& option) {
-  const auto way = std::ranges::find(volumeWays(), name, &VolumeWay::name);
-  if (way == volumeWays().end()) {
+  const Rows<VolumeWay> ways = volumeWays();
+  const auto way = std::ranges::find(ways, name, &VolumeWay::name);
+  if (way == ways.end()) {
     std::string names;
-    for (const VolumeWay& each : volumeWays()) {
-      names += (names.empty() ? "" : ", ") + std::string(each.name);
+    for (const VolumeWay& each : ways) {
+      names += (names.empty() ? "" : ", ") + each.name;
     }
     throw InputError("there is no way \"" + name + "\" to show a volume", option, "one of " + names);
   }

@@ -1,15 +1,18 @@
 // Ways to show a volume on a display that hides nothing, compared: how solid each looks.
 //
-// To add a way: a row in volume_ways.cpp. `ocelli solidity VOLUME --ways NAME` finds it there.
+// Recipe for a new way:
+//   1. display_sim/volume_solidity/volume_ways.cpp: a function that sets what is shown, and its row.
+// `ocelli solidity VOLUME --ways NAME` and the tests that run over every way find it there. From outside of the tree:
+// registerVolumeWay() with the same row.
 #pragma once
 
 #include <functional>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "display_sim/solidity/solidity.h"
 #include "display_sim/volume_solidity/shown_volume.h"
+#include "oc_core/base/registry.h"
 
 namespace ocelli {
 
@@ -22,13 +25,19 @@ struct VolumeWaySettings {
 };
 
 struct VolumeWay {
-  std::string_view name;
-  std::string_view summary;  ///< one line
-  void (*set)(ShownVolumeOptions& options, const VolumeWaySettings& settings);
+  std::string name;
+  std::string summary;  ///< one line
+  /// Called from any thread.
+  std::function<void(ShownVolumeOptions& options, const VolumeWaySettings& settings)> set;
   SolidityMeter::Shown shown = SolidityMeter::Shown::kEverything;
 };
 
-const std::vector<VolumeWay>& volumeWays();
+/// The built-in ones, then those that were registered. A row stays where it is until the program ends. Any thread may
+/// call it at any time.
+Rows<VolumeWay> volumeWays();
+/// Throws InputError where the name is empty, holds a comma, which separates names, or is taken, and where there is no
+/// function.
+void registerVolumeWay(VolumeWay way);
 /// Throws InputError, naming `option`, for an unknown name.
 const VolumeWay& volumeWayByName(const std::string& name, const std::string& option);
 

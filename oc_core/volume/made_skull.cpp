@@ -15,6 +15,9 @@ namespace {
 using glm::vec3;
 
 constexpr double kEdgeMillimetres = 240;
+/// Over which a material begins, in voxels: by a smooth step, which is as steep in its middle as a straight ramp of
+/// two. So gradients, which are taken over two voxels, do not change by steps from one voxel to the next.
+constexpr float kRampVoxels = 3;
 
 // Hounsfield units.
 constexpr float kAir = -1000;
@@ -133,7 +136,7 @@ class HeadAt {
 
   float value() {
     const float skin = skinDistance(mirrored_);
-    if (skin > spacing_) {
+    if (skin > kRampVoxels / 2 * spacing_) {
       return kAir;
     }
     paint(skin, kSkin);
@@ -153,9 +156,10 @@ class HeadAt {
   }
 
  private:
-  /// A material where `distance` is negative.
+  /// A material where `distance` is negative. Nothing of it is left half a ramp outside.
   void paint(float distance, float hounsfield) {
-    value_ = glm::mix(value_, hounsfield, solid::coverage(distance, spacing_));
+    const float share = solid::coverage(distance, kRampVoxels * spacing_);
+    value_ = glm::mix(value_, hounsfield, share * share * (3 - 2 * share));
   }
 
   void addVault() {
@@ -197,7 +201,7 @@ class HeadAt {
   void addBrain() {
     using namespace solid;
     const float brain = without(vault_ + kVaultThickness, orbit_ - 3);
-    if (brain > spacing_) {
+    if (brain > kRampVoxels / 2 * spacing_) {
       return;
     }
     paint(brain, kFluid);
@@ -214,7 +218,7 @@ class HeadAt {
     blood = std::min(blood, capsule(p_, {0, 30, -60}, {0, 0, 2}, 2.6f));
     blood = std::min(blood, sphere(p_, kAneurysm, kAneurysmRadius));
     paint(blood, kBlood);
-    if (sphere(p_, kAneurysm, kAneurysmRadius) < spacing_) {
+    if (sphere(p_, kAneurysm, kAneurysmRadius) < kRampVoxels / 2 * spacing_) {
       paint(coilDistance(p_), kMetal);
     }
   }

@@ -99,9 +99,4 @@ std::vector<ScalarVolume> mapVolumes(const VolumeGrid& grid, VoxelType type, con
   return volumes;
 }
 
-ScalarVolume mapVolume(const VolumeGrid& grid, VoxelType type, const VoxelFile& file, double scale, double offset) {
-  OC_CHECK(file.bytes == grid.voxelCount() * bytesOf(type), "a file has the bytes of its grid");
-  return std::move(mapVolumes(grid, type, file.path, {file.offset}, scale, offset).front());
-}
-
 }  // namespace ocelli

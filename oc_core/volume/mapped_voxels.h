@@ -12,13 +12,6 @@
 
 namespace ocelli {
 
-/// Bytes of a file that are voxels as a volume has them in memory: uncompressed, in the byte order of this machine.
-struct VoxelFile {
-  std::filesystem::path path;
-  uint64_t offset = 0;  ///< of the first voxel, from the begin of the file: a multiple of the bytes of a voxel
-  uint64_t bytes = 0;   ///< of all voxels
-};
-
 /// Whether a volume can stand on the bytes of a file as they are. Where not, they must be copied: processors and
 /// compilers want numbers at multiples of their size.
 inline bool areVoxelsAligned(uint64_t offset, VoxelType type) {
@@ -60,13 +53,10 @@ class MappedVoxels : public VoxelStore {
   uint64_t size_;
 };
 
-/// Volumes of one grid on one file, which is mapped once; the voxels of each begin at one of `begins`. Throws as
+/// Volumes of one grid on one file, which is mapped once. The voxels of each begin at one of `begins`, bytes of the
+/// file; they are as a volume has them in memory: uncompressed, in the byte order of this machine. Throws as
 /// MappedVoxelFile and MappedVoxels do. The begins must be aligned.
 std::vector<ScalarVolume> mapVolumes(const VolumeGrid& grid, VoxelType type, const std::filesystem::path& path,
                                      const std::vector<uint64_t>& begins, double scale = 1, double offset = 0);
-
-/// A volume on a file. Throws as mapVolumes() does. The offset must be aligned, and the bytes those of the grid.
-ScalarVolume mapVolume(const VolumeGrid& grid, VoxelType type, const VoxelFile& file, double scale = 1,
-                       double offset = 0);
 
 }  // namespace ocelli

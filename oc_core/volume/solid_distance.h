@@ -63,9 +63,9 @@ inline float smoothUnion(float a, float b, float width) {
   return glm::mix(b, a, share) - width * share * (1 - share);
 }
 
-/// How much of a voxel with an edge of `spacing` a solid covers.
-inline float coverage(float distance, float spacing) {
-  return std::clamp(0.5f - distance / spacing, 0.0f, 1.0f);
+/// From 0 outside to 1 inside over a ramp of this width: of a voxel's edge, how much of a voxel a solid covers.
+inline float coverage(float distance, float ramp) {
+  return std::clamp(0.5f - distance / ramp, 0.0f, 1.0f);
 }
 
 }  // namespace ocelli::solid

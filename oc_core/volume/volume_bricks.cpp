@@ -103,7 +103,7 @@ VolumeBricks::VolumeBricks(const ScalarVolume& volume) : size_(glm::max((volume.
   // Of what may not fit into memory, a layer at a time.
   const size_t layersAtOnce = volume.store() != nullptr ? 1 : layers;
   for (size_t layer = 0; layer < layers; layer += layersAtOnce) {
-    const SlicesInMemory slices(volume, layer * kEdge, (layer + layersAtOnce) * kEdge + 1);
+    const RowsInMemory slices(volume, {layer * kEdge, (layer + layersAtOnce) * kEdge + 1});
     visitVoxels(volume, [&](const auto* first) {
       using Voxel = std::remove_cv_t<std::remove_pointer_t<decltype(first)>>;
       parallelFor(layersAtOnce * rowsOfLayer, 1, [&](size_t begin, size_t end) {

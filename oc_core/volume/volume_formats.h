@@ -1,4 +1,12 @@
 // The files of volumes that are read: a row a format. `ocelli-read-volume` (import/) has a reader for each.
+//
+// Recipe for a new format, three places:
+//   1. oc_core/volume/volume_formats.cpp: a row with its name and the endings of its files.
+//   2. oc_core/volume/import/NAME_file.cpp: a function that reads one, a VolumeFileReader. It throws InputError for all
+//      that is no volume of scalars, with what to do next, and keeps the frame as the other formats do.
+//   3. oc_core/volume/import/volume_reader_rows.h: the declaration of that function, and its row.
+// The tests ask for a file that another program wrote, tests/volume_import/samples_test.cpp, and for the format's line
+// in docs/volumes.md.
 #pragma once
 
 #include <filesystem>

@@ -2,10 +2,12 @@
 //
 // A voxel of a level of factor f stands for f x f x f voxels of the whole, fewer at the upper faces where f does not
 // divide the size: there the box of the level reaches out of that of the whole, by less than one voxel of the level.
-// Levels have the type, the scale, the offset and the facts of the whole.
+// Levels have the facts of the whole, and its type, scale and offset but where a function says otherwise.
 #pragma once
 
 #include <cstddef>
+#include <glm/mat4x4.hpp>
+#include <glm/vec3.hpp>
 #include <memory>
 #include <string>
 
@@ -24,13 +26,19 @@ struct VolumeLevel {
 /// The least factor whose level has at most so many voxels, which are at least 1.
 int levelFactor(const glm::ivec3& size, size_t maxVoxels);
 
-/// The grid of a level.
-VolumeGrid levelGrid(const VolumeGrid& whole, int factor);
+/// From index coordinates of a level to those of the whole. Factors are by axis, here and below, and at least 1.
+glm::dmat4 wholeFromLevelIndex(const glm::ivec3& factor);
+/// The grid of a level: its world is that of the whole.
+VolumeGrid levelGrid(const VolumeGrid& whole, const glm::ivec3& factor);
 
 /// Each voxel is the mean of those that it stands for, rounded where the type is one of whole numbers. Reads all voxels
 /// but the holes of sparse files, some 128 MiB at a time: the memory of a mapped volume is given back on the way. On
 /// all threads, the same with any number of them. Voxels that are no numbers spread: ask surveyVoxels().
 ScalarVolume averagedLevel(const ScalarVolume& whole, int factor, const Progress& progress = {});
+
+/// The same in 16 bits of `range`, and not in the type of the whole: values beyond it count as its ends.
+ScalarVolume averagedInRange(const ScalarVolume& whole, const glm::ivec3& factor, const ValueRange& range,
+                             const Progress& progress = {});
 
 /// Each voxel is the one in the middle of those that it stands for. Reads one row of `factor` x `factor`: what a first
 /// look at a volume on a disk takes.

@@ -14,25 +14,6 @@ constexpr size_t kPartsAtOnce = 32;
 
 }  // namespace
 
-SlicesInMemory::SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last, bool readsAhead)
-    : store_(volume.store()) {
-  if (store_ != nullptr) {
-    const auto slices = static_cast<size_t>(volume.grid().size.z);
-    const size_t sliceBytes = volume.voxels().size() / slices;
-    begin_ = first * sliceBytes;
-    end_ = std::min(last, slices) * sliceBytes;
-    if (readsAhead && !store_->isKnownZero(begin_, end_)) {
-      store_->willRead(begin_, end_);
-    }
-  }
-}
-
-SlicesInMemory::~SlicesInMemory() {
-  if (store_ != nullptr) {
-    store_->release(begin_, end_);
-  }
-}
-
 RowsInMemory::RowsInMemory(const ScalarVolume& volume, const IndexRange& slices, const IndexRange& rows,
                            bool readsAhead)
     : store_(volume.store()) {
@@ -78,7 +59,7 @@ void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
   const size_t atOnce = volume.store() == nullptr ? last - first : std::max<size_t>(1, kBytesAtOnce / sliceBytes);
   for (size_t begin = first; begin < last; begin += atOnce) {
     const size_t end = std::min(begin + atOnce, last);
-    const SlicesInMemory slices(volume, begin, end);
+    const RowsInMemory slices(volume, {begin, end});
     // What each call sets up, such as bins, pays for some slices.
     const size_t grain = std::max<size_t>(1, (end - begin) / kPartsAtOnce);
     parallelFor(end - begin, grain, [&](size_t from, size_t to) { body(begin + from, begin + to); });

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cstddef>
 #include <functional>
+#include <limits>
 
 #include "oc_core/volume/scalar_volume.h"
 
@@ -15,31 +16,19 @@ namespace ocelli {
 void scanSlices(const ScalarVolume& volume, size_t first, size_t last,
                 const std::function<void(size_t begin, size_t end)>& body);
 
-/// While it lives, slices [first, last) may be read; those that there are, at the most. Of a volume from a store they
-/// are read ahead, unless few of them will be read, and given back at the end. Of any other this does nothing.
-class SlicesInMemory {
- public:
-  SlicesInMemory(const ScalarVolume& volume, size_t first, size_t last, bool readsAhead = true);
-  ~SlicesInMemory();
-  SlicesInMemory(const SlicesInMemory&) = delete;
-  SlicesInMemory& operator=(const SlicesInMemory&) = delete;
-
- private:
-  const VoxelStore* store_;
-  size_t begin_ = 0;  ///< bytes of the voxels
-  size_t end_ = 0;
-};
-
 /// Slices, or rows of one: those from `first` on, before `last`.
 struct IndexRange {
   size_t first = 0;
   size_t last = 0;
 };
+inline constexpr IndexRange kAllRows{0, std::numeric_limits<size_t>::max()};
 
-/// As SlicesInMemory, of these rows of these slices, of those that there are.
+/// While it lives, these rows of these slices may be read, of those that there are. Of a volume from a store they are
+/// read ahead, unless few of them will be read, and given back at the end. Of any other this does nothing.
 class RowsInMemory {
  public:
-  RowsInMemory(const ScalarVolume& volume, const IndexRange& slices, const IndexRange& rows, bool readsAhead = true);
+  RowsInMemory(const ScalarVolume& volume, const IndexRange& slices, const IndexRange& rows = kAllRows,
+               bool readsAhead = true);
   ~RowsInMemory();
   RowsInMemory(const RowsInMemory&) = delete;
   RowsInMemory& operator=(const RowsInMemory&) = delete;

@@ -10,12 +10,12 @@
 #include "oc_core/gl/displacement_uniforms.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/pinhole_uniforms.h"
+#include "oc_core/volume/gradient_light.h"
 #include "oc_core/volume/volume_bricks.h"
 #include "oc_core/volume_gl/gl_volume_march.h"
 #include "oc_core/volume_gl/gl_voxel_texture.h"
 #include "oc_core/volume_gl/listed_volume_rays.h"
 #include "oc_core/volume_render/optical_table.h"
-#include "oc_core/volume_render/volume_lighting.h"
 #include "oc_core/volume_render/volume_occupancy.h"
 
 namespace ocelli {
@@ -133,15 +133,15 @@ struct GlVolumeRenderer::Impl {
       const uint8_t isSeen = 0;
       occupancy = uploadBricks(context, glm::ivec3(1), &isSeen);
     }
-    const VolumeLighting lighting(scene, range);
-    const VolumeShading& shading = scene.appearance.shading;
-    const LightBlock block{glm::mat4(glm::mat3(lighting.worldFromIndexGradient() * voxels.scale())),
-                           glm::vec3(lighting.toLight()),
-                           lighting.flatBelow() > 0 ? static_cast<float>(1 / lighting.flatBelow()) : 0,
-                           static_cast<float>(shading.ambient),
-                           static_cast<float>(shading.diffuse),
-                           static_cast<float>(shading.specular),
-                           static_cast<float>(shading.shininess)};
+    const GradientLight<float> rule =
+        singleLight(gradientLight(scene.worldFromIndex, scene.appearance.shading, range), voxels.scale());
+    const LightBlock block{glm::mat4(rule.worldFromIndexGradient),
+                           rule.toLight,
+                           rule.litByGradient,
+                           rule.ambient,
+                           rule.diffuse,
+                           rule.specular,
+                           rule.shininess};
     light = makeBuffer(context, sizeof(block), &block);
     numbers = {static_cast<float>(options.step * scene.volume->grid().meanSpacing()),
                static_cast<float>(options.endTransmittance), static_cast<float>(1 - options.depthOpacity),

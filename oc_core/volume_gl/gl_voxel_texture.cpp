@@ -94,7 +94,7 @@ void uploadSlices(const GladGLContext& gl, const GlObject& texture, const Scalar
   for (int k = 0; k < size.z; k += slices) {
     report(progress, "uploading the volume", static_cast<double>(k) / size.z);
     const int count = std::min(slices, size.z - k);
-    const SlicesInMemory inMemory(volume, static_cast<size_t>(k), static_cast<size_t>(k + count));
+    const RowsInMemory inMemory(volume, {static_cast<size_t>(k), static_cast<size_t>(k + count)});
     const Voxel* from = first + size_t(k) * sliceVoxels;
     const void* data = from;
     if constexpr (!std::is_same_v<Voxel, Texel>) {

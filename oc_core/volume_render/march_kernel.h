@@ -6,11 +6,11 @@
 #include <cstddef>
 #include <cstdint>
 #include <functional>
-#include <glm/mat3x3.hpp>
 #include <glm/vec3.hpp>
 #include <span>
 #include <string>
 
+#include "oc_core/volume/gradient_light.h"
 #include "oc_core/volume/scalar_volume.h"
 #include "oc_core/volume_render/optical_table.h"
 #include "oc_core/volume_render/ray_pieces.h"
@@ -33,13 +33,7 @@ struct MarchSetup {
   float depthOpacity = 0;
 
   bool isShaded = false;
-  glm::mat3 worldFromIndexGradient{1};  ///< of numbers in voxels
-  float litByGradient = 0;              ///< 1 / the length from which on a gradient has a direction
-  glm::vec3 toLight{0};
-  float ambient = 0;
-  float diffuse = 0;
-  float specular = 0;
-  float shininess = 0;
+  GradientLight<float> light{};  ///< of gradients of numbers in voxels
 };
 
 struct MarchResult {

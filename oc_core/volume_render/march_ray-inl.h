@@ -122,7 +122,7 @@ class March {
     keep(places.index.x);
     keep(places.index.y);
     keep(places.index.z);
-    if (setup_->specular > 0) {
+    if (setup_->light.specular > 0) {
       keep(places.direction.x);
       keep(places.direction.y);
       keep(places.direction.z);

@@ -75,10 +75,11 @@ struct Light {
   FloatVec added;
 };
 
-/// As VolumeLighting::at(), at the first `count` places.
+/// GradientLight::at(), at the first `count` places.
 template <class Field>
 HWY_ATTR HWY_NOINLINE Light lightAt(const MarchSetup& setup, const Field& field, const Places& places, size_t count) {
   const Floats d;
+  const GradientLight<float>& rule = setup.light;
   const FloatVec one = hn::Set(d, 1.0f);
   const FloatVec half = hn::Set(d, 0.5f);
   HWY_ALIGN float slopes[3 * kLanes];
@@ -86,7 +87,7 @@ HWY_ATTR HWY_NOINLINE Light lightAt(const MarchSetup& setup, const Field& field,
   const FloatVec gx = hn::Load(d, slopes);
   const FloatVec gy = hn::Load(d, slopes + kLanes);
   const FloatVec gz = hn::Load(d, slopes + 2 * kLanes);
-  const glm::mat3& m = setup.worldFromIndexGradient;
+  const glm::mat3& m = rule.worldFromIndexGradient;
   const auto row = [&](int i) HWY_ATTR {
     return hn::Mul(half, hn::MulAdd(gx, hn::Set(d, m[0][i]),
                                     hn::MulAdd(gy, hn::Set(d, m[1][i]), hn::Mul(gz, hn::Set(d, m[2][i])))));
@@ -96,20 +97,20 @@ HWY_ATTR HWY_NOINLINE Light lightAt(const MarchSetup& setup, const Field& field,
                        HWY_ATTR { return hn::MulAdd(a.x, b.x, hn::MulAdd(a.y, b.y, hn::Mul(a.z, b.z))); };
   const FloatVec length = hn::Sqrt(dot(g, g));
   const FloatVec perLength = hn::Div(one, hn::Max(length, hn::Set(d, 1e-30f)));
-  const FloatVec lit = hn::Min(one, hn::Mul(length, hn::Set(d, setup.litByGradient)));
-  const Point toLight{hn::Set(d, setup.toLight.x), hn::Set(d, setup.toLight.y), hn::Set(d, setup.toLight.z)};
+  const FloatVec lit = hn::Min(one, hn::Mul(length, hn::Set(d, rule.litByGradient)));
+  const Point toLight{hn::Set(d, rule.toLight.x), hn::Set(d, rule.toLight.y), hn::Set(d, rule.toLight.z)};
   const FloatVec cosine = hn::Mul(hn::Abs(dot(g, toLight)), perLength);
-  const FloatVec shade = hn::MulAdd(cosine, hn::Set(d, setup.diffuse), hn::Set(d, setup.ambient));
+  const FloatVec shade = hn::MulAdd(cosine, hn::Set(d, rule.diffuse), hn::Set(d, rule.ambient));
   Light light{hn::MulAdd(lit, hn::Sub(shade, one), one), hn::Zero(d)};
-  if (setup.specular > 0) {
+  if (rule.specular > 0) {
     // The direction between that to the light and that to the eye.
     const Point between{hn::Sub(toLight.x, places.direction.x), hn::Sub(toLight.y, places.direction.y),
                         hn::Sub(toLight.z, places.direction.z)};
     const FloatVec perBetween = hn::Div(one, hn::Max(hn::Sqrt(dot(between, between)), hn::Set(d, 1e-6f)));
     const FloatVec highlight = hn::Mul(hn::Mul(hn::Abs(dot(g, between)), perBetween), perLength);
     const FloatVec power =
-        hn::Exp(d, hn::Mul(hn::Set(d, setup.shininess), hn::Log(d, hn::Max(highlight, hn::Set(d, 1e-30f)))));
-    light.added = hn::Mul(hn::Mul(lit, hn::Set(d, setup.specular)), power);
+        hn::Exp(d, hn::Mul(hn::Set(d, rule.shininess), hn::Log(d, hn::Max(highlight, hn::Set(d, 1e-30f)))));
+    light.added = hn::Mul(hn::Mul(lit, hn::Set(d, rule.specular)), power);
   }
   return light;
 }

@@ -31,8 +31,9 @@ VolumePixel VolumeReference::pixel(const RayPath& ray) const {
       const double way = (static_cast<double>(k) + 0.5) * step;
       const glm::dvec3 index = piece.from + piece.way * way;
       const OpticalSample sample = scene_.appearance.transfer.at(scene_.volume->fieldAt(index));
-      const PlaceLight light =
-          scene_.appearance.shading.isOn && sample.extinction > 0 ? lighting_.at(index, piece.direction) : PlaceLight{};
+      const PlaceLight<double> light = scene_.appearance.shading.isOn && sample.extinction > 0
+                                           ? lighting_.at(index, piece.direction)
+                                           : PlaceLight<double>{};
       const double before = transmittance;
       transmittance *= std::exp(-sample.extinction * step);
       color += (before - transmittance) * (sample.color * light.factor + light.added);

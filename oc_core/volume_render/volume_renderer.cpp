@@ -10,11 +10,11 @@
 #include "oc_core/base/check.h"
 #include "oc_core/render/pixel_tiles.h"
 #include "oc_core/render/raycast.h"
+#include "oc_core/volume/gradient_light.h"
 #include "oc_core/volume/volume_bricks.h"
 #include "oc_core/volume_render/march_kernel.h"
 #include "oc_core/volume_render/optical_table.h"
 #include "oc_core/volume_render/ray_pieces.h"
-#include "oc_core/volume_render/volume_lighting.h"
 #include "oc_core/volume_render/volume_occupancy.h"
 
 namespace ocelli {
@@ -57,16 +57,9 @@ struct VolumeRenderer::Impl {
     setup.step = static_cast<float>(options.step * volume.grid().meanSpacing());
     setup.endTransmittance = static_cast<float>(options.endTransmittance);
     setup.depthOpacity = static_cast<float>(options.depthOpacity);
-    const VolumeLighting lighting(scene, range);
     const VolumeShading& shading = scene.appearance.shading;
     setup.isShaded = shading.isOn;
-    setup.worldFromIndexGradient = glm::mat3(lighting.worldFromIndexGradient() * std::abs(volume.scale()));
-    setup.litByGradient = lighting.flatBelow() > 0 ? static_cast<float>(1 / lighting.flatBelow()) : 0;
-    setup.toLight = glm::vec3(lighting.toLight());
-    setup.ambient = static_cast<float>(shading.ambient);
-    setup.diffuse = static_cast<float>(shading.diffuse);
-    setup.specular = static_cast<float>(shading.specular);
-    setup.shininess = static_cast<float>(shading.shininess);
+    setup.light = singleLight(gradientLight(scene.worldFromIndex, shading, range), volume.scale());
   }
 
   /// Around the bricks that show something.

@@ -47,6 +47,8 @@ TEST(SweptLight, AveragesOverTheSpreadOfACell) {
   const double extinction = -std::log1p(-thin) * 2;
   const double share = -std::expm1(-extinction * sweptThickness(sweep, 63));
   const glm::vec3 got = light.lightOf(code, 63);
+  // Colours are in 256ths. Extinctions and thicknesses are in 64ths of an octave, rounded: half a step of each is 1.1
+  // %; the spread in tenths of an octave takes no more from the two halves alike.
   EXPECT_NEAR(got.x / (got.x + got.y), 0.25, 2.0 / 256);
   EXPECT_NEAR(got.x + got.y, share, 0.02 * share);
 }

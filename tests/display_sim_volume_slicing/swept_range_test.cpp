@@ -21,6 +21,7 @@ TEST(SweptRange, CommonValuesLeaveOutTheRareButNotTheBackground) {
   values.back() = 1e6f;
   const ValueRange common = commonValues(ScalarVolume(grid, values));
   EXPECT_EQ(common.least, 0);
+  // Half of a hundredth of the 1000 is rare; the rank is a whole number.
   EXPECT_NEAR(common.greatest, 100 + 995, 1);
 }
 
@@ -56,6 +57,7 @@ TEST(SweptRange, HoldsWhatIsWantedWithAMarginWithinAllValues) {
   const ValueRange common{0, 100};
   EXPECT_EQ(codedRange(all, common, {}).least, -50);
   EXPECT_EQ(codedRange(all, common, {}).greatest, 150);
+  // With a margin of some hundredths of the range, which is 450 wide.
   EXPECT_GT(codedRange(all, common, {400}).greatest, 400);
   EXPECT_LT(codedRange(all, common, {400}).greatest, 450);
   EXPECT_EQ(codedRange(all, common, {-1e9, 1e9}).least, -1000);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace ocelli {
 namespace {
@@ -40,6 +41,18 @@ TEST(TransferBlend, KeepsSteps) {
   const TransferFunction blended = blendedTransfer(from, TransferFunction({{0, {}, 0}}, 1), 0.5);
   EXPECT_EQ(blended.at(0.999).extinction, 0);
   EXPECT_NEAR(blended.at(1).extinction, std::log(2) / 2, 1e-12);
+}
+
+TEST(TransferSwing, goesThereInHalfOfAPeriodAndBack) {
+  const TransferFunction from({{0, {1, 1, 1}, 0.2}}, 1);
+  const TransferFunction to({{0, {1, 1, 1}, 0.6}}, 1);
+  const TransferSwing swing(from, to, 4);
+  // Seconds, and the share of the second one.
+  for (const auto& [seconds, share] : {std::pair(0.0, 0.0), std::pair(1.0, 0.5), std::pair(2.0, 1.0),
+                                       std::pair(3.5, 0.25), std::pair(4.0, 0.0), std::pair(41.0, 0.5)}) {
+    const double expected = std::lerp(from.at(0).extinction, to.at(0).extinction, share);
+    EXPECT_NEAR(swing.at(seconds).at(0).extinction, expected, 1e-12) << seconds;
+  }
 }
 
 }  // namespace

@@ -3,23 +3,15 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/volume/volume_scene.h"
+#include "tests/volume/field_volume.h"
 
 namespace ocelli {
 namespace {
 
 /// 2 x 3 x 4 voxels whose value is 1 i + 10 j + 100 k.
 ScalarVolume linearVolume() {
-  VolumeGrid grid;
-  grid.size = {2, 3, 4};
-  std::vector<float> values;
-  for (int k = 0; k < 4; ++k) {
-    for (int j = 0; j < 3; ++j) {
-      for (int i = 0; i < 2; ++i) {
-        values.push_back(static_cast<float>(i + 10 * j + 100 * k));
-      }
-    }
-  }
-  return {std::move(grid), std::move(values)};
+  const VolumeGrid grid{.size = {2, 3, 4}};
+  return {grid, test::voxelsOf(grid.size, [](const glm::dvec3& p) { return p.x + 10 * p.y + 100 * p.z; })};
 }
 
 TEST(ScalarVolume, InterpolatesBetweenCentresAndHoldsTheLastHalfVoxel) {

@@ -36,7 +36,7 @@ bool SparseVolume::isSparse() const {
 ScalarVolume SparseVolume::map() const {
   VolumeGrid grid;
   grid.size = size_;
-  return mapVolume(grid, VoxelType::kInt16, {path_, 0, sliceBytesOf(size_) * uint64_t(size_.z)});
+  return mapVolumes(grid, VoxelType::kInt16, path_, {0}).front();
 }
 
 }  // namespace ocelli::test

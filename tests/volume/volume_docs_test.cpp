@@ -5,6 +5,7 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/volume/builtin_volumes.h"
 #include "oc_core/volume/transfer_presets.h"
+#include "oc_core/volume/volume_formats.h"
 
 namespace ocelli {
 namespace {
@@ -23,6 +24,19 @@ TEST(VolumeDocs, describeEveryMadeVolumePresetAndScale) {
   }
   for (const TransferScale& scale : transferScales()) {
     EXPECT_THAT(guide, testing::HasSubstr(rowOf(scale.name, scale.summary)));
+  }
+}
+
+// A line of the table of files: the name, and every ending.
+TEST(VolumeDocs, describeEveryFormatAndItsEndings) {
+  const std::string guide = readFile(OCELLI_VOLUMES_GUIDE);
+  for (const VolumeFormat& format : volumeFormats()) {
+    const size_t begin = guide.find("\n| " + std::string(format.name));
+    ASSERT_NE(begin, std::string::npos) << format.name;
+    const std::string line = guide.substr(begin + 1, guide.find('\n', begin + 1) - begin - 1);
+    for (const std::string_view ending : format.endings) {
+      EXPECT_THAT(line, testing::HasSubstr("`" + std::string(ending) + "`"));
+    }
   }
 }
 

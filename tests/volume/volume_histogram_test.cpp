@@ -8,20 +8,12 @@
 #include "oc_core/base/error.h"
 #include "oc_core/volume/volume_gradient.h"
 #include "oc_core/volume/voxel_survey.h"
+#include "tests/volume/field_volume.h"
 
 namespace ocelli {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-
-template <class Voxel>
-ScalarVolume wholeNumbers(const glm::ivec3& size, VoxelType type, std::vector<Voxel> values, double scale = 1,
-                          double offset = 0) {
-  VolumeGrid grid;
-  grid.size = size;
-  const auto voxels = std::make_shared<const std::vector<Voxel>>(std::move(values));
-  return {grid, type, std::as_bytes(std::span(*voxels)), voxels, scale, offset};
-}
 
 /// Of a sheared grid that mirrors: the gradient of any linear field is known.
 VolumeGrid shearedGrid(const glm::ivec3& size) {
@@ -32,21 +24,12 @@ VolumeGrid shearedGrid(const glm::ivec3& size) {
 }
 
 ScalarVolume linearIn(const VolumeGrid& grid, const glm::dvec3& slope) {
-  std::vector<float> values;
-  for (int k = 0; k < grid.size.z; ++k) {
-    for (int j = 0; j < grid.size.y; ++j) {
-      for (int i = 0; i < grid.size.x; ++i) {
-        const auto world = glm::dvec3(grid.worldFromIndex * glm::dvec4(i, j, k, 1));
-        values.push_back(static_cast<float>(glm::dot(slope, world)));
-      }
-    }
-  }
-  return {grid, std::move(values)};
+  return {grid, test::voxelsInWorld(grid, [&](const glm::dvec3& p) { return glm::dot(slope, p); })};
 }
 
 TEST(VolumeHistogram, CountsWholeNumbersOneByOne) {
   const ScalarVolume volume =
-      wholeNumbers<int16_t>({5, 2, 1}, VoxelType::kInt16, {-3, -3, 0, 0, 0, 0, 0, 2, 2, 7}, 2, 1);
+      test::volumeOfVoxels<int16_t>({.size = {5, 2, 1}}, VoxelType::kInt16, {-3, -3, 0, 0, 0, 0, 0, 2, 2, 7}, 2, 1);
   const VolumeHistogram histogram = histogramOf(volume);
   EXPECT_EQ(histogram.counts, (std::vector<uint64_t>{2, 0, 0, 5, 0, 2, 0, 0, 0, 0, 1}));
   EXPECT_EQ(histogram.total(), 10U);
@@ -58,7 +41,8 @@ TEST(VolumeHistogram, CountsWholeNumbersOneByOne) {
 }
 
 TEST(VolumeHistogram, IsThatOfWhatVoxelsMeanWhereTheScaleIsNegative) {
-  const ScalarVolume volume = wholeNumbers<uint8_t>({4, 1, 1}, VoxelType::kUint8, {1, 1, 1, 3}, -1, 0);
+  const ScalarVolume volume =
+      test::volumeOfVoxels<uint8_t>({.size = {4, 1, 1}}, VoxelType::kUint8, {1, 1, 1, 3}, -1, 0);
   const VolumeHistogram histogram = histogramOf(volume);
   EXPECT_EQ(histogram.bounds.least, -3.5);
   EXPECT_EQ(histogram.counts, (std::vector<uint64_t>{1, 0, 3}));

@@ -6,23 +6,14 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <memory>
 
 #include "oc_core/base/random.h"
+#include "tests/volume/field_volume.h"
 
 namespace ocelli {
 namespace {
 
 constexpr std::array kPercents{0.0, 1.0, 7.0, 50.0, 99.0, 100.0};
-
-template <class Voxel>
-ScalarVolume volumeOf(const glm::ivec3& size, VoxelType type, std::vector<Voxel> values, double scale = 1,
-                      double offset = 0) {
-  VolumeGrid grid;
-  grid.size = size;
-  const auto voxels = std::make_shared<const std::vector<Voxel>>(std::move(values));
-  return {grid, type, std::as_bytes(std::span(*voxels)), voxels, scale, offset};
-}
 
 /// By sorting what all finite voxels mean.
 std::vector<double> sortedPercentiles(const ScalarVolume& volume) {
@@ -63,7 +54,7 @@ void expectSorted(VoxelType type) {
   values[100] = std::numeric_limits<Voxel>::max();
   values[200] = std::numeric_limits<Voxel>::lowest();
   for (const double scale : {1.0, -0.5}) {
-    const ScalarVolume volume = volumeOf<Voxel>({11, 7, 40}, type, values, scale, 3);
+    const ScalarVolume volume = test::volumeOfVoxels<Voxel>({.size = {11, 7, 40}}, type, values, scale, 3);
     EXPECT_EQ(percentilesOf(volume, kPercents), sortedPercentiles(volume)) << nameOf(type) << " scale " << scale;
   }
 }

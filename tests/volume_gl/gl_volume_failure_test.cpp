@@ -7,7 +7,9 @@
 
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/volume_gl/gl_volume_renderer.h"
+#include "tests/camera/test_curved_cameras.h"
 #include "tests/gl/gl_test_context.h"
+#include "tests/render/camera_cases.h"
 #include "tests/volume_render/test_volumes.h"
 
 namespace ocelli {
@@ -65,26 +67,34 @@ GLenum GLAD_API_PTR failForMemory() {
 
 TEST_P(GlVolumeFailureTest, aFullGpuIsReportedWhereverItFails) {
   VolumeScene scene = test::waves();
+  const auto getError = context_->functions().GetError;
+  // How many calls fail in turn, until one after the last is asked to.
+  const auto failures = [&](const auto& camera) {
+    context_->functions().GetError = failForMemory;
+    int failing = 0;
+    for (int call = 1;; ++call) {
+      memoryErrors = call;
+      try {
+        const GlVolumeRenderer renderer(*context_, scene);
+        renderVolumeOnGpu(camera, renderer);
+        break;
+      } catch (const GlError& error) {
+        EXPECT_THAT(error.what(), HasSubstr("not enough memory"));
+        EXPECT_EQ(context_->liveObjects(), 0);
+        ++failing;
+      }
+    }
+    context_->functions().GetError = getError;
+    return failing;
+  };
+  const PinholeCamera camera(View{}, 8, 8);
+  const int ofPinhole = failures(camera);
+  EXPECT_GT(ofPinhole, 10) << "each step is checked";
+  EXPECT_GT(failures(GpcCamera(camera, test::oneRegion("cubic"))), ofPinhole) << "its zones are uploaded, too";
+  EXPECT_GT(failures(test::bendingTwice(camera)), 10) << "its pieces are";
   scene.surfaces.positions = {{-1, -1, 0}, {1, -1, 0}, {0, 1, 0}};
   scene.surfaces.triangles = {{0, 1, 2}};
-  const PinholeCamera camera(View{}, 8, 8);
-  const auto getError = context_->functions().GetError;
-  context_->functions().GetError = failForMemory;
-  int failing = 0;
-  for (int call = 1;; ++call) {
-    memoryErrors = call;
-    try {
-      const GlVolumeRenderer renderer(*context_, scene);
-      renderer.render(camera);
-      break;
-    } catch (const GlError& error) {
-      ASSERT_THAT(error.what(), HasSubstr("not enough memory"));
-      ASSERT_EQ(context_->liveObjects(), 0);
-      ++failing;
-    }
-  }
-  context_->functions().GetError = getError;
-  EXPECT_GT(failing, 10) << "each step is checked";
+  EXPECT_GT(failures(camera), 10) << "so are those of rays that surfaces end";
 }
 
 GLenum GLAD_API_PTR reportReset() {
@@ -96,7 +106,10 @@ TEST_P(GlVolumeFailureTest, aLostContextIsReported) {
   const auto status = context_->functions().GetGraphicsResetStatus;
   context_->functions().GetGraphicsResetStatus = reportReset;
   const auto isLost = AllOf(HasSubstr("context is lost"), HasSubstr("without OpenGL, on the CPU"));
-  EXPECT_THAT(messageOf([&] { renderer.render(PinholeCamera(View{}, 8, 8)); }), isLost);
+  const PinholeCamera camera(View{}, 8, 8);
+  EXPECT_THAT(messageOf([&] { renderer.render(camera); }), isLost);
+  EXPECT_THAT(messageOf([&] { renderVolumeOnGpu(GpcCamera(camera, test::oneRegion("cubic")), renderer); }), isLost);
+  EXPECT_THAT(messageOf([&] { renderVolumeOnGpu(test::bendingTwice(camera), renderer); }), isLost);
   EXPECT_THAT(messageOf([&] { renderer.setAppearance(test::waves(false).appearance); }), isLost);
   EXPECT_THAT(messageOf([&] { GlVolumeRenderer(*context_, test::waves()); }), isLost);
   context_->functions().GetGraphicsResetStatus = status;

@@ -1,6 +1,7 @@
 // Volumes with OpenGL against the same on the CPU: cameras, voxels, light, clips, surfaces, passes.
 #include "oc_core/volume_gl/gl_volume_renderer.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -12,10 +13,21 @@
 #include "tests/gl/gl_test_context.h"
 #include "tests/render/camera_cases.h"
 #include "tests/volume_gl/volume_agreement.h"
+#include "tests/volume_render/place_lights.h"
 #include "tests/volume_render/test_volumes.h"
 
 namespace ocelli {
 namespace {
+
+/// The ways in which rays come to the shader: it makes those of a pinhole and of a general one, and gets those of graph
+/// and curved ray cameras as pieces, straight ones and many that continue each other. Calls `visit(name, camera)`.
+template <class Visit>
+void forEachWayOfRays(const PinholeCamera& pinhole, const Visit& visit) {
+  visit("pinhole", pinhole);
+  visit("general pinhole", GpcCamera(pinhole, test::twoRegions("cubic")));
+  visit("graph", test::crossroads(pinhole));
+  visit("curved", test::bendingTwice(pinhole));
+}
 
 class GlVolumeRendererTest : public testing::TestWithParam<GlProvider> {
  protected:
@@ -60,7 +72,9 @@ TEST_P(GlVolumeRendererTest, takesVoxelsOfAnyType) {
     VolumeScene scene = test::volumeOf<Voxel>(glm::ivec3(31, 33, 37), 1.0 / 18, type, number, test::layers(1.0 / 9),
                                               scale / steps, -middle * scale / steps);
     scene.appearance.shading.isOn = true;
-    expectCpu(camera, scene, std::string(nameOf(type)));
+    forEachWayOfRays(camera, [&](const std::string& name, const auto& of) {
+      expectCpu(of, scene, name + ", " + std::string(nameOf(type)));
+    });
   };
   expect(uint8_t(), VoxelType::kUint8, 127, 128, 1);
   expect(int8_t(), VoxelType::kInt8, 127, 0, 1);
@@ -79,15 +93,29 @@ TEST_P(GlVolumeRendererTest, isFiniteAndTheSameHoweverDense) {
   for (const double length : {1e-2, 1e-9, 1e-20}) {
     const TransferFunction dense({{10.3, {1, 0, 0}, 0}, {10.3, {1, 0, 0}, 0.9999}, {30.3, {0, 0, 1}, 0.9999}}, length);
     const VolumeScene scene = test::floatVolume({32, 8, 8}, 0.05, number, dense);
-    expectCpu(PinholeCamera(View{}, 30, 20), scene, "dense " + std::to_string(length));
+    forEachWayOfRays(PinholeCamera(View{}, 30, 20), [&](const std::string& name, const auto& camera) {
+      expectCpu(camera, scene, name + ", dense " + std::to_string(length));
+    });
+  }
+}
+
+// The shader's copy of the lighting rule, for rays that it makes and for those that are uploaded.
+TEST_P(GlVolumeRendererTest, lightsPlacesByTheRule) {
+  for (const test::LightCase& each : test::lightCases()) {
+    const GlVolumeRenderer renderer(*context_, each.scene, test::placeOptions());
+    const PinholeCamera camera = test::placeCamera();
+    test::expectPlaceLights(renderer.render(camera), each);
+    test::expectPlaceLights(
+        renderer.render(camera.width(), camera.height(), [&](const glm::vec2& p) { return camera.rayPath(p); }), each);
   }
 }
 
 TEST_P(GlVolumeRendererTest, takesGridsOfAnyAxes) {
   for (const bool isShaded : {false, true}) {
     const VolumeScene scene = test::slantedWaves(isShaded);
-    expectCpu(test::smallCamera(), scene, "slanted");
-    expectCpu(test::bendingTwice(), scene, "slanted, curved");
+    forEachWayOfRays(test::smallCamera(), [&](const std::string& name, const auto& camera) {
+      expectCpu(camera, scene, "slanted, " + name);
+    });
   }
 }
 
@@ -110,7 +138,9 @@ TEST_P(GlVolumeRendererTest, takesThinVolumes) {
                                                 TransferFunction({{80, {1, 0, 0}, 0.1}, {150, {0, 1, 0}, 0.6}}, 0.2));
     for (const bool isShaded : {false, true}) {
       scene.appearance.shading.isOn = isShaded;
-      expectCpu(camera, scene, std::to_string(size.x) + "x" + std::to_string(size.y) + "x" + std::to_string(size.z));
+      forEachWayOfRays(camera, [&](const std::string& name, const auto& of) {
+        expectCpu(of, scene, fmt::format("{}, {}x{}x{}", name, size.x, size.y, size.z));
+      });
     }
   }
 }
@@ -150,18 +180,20 @@ TEST_P(GlVolumeRendererTest, clipsAsTheCpu) {
     scene.clips = clips;
     renderer.setClips(clips);
     const std::string name = std::to_string(clips.size()) + " clips";
-    test::expectAgreement(renderVolume(test::smallCamera(), scene), renderVolumeOnGpu(test::smallCamera(), renderer),
-                          name);
-    test::expectAgreement(renderVolume(test::bendingTwice(), scene), renderVolumeOnGpu(test::bendingTwice(), renderer),
-                          name + ", curved");
+    forEachWayOfRays(test::smallCamera(), [&](const std::string& way, const auto& camera) {
+      test::expectAgreement(renderVolume(camera, scene), renderVolumeOnGpu(camera, renderer), name + ", " + way);
+    });
   }
 }
 
 TEST_P(GlVolumeRendererTest, surfacesEndRaysAsOnTheCpu) {
   VolumeScene scene = test::waves();
   scene.surfaces = test::boxBeforeWall();
-  expectCpu(test::smallCamera(), scene, "pinhole");
-  expectCpu(test::bendingTwice(), scene, "curved");
+  for (const bool isShaded : {true, false}) {
+    scene.appearance.shading.isOn = isShaded;
+    forEachWayOfRays(test::smallCamera(),
+                     [&](const std::string& name, const auto& camera) { expectCpu(camera, scene, name); });
+  }
 }
 
 // The same pixels, from fewer samples.
@@ -190,9 +222,21 @@ TEST_P(GlVolumeRendererTest, skipsWhatIsEmpty) {
     EXPECT_LT(samplesOf(some), samplesOf(all) / 2);
     EXPECT_GT(samplesOf(some), 0);
   };
-  compare(test::smallCamera());
-  compare(test::bendingTwice());
+  forEachWayOfRays(test::smallCamera(), [&](const std::string&, const auto& camera) { compare(camera); });
   compare(PanoramaCamera(test::smallCamera()));
+}
+
+// Rows of pinholes are drawn in bands where progress is told, and listed ones some at a time: the image is the same.
+TEST_P(GlVolumeRendererTest, bandsOfRowsMeet) {
+  const VolumeScene scene = test::waves();
+  const GlVolumeRenderer renderer(*context_, scene);
+  size_t told = 0;
+  const Progress progress = [&](std::string_view, double) { ++told; };
+  forEachWayOfRays(PinholeCamera(View{}, 12, 300), [&](const std::string& name, const auto& camera) {
+    told = 0;
+    test::expectAgreement(renderVolume(camera, scene), renderVolumeOnGpu(camera, renderer, progress), name);
+    EXPECT_GT(told, 3u) << name << ": several bands";
+  });
 }
 
 // More steps than a software renderer does in one pass: pixels stop, and go on.
@@ -202,8 +246,9 @@ TEST_P(GlVolumeRendererTest, longRaysTakeSeveralPasses) {
   View view;
   view.fovVerticalDegrees = 20;
   const PinholeCamera camera(view, 24, 16);
-  expectCpu(camera, scene, "pinhole", options, test::kRoundingTolerance);
-  expectCpu(test::bendingTwice(camera), scene, "curved", options, test::kRoundingTolerance);
+  forEachWayOfRays(camera, [&](const std::string& name, const auto& of) {
+    expectCpu(of, scene, name, options, test::kRoundingTolerance);
+  });
   // Where neighbours skip and look in turn, the turns of all of them count.
   expectCpu(camera, scene, "skipping", {.step = 1.0 / 300, .endTransmittance = 0}, test::kRoundingTolerance);
 }
@@ -214,20 +259,23 @@ TEST_P(GlVolumeRendererTest, stepsAndTheEndOfRaysAreThoseOfTheOptions) {
        {VolumeRenderOptions{.step = 0.25, .endTransmittance = 0},
         VolumeRenderOptions{.step = 1.7, .endTransmittance = 0, .depthOpacity = 0.2},
         VolumeRenderOptions{.step = 3, .endTransmittance = 0, .depthOpacity = 0.9}}) {
-    expectCpu(test::smallCamera(), scene, "step " + std::to_string(options.step), options, test::kRoundingTolerance);
+    forEachWayOfRays(test::smallCamera(), [&](const std::string& name, const auto& camera) {
+      expectCpu(camera, scene, name + ", step " + std::to_string(options.step), options, test::kRoundingTolerance);
+    });
   }
 }
 
 TEST_P(GlVolumeRendererTest, anotherAppearanceTakesThePlaceOfTheFirst) {
   VolumeScene scene = test::waves(false);
   GlVolumeRenderer renderer(*context_, scene);
-  const PinholeCamera camera = test::smallCamera();
-  const VolumeImage before = renderVolumeOnGpu(camera, renderer);
-  scene.appearance = {TransferFunction({{-1, {0, 1, 0}, 0.3}, {1, {0, 0, 1}, 0.1}}, 0.3), {.isOn = true}};
-  renderer.setAppearance(scene.appearance);
-  test::expectAgreement(renderVolume(camera, scene), renderVolumeOnGpu(camera, renderer), "another");
-  renderer.setAppearance(test::waves(false).appearance);
-  EXPECT_TRUE(std::ranges::equal(before, renderVolumeOnGpu(camera, renderer)));
+  forEachWayOfRays(test::smallCamera(), [&](const std::string& name, const auto& camera) {
+    const VolumeImage before = renderVolumeOnGpu(camera, renderer);
+    scene.appearance = {TransferFunction({{-1, {0, 1, 0}, 0.3}, {1, {0, 0, 1}, 0.1}}, 0.3), {.isOn = true}};
+    renderer.setAppearance(scene.appearance);
+    test::expectAgreement(renderVolume(camera, scene), renderVolumeOnGpu(camera, renderer), "another, " + name);
+    renderer.setAppearance(test::waves(false).appearance);
+    EXPECT_TRUE(std::ranges::equal(before, renderVolumeOnGpu(camera, renderer))) << name;
+  });
 }
 
 // Weights of at least 8 bits: a value is off by 1/256 of the difference of neighbours, along each axis.
@@ -235,8 +283,10 @@ TEST_P(GlVolumeRendererTest, theFilterOfTheHardwareIsClose) {
   const VolumeScene scene = test::waves(false);
   const GlVolumeRenderer exact(*context_, scene);
   const GlVolumeRenderer hardware(*context_, scene, {}, GlVolumeFilter::kHardware);
-  const PinholeCamera camera = test::smallCamera();
-  EXPECT_LT(test::agreementOf(renderVolumeOnGpu(camera, exact), renderVolumeOnGpu(camera, hardware)).color, 0.02);
+  forEachWayOfRays(test::smallCamera(), [&](const std::string& name, const auto& camera) {
+    EXPECT_LT(test::agreementOf(renderVolumeOnGpu(camera, exact), renderVolumeOnGpu(camera, hardware)).color, 0.02)
+        << name;
+  });
 }
 
 TEST_P(GlVolumeRendererTest, raysWithoutPointsSeeNothing) {
@@ -257,8 +307,9 @@ TEST_P(GlVolumeRendererTest, progressMayEndTheWork) {
       throw std::runtime_error("enough");
     }
   };
-  EXPECT_THROW(renderer.render(PinholeCamera(View{}, 16, 300), stop), std::runtime_error);
-  EXPECT_THROW(renderVolumeOnGpu(PanoramaCamera(PinholeCamera(View{}, 16, 300)), renderer, stop), std::runtime_error);
+  forEachWayOfRays(PinholeCamera(View{}, 16, 300), [&](const std::string& name, const auto& camera) {
+    EXPECT_THROW(renderVolumeOnGpu(camera, renderer, stop), std::runtime_error) << name;
+  });
   EXPECT_THROW(GlVolumeRenderer(*context_, test::waves(), {}, GlVolumeFilter::kExact,
                                 [](std::string_view, double) { throw std::runtime_error("enough"); }),
                std::runtime_error);

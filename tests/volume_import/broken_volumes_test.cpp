@@ -89,6 +89,9 @@ INSTANTIATE_TEST_SUITE_P(
                      "dimension: 4\nsizes: 7 2 3 5\nkinds: domain domain time domain\n", "unu permute -p 0 1 3 2"},
         BrokenVolume{"NrrdPlaneAtTimes", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
                      "dimension: 3\nsizes: 7 6 5\nkinds: domain domain time\n", "a plane at several times"},
+        BrokenVolume{"NrrdNoKindWithin", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
+                     "dimension: 4\nsizes: 7 3 2 5\nkinds: domain none domain domain\n",
+                     "axis 1 of the file (the first is 0) has the kind none"},
         BrokenVolume{
             "NrrdNoDirectionWithin", "teem_plain.nrrd", "dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n",
             "dimension: 4\nsizes: 7 3 2 5\nspace dimension: 3\nspace directions: (1,0,0) none (0,1,0) (0,0,1)\n",
@@ -145,11 +148,20 @@ TEST(NrrdAxes, OfOneSampleStayWhereTheyAreOfSpace) {
     EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 1)) << kinds;
   }
   for (const char* axes : {"dimension: 4\nsizes: 1 7 6 5\n", "dimension: 4\nsizes: 7 6 5 1\n",
-                           "dimension: 4\nsizes: 7 1 6 5\nkinds: domain list domain domain\n"}) {
+                           "dimension: 4\nsizes: 7 1 6 5\nkinds: domain list domain domain\n",
+                           "dimension: 4\nsizes: 7 1 6 5\nkinds: domain none domain domain\n"}) {
     const VolumeFile file = readNrrdOfAxes(axes);
     EXPECT_EQ(file.volumes.size(), 1U) << axes;
     EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 5)) << axes;
   }
+}
+
+TEST(NrrdAxes, WithoutAKindBesideTwoOfSpaceAreOfSpaceWithAWarning) {
+  const VolumeFile file = readNrrdOfAxes("dimension: 3\nsizes: 7 6 5\nkinds: domain none domain\n");
+  EXPECT_EQ(file.volumes.front().grid().size, glm::ivec3(7, 6, 5));
+  EXPECT_THAT(file.warnings, testing::Contains(HasSubstr("axis 1 of the file")));
+  const VolumeFile plain = readNrrdOfAxes("dimension: 3\nsizes: 7 6 5\nspacings: 2 3 4\n");
+  EXPECT_THAT(plain.warnings, testing::Not(testing::Contains(HasSubstr("kind"))));
 }
 
 /// A folder with DICOM slices of a sample, which a test changes.
@@ -172,6 +184,32 @@ TEST_F(DicomFolder, WithAMissingSliceNamesItsNeighbours) {
   // Of slices 0 to 4, which are im0, im3, im1, im4, im2.
   fs::remove(folder_ / "im1.dcm");
   expectError(AllOf(HasSubstr("1 slice is missing between im3.dcm and im4.dcm"), HasSubstr("8 mm apart, not 4 mm")));
+}
+
+TEST_F(DicomFolder, WithAMissingSliceAtAnEndTellsOfIt) {
+  // Fields that say that there are 5, each before the first field of the group behind it.
+  for (const auto& [field, before] :
+       {std::pair(std::string("\x20\0\x02\x10IS\x02\0"
+                              "5 ",
+                              10),
+                  std::string("\x28\0\x02\0US", 6)),
+        std::pair(std::string("\x54\0\x81\0US\x02\0\x05\0", 10), std::string("\xe0\x7f\x10\0", 4))}) {
+    copy("dicom_upright");
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.path())) {
+      std::string bytes = fileBytes(entry.path());
+      const size_t at = bytes.find(before);
+      ASSERT_NE(at, std::string::npos);
+      folder_.write(entry.path().filename().string(), bytes.insert(at, field));
+    }
+    EXPECT_THAT(readVolumeFile(folder_.path()).warnings, testing::IsEmpty());
+    fs::remove(folder_ / "im0.dcm");  // the lowest
+    const VolumeFile file = readVolumeFile(folder_.path());
+    EXPECT_EQ(file.volumes.front().grid().size.z, 4);
+    EXPECT_THAT(file.warnings, testing::Contains(HasSubstr("may be missing at an end")));
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder_.path())) {
+      fs::remove(entry.path());
+    }
+  }
 }
 
 TEST_F(DicomFolder, WithOneSliceTwiceNamesBoth) {

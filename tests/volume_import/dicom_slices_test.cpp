@@ -99,6 +99,41 @@ TEST(DicomSlices, OfSeveralTimesAreToldApart) {
   EXPECT_EQ(momentsOf(one).size(), 1U);
 }
 
+TEST(DicomSlices, ThatAreMissingAtAnEndAreTold) {
+  const auto told = [](const std::vector<DicomSlice>& slices) { return missingSlices(momentsOf(slices)).value_or(""); };
+  std::vector<DicomSlice> slices = slicesAt({0, 2, 4, 6});
+  EXPECT_EQ(told(slices), "") << "nothing says how many there should be";
+  for (DicomSlice& slice : slices) {
+    slice.imagesInAcquisition = 4;
+  }
+  EXPECT_EQ(told(slices), "");
+  slices.pop_back();
+  EXPECT_THAT(told(slices), AllOf(HasSubstr("4 images"), HasSubstr("has 3 of them")));
+  // Two acquisitions of a series, of which one lacks an image.
+  slices = slicesAt({0, 2, 4, 6, 8});
+  for (size_t at = 0; at < slices.size(); ++at) {
+    slices[at].acquisitionNumber = at < 2 ? "1" : "2";
+    slices[at].imagesInAcquisition = at < 2 ? 2 : 3;
+  }
+  EXPECT_EQ(told(slices), "");
+  slices.erase(slices.begin());
+  EXPECT_THAT(told(slices), AllOf(HasSubstr("2 images"), HasSubstr("has 1 of them")));
+}
+
+TEST(DicomSlices, ThatAreMissingAtAnEndOfOneTimeAreTold) {
+  std::vector<DicomSlice> slices = slicesAt({0, 2, 0, 2});
+  for (size_t at = 0; at < slices.size(); ++at) {
+    slices[at].temporalPosition = at < 2 ? 1 : 2;
+    slices[at].slicesOfTime = 2;
+    slices[at].imagesInAcquisition = 4;  // of both times
+  }
+  EXPECT_EQ(missingSlices(momentsOf(slices)), std::nullopt);
+  for (DicomSlice& slice : slices) {
+    slice.slicesOfTime = 3;
+  }
+  EXPECT_THAT(missingSlices(momentsOf(slices)).value_or(""), AllOf(HasSubstr("3 slices"), HasSubstr("there are 2")));
+}
+
 TEST(DicomSlices, BelongToTheSeriesThatIsChosen) {
   std::vector<DicomSlice> slices = slicesAt({0, 2, 4});
   slices[2].seriesUid = "1.3";

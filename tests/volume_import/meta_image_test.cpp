@@ -5,6 +5,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/meta_image_file.h"
+#include "oc_core/volume/import/volume_reader_rows.h"
 #include "tests/base/temporary_folder.h"
 
 namespace ocelli {
@@ -85,20 +86,20 @@ TEST(MetaImage, ReadsSlicesOfSeveralFilesAndVoxelsAtTheEnd) {
   const std::filesystem::path scratchPath = folder.write("scratch", "");
   ScratchOutput scratch(scratchPath, folder.path(), nullptr);
   const VolumeRecord record =
-      readMetaImage(folder.write("a.mhd", metaHeader("HeaderSize = -1\n", "s%d.raw 1 2 1")), scratch, nullptr);
+      readMetaImage({folder.write("a.mhd", metaHeader("HeaderSize = -1\n", "s%d.raw 1 2 1"))}, scratch, nullptr);
   EXPECT_THAT(record.file, IsEmpty());
   EXPECT_EQ(fileBytes(scratchPath), "abcdefghijkl");
 
   folder.write("all.raw", "a header, then abcdefghijkl");
   const VolumeRecord mapped =
-      readMetaImage(folder.write("b.mhd", metaHeader("HeaderSize = -1\n", "all.raw")), scratch, nullptr);
+      readMetaImage({folder.write("b.mhd", metaHeader("HeaderSize = -1\n", "all.raw"))}, scratch, nullptr);
   EXPECT_EQ(mapped.file, (folder / "all.raw").string());
   EXPECT_THAT(mapped.begins, ElementsAre(15));
 
   folder.write("s2.raw", "xxghi");
   ScratchOutput other(folder.write("scratch2", ""), folder.path(), nullptr);
   EXPECT_THAT(
-      [&] { readMetaImage(folder.write("c.mhd", metaHeader("HeaderSize = 2\n", "s%d.raw 1 2 1")), other, nullptr); },
+      [&] { readMetaImage({folder.write("c.mhd", metaHeader("HeaderSize = 2\n", "s%d.raw 1 2 1"))}, other, nullptr); },
       ThrowsMessage<InputError>(HasSubstr("s2.raw: the file ends too early")));
 }
 

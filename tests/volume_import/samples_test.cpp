@@ -8,7 +8,10 @@
 #include <glm/matrix.hpp>
 #include <map>
 #include <ostream>
+#include <set>
+#include <vector>
 
+#include "oc_core/volume/import/volume_file_readers.h"
 #include "oc_core/volume/volume_reader.h"
 #include "tests/volume_import/volume_samples.h"
 
@@ -86,41 +89,55 @@ TEST_P(VolumeSampleFile, HasItsMarkersWhereTheyAreInThePatient) {
   EXPECT_LT(glm::distance(spacing, glm::dvec3(2, 3, 4)), kTolerance);
 }
 
-INSTANTIATE_TEST_SUITE_P(Files, VolumeSampleFile,
-                         testing::Values(VolumeSample{"upright.nii", false, true, VoxelType::kInt16},
-                                         VolumeSample{"upright.nii.gz", false, true, VoxelType::kInt16},
-                                         VolumeSample{"oblique.nii", true, true, VoxelType::kInt16},
-                                         VolumeSample{"oblique.nii.gz", true, true, VoxelType::kInt16},
-                                         VolumeSample{"big_endian_qform.nii", true, true, VoxelType::kInt16, 0.5, -20},
-                                         VolumeSample{"itk_upright.mha", false, true, VoxelType::kInt16},
-                                         VolumeSample{"itk_oblique.mha", true, true, VoxelType::kInt16},
-                                         VolumeSample{"itk_upright.mhd", false, true, VoxelType::kInt16},
-                                         VolumeSample{"itk_oblique.mhd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"itk_upright.nrrd", false, true, VoxelType::kInt16},
-                                         VolumeSample{"itk_oblique.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_ras.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_las.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_gzip.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_bzip2.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_ascii.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_hex.nrrd", true, true, VoxelType::kInt16},
-                                         VolumeSample{"teem_detached.nhdr", true, true, VoxelType::kInt16},
-                                         VolumeSample{"dicom_upright", false, true, VoxelType::kUint16, 1, -1024},
-                                         VolumeSample{"dicom_oblique", true, true, VoxelType::kUint16, 2, -1000},
-                                         VolumeSample{"dicom_slopes", true, true, VoxelType::kFloat32},
-                                         VolumeSample{"dicom_frames.dcm", true, true, VoxelType::kUint16, 1, -1024},
-                                         VolumeSample{"ascii.vti", false, false, VoxelType::kFloat32},
-                                         VolumeSample{"binary.vti", false, false, VoxelType::kInt16},
-                                         VolumeSample{"binary_zlib.vti", false, false, VoxelType::kInt16},
-                                         VolumeSample{"appended_raw.vti", false, false, VoxelType::kUint8},
-                                         VolumeSample{"appended_raw_zlib.vti", false, false, VoxelType::kFloat64},
-                                         VolumeSample{"appended_base64.vti", false, false, VoxelType::kFloat64},
-                                         VolumeSample{"appended_base64_zlib.vti", false, false, VoxelType::kUint16}),
-                         [](const auto& test) {
-                           std::string name = test.param.file;
-                           std::replace(name.begin(), name.end(), '.', '_');
-                           return name;
-                         });
+const std::vector<VolumeSample> kVolumeSamples{
+    VolumeSample{"upright.nii", false, true, VoxelType::kInt16},
+    VolumeSample{"upright.nii.gz", false, true, VoxelType::kInt16},
+    VolumeSample{"oblique.nii", true, true, VoxelType::kInt16},
+    VolumeSample{"oblique.nii.gz", true, true, VoxelType::kInt16},
+    VolumeSample{"big_endian_qform.nii", true, true, VoxelType::kInt16, 0.5, -20},
+    VolumeSample{"itk_upright.mha", false, true, VoxelType::kInt16},
+    VolumeSample{"itk_oblique.mha", true, true, VoxelType::kInt16},
+    VolumeSample{"itk_upright.mhd", false, true, VoxelType::kInt16},
+    VolumeSample{"itk_oblique.mhd", true, true, VoxelType::kInt16},
+    VolumeSample{"itk_upright.nrrd", false, true, VoxelType::kInt16},
+    VolumeSample{"itk_oblique.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_ras.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_las.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_gzip.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_bzip2.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_ascii.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_hex.nrrd", true, true, VoxelType::kInt16},
+    VolumeSample{"teem_detached.nhdr", true, true, VoxelType::kInt16},
+    VolumeSample{"dicom_upright", false, true, VoxelType::kUint16, 1, -1024},
+    VolumeSample{"dicom_oblique", true, true, VoxelType::kUint16, 2, -1000},
+    VolumeSample{"dicom_slopes", true, true, VoxelType::kFloat32},
+    VolumeSample{"dicom_frames.dcm", true, true, VoxelType::kUint16, 1, -1024},
+    VolumeSample{"ascii.vti", false, false, VoxelType::kFloat32},
+    VolumeSample{"binary.vti", false, false, VoxelType::kInt16},
+    VolumeSample{"binary_zlib.vti", false, false, VoxelType::kInt16},
+    VolumeSample{"appended_raw.vti", false, false, VoxelType::kUint8},
+    VolumeSample{"appended_raw_zlib.vti", false, false, VoxelType::kFloat64},
+    VolumeSample{"appended_base64.vti", false, false, VoxelType::kFloat64},
+    VolumeSample{"appended_base64_zlib.vti", false, false, VoxelType::kUint16}};
+
+INSTANTIATE_TEST_SUITE_P(Files, VolumeSampleFile, testing::ValuesIn(kVolumeSamples), [](const auto& test) {
+  std::string name = test.param.file;
+  std::replace(name.begin(), name.end(), '.', '_');
+  return name;
+});
+
+// The recipe at the top of volume_formats.h: a new format is a row with a reader, and this test asks for its sample.
+TEST(VolumeSamples, ThereIsOneOfEachFormatWhichAReaderReads) {
+  std::set<std::string> read;
+  for (const VolumeSample& sample : kVolumeSamples) {
+    read.insert(readVolumeFile(volumeSample(sample.file)).volumes.front().facts().format);
+  }
+  for (const VolumeFormat& format : volumeFormats()) {
+    EXPECT_TRUE(hasVolumeFileReader(format.name)) << format.name << ": add it to volume_reader_rows.h";
+    EXPECT_TRUE(read.contains(std::string(format.name))) << format.name << ": add a file that another program wrote";
+  }
+  EXPECT_EQ(volumeFormats().size(), kVolumeFileReaders.size()) << "readers of formats that nobody finds";
+}
 
 // VTK writes no orientation into MetaImages, but their letters: the axes are those of LPS all the same.
 TEST(VolumeSamples, ReadAMetaImageOfVtk) {

@@ -9,9 +9,12 @@
 #include <chrono>
 #include <cstdlib>
 #include <fstream>
+#include <regex>
+#include <set>
 
 #include "oc_core/base/error.h"
-#include "oc_core/volume/import/volume_file_readers.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/reader_process.h"
 #include "oc_core/volume/volume_formats.h"
 #include "oc_core/volume/volume_scene.h"
 #include "tests/base/temporary_folder.h"
@@ -52,12 +55,6 @@ class ReaderVariable {
  private:
   const char* name_;
 };
-
-TEST(VolumeReader, HasAReaderForEachFormat) {
-  for (const VolumeFormat& format : volumeFormats()) {
-    EXPECT_TRUE(hasVolumeFileReader(format.name)) << format.name;
-  }
-}
 
 TEST(VolumeReader, KnowsVolumesByTheirNamesAndDicomByItsBytes) {
   const TemporaryFolder folder;
@@ -199,11 +196,35 @@ TEST_F(FakeVolumeReader, EndsAreErrors) {
   EXPECT_THAT([&] { readWith("echo cannot >&2; exit 1"); }, ThrowsMessage<WorkError>(HasSubstr("cannot")));
 }
 
-TEST(VolumeReader, SaysWhichPackagesItTakes) {
-  // What an installation without it says, whose program is not found.
-  EXPECT_THAT(std::string(volumeReader().ifMissing),
-              AllOf(HasSubstr("libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev"),
-                    HasSubstr("OCELLI_WITH_VOLUME_IMPORT=ON")));
+/// The packages for developers that a text names.
+std::set<std::string> packagesIn(const std::string& text) {
+  static const std::regex kPackage("lib[a-z0-9]+-dev");
+  std::set<std::string> packages;
+  for (std::sregex_iterator at(text.begin(), text.end(), kPackage), end; at != end; ++at) {
+    packages.insert(at->str());
+  }
+  return packages;
+}
+
+// What an installation without the program says: the option, and the packages that the guide has for it.
+TEST(VolumeReader, WhereItIsMissingSaysWhatTheGuideSays) {
+  const std::string option = "OCELLI_WITH_VOLUME_IMPORT";
+  const std::string guide = readFile(OCELLI_INSTALL_GUIDE);
+  const size_t row = guide.find("| `" + option + "`");
+  ASSERT_NE(row, std::string::npos);
+  const std::set<std::string> packages = packagesIn(guide.substr(row, guide.find('\n', row) - row));
+  ASSERT_GE(packages.size(), 3U);
+  ReaderProgram missing = volumeReader();
+  missing.name = "ocelli-read-nothing";
+  missing.installed = "/nowhere/ocelli-read-nothing";
+  try {
+    findReaderProgram(missing);
+    FAIL() << "there is no such program";
+  } catch (const WorkError& error) {
+    EXPECT_THAT(error.what(), AllOf(HasSubstr("reads volume files"), HasSubstr(option + "=ON"),
+                                    HasSubstr("OCELLI_VOLUME_READER"), HasSubstr("/nowhere")));
+    EXPECT_EQ(packagesIn(error.what()), packages);
+  }
 }
 
 TEST(VolumeReader, LeavesNothingBehind) {

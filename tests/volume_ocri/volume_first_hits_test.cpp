@@ -39,6 +39,7 @@ TEST(VolumeFirstHits, LayersAreWhatLiesBehindAndNotTheInside) {
   const VolumeFirstHits volume(test::blockBeforeWall());
   const ReferenceImages layers = imagesOf(volume, "ldi-3");
   ASSERT_EQ(layers.size(), 2u);
+  // As above: the light is lost within a voxel.
   EXPECT_NEAR(layers[0].t(45, 30), 9.5f, test::kBlocksSpacing);
   EXPECT_NEAR(layers[1].t(45, 30), 10.5f, test::kBlocksSpacing);
   EXPECT_FALSE(layers[1].holds(45, 10));
@@ -55,20 +56,12 @@ TEST(VolumeFirstHits, AnOpaqueVolumeAndItsIsosurfaceLieInEachOther) {
   // Two axes change places, and the box is no cube.
   grid.worldFromIndex = glm::dmat4(glm::dvec4(0, spacing, 0, 0), glm::dvec4(spacing, 0, 0, 0),
                                    glm::dvec4(0, 0, 0.8 * spacing, 0), glm::dvec4(-0.9, -1, -0.7, 1));
-  std::vector<float> values;
-  for (int k = 0; k < kEdge; ++k) {
-    for (int j = 0; j < kEdge; ++j) {
-      for (int i = 0; i < kEdge; ++i) {
-        values.push_back(14 - static_cast<float>(glm::distance(glm::dvec3(i, j, k), glm::dvec3(19, 21, 18))));
-      }
-    }
-  }
   // Opaque within a twentieth of a voxel from the value 0 on.
   TransferFunction transfer({{0, {1, 1, 1}, 0}, {0, {1, 1, 1}, 0.9999}}, spacing / 20);
-  const glm::dmat4 worldFromIndex = grid.worldFromIndex;
-  VolumeScene scene{.volume = std::make_shared<ScalarVolume>(std::move(grid), std::move(values)),
-                    .worldFromIndex = worldFromIndex,
-                    .appearance = {.transfer = std::move(transfer)}};
+  VolumeScene scene = test::sceneOfVoxels(
+      grid,
+      test::voxelsOf(grid.size, [](const glm::dvec3& p) { return 14 - glm::distance(p, glm::dvec3(19, 21, 18)); }),
+      std::move(transfer));
   const Mesh mesh = isosurface(scene, {.value = 0}, "the volume");
   const ReferenceImage ofMesh = buildDepthImage(smallCamera(), mesh);
   const VolumeFirstHits volume(std::move(scene), {.step = 0.05});
@@ -106,10 +99,12 @@ TEST(VolumeFirstHits, OcclusionCamerasLackLessOfAVolumeThanADepthImage) {
   const RepresentationFigures di = evaluator.measure(cameraChoice("di"));
   // The block hides a frame of the wall, about a pixel wide on average: some 40 of 5000 samples.
   EXPECT_GT(di.edges.strictRatio(), 0.005);
+  // The reference view hides nothing from itself; samples along the silhouette may fall on its other side.
   EXPECT_LT(di.reference.strictRatio(), 0.002);
   EXPECT_EQ(di.strictRatioToDi, 1);
   for (const char* name : {"ddoc", "eoc-hv", "ldi-2"}) {
     const RepresentationFigures figures = evaluator.measure(cameraChoice(name));
+    // What they are for: to show most of what a pinhole misses.
     EXPECT_LT(figures.strictRatioToDi, 0.5) << name;
     // The mesh joins nothing over what is clear: but for a pixel or two where it ends.
     EXPECT_LT(figures.edges.falseSkinRatio(), 0.005) << name;

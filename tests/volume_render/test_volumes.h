@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "oc_core/volume/volume_scene.h"
+#include "tests/volume/field_volume.h"
 
 namespace ocelli::test {
 
@@ -21,18 +22,10 @@ VolumeScene volumeAlong(const glm::dmat3& axes, const glm::ivec3& size, VoxelTyp
   VolumeGrid grid;
   grid.size = size;
   grid.worldFromIndex = glm::dmat4(axes) * glm::translate(glm::dmat4(1), -(glm::dvec3(size) - 1.0) / 2.0);
-  const auto voxels = std::make_shared<std::vector<Voxel>>();
-  for (int k = 0; k < size.z; ++k) {
-    for (int j = 0; j < size.y; ++j) {
-      for (int i = 0; i < size.x; ++i) {
-        voxels->push_back(static_cast<Voxel>(number(glm::dvec3(i, j, k))));
-      }
-    }
-  }
-  return {
-      .volume = std::make_shared<ScalarVolume>(grid, type, std::as_bytes(std::span(*voxels)), voxels, scale, offset),
-      .worldFromIndex = grid.worldFromIndex,
-      .appearance = {std::move(transfer), {}}};
+  return {.volume =
+              std::make_shared<ScalarVolume>(volumeOfVoxels(grid, type, voxelsOf<Voxel>(size, number), scale, offset)),
+          .worldFromIndex = grid.worldFromIndex,
+          .appearance = {std::move(transfer), {}}};
 }
 
 /// `size` voxels, `spacing` apart.

@@ -116,7 +116,7 @@ TEST(VolumeLighting, lightsByTheFormula) {
   const glm::dvec3 l(directionToLight());
   const glm::dvec3 ray(0, 0, -1);
   const glm::dvec3 h = glm::normalize(l + glm::dvec3(0, 0, 1));
-  const PlaceLight light = lighting.at({4.3, 4.4, 4.5}, ray);
+  const PlaceLight<double> light = lighting.at({4.3, 4.4, 4.5}, ray);
   EXPECT_NEAR(light.factor, 0.2 + 0.6 * l.y, 1e-6);
   EXPECT_NEAR(light.added, 0.3 * std::pow(h.y, 8), 1e-6);
   // At the faces the difference is that of the outermost voxels: half of it.

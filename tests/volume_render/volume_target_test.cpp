@@ -53,6 +53,7 @@ TEST(VolumeTarget, surfacesAreHitToo) {
   const VolumeTarget target(renderer);
   const std::optional<Hit> hit = target.hit({{0.1f, 0.2f, 10}, {0.1f, 0.2f, -10}});
   ASSERT_TRUE(hit);
+  // Rays of Embree are in single precision, 20 long.
   EXPECT_NEAR(hit->t, 9.5f, 1e-4f);
   EXPECT_EQ(hit->element, VolumeTarget::kSurface);
   // Half of the slab's red before the wall's grey.

@@ -1,5 +1,4 @@
-#include "oc_core/volume/import/dicom_folder.h"
-
+// A folder of DICOM slices, or one DICOM file with several frames, through GDCM: http://gdcm.sourceforge.net
 #include <fmt/format.h>
 #include <gdcmAttribute.h>
 #include <gdcmImageReader.h>
@@ -20,6 +19,7 @@
 #include "oc_core/volume/import/dicom_slices.h"
 #include "oc_core/volume/import/number_list.h"
 #include "oc_core/volume/import/reading_note.h"
+#include "oc_core/volume/import/volume_reader_rows.h"
 #include "oc_core/volume/volume_formats.h"
 
 namespace ocelli {
@@ -32,6 +32,7 @@ const gdcm::Tag kModality(0x0008, 0x0060);
 const gdcm::Tag kSeriesDescription(0x0008, 0x103e);
 const gdcm::Tag kSeriesUid(0x0020, 0x000e);
 const gdcm::Tag kSeriesNumber(0x0020, 0x0011);
+const gdcm::Tag kAcquisitionNumber(0x0020, 0x0012);
 const gdcm::Tag kRescaleType(0x0028, 0x1054);
 const gdcm::Tag kUnits(0x0054, 0x1001);  // of PET
 const gdcm::Tag kPixelData(0x7fe0, 0x0010);
@@ -52,6 +53,7 @@ struct DicomNumbers {
 const DicomNumbers kFrames{{0x0028, 0x0008}, "NumberOfFrames"};
 const DicomNumbers kTriggerTime{{0x0018, 0x1060}, "TriggerTime"};  // in milliseconds
 const DicomNumbers kTemporalPosition{{0x0020, 0x0100}, "TemporalPositionIdentifier"};
+const DicomNumbers kImagesInAcquisition{{0x0020, 0x1002}, "ImagesInAcquisition"};
 const DicomNumbers kImagePosition{{0x0020, 0x0032}, "ImagePositionPatient"};
 const DicomNumbers kImageOrientation{{0x0020, 0x0037}, "ImageOrientationPatient"};
 const DicomNumbers kPixelSpacing{{0x0028, 0x0030}, "PixelSpacing"};
@@ -158,6 +160,20 @@ void placeSlice(const std::vector<double>& position, const std::vector<double>& 
   slice.alongRows = glm::normalize(slice.alongRows);
 }
 
+/// How many images there should be, where a file says so: what is no number there says nothing.
+void readCounts(const gdcm::DataSet& data, DicomSlice& slice) {
+  std::string ignored;
+  if (const std::vector<double> told = numbersOf(data, kImagesInAcquisition, ignored); !told.empty()) {
+    slice.imagesInAcquisition = told.front();
+  }
+  // Of PET.
+  gdcm::Attribute<0x0054, 0x0081> slicesOfTime{};
+  if (data.FindDataElement(slicesOfTime.GetTag()) && !data.GetDataElement(slicesOfTime.GetTag()).IsEmpty()) {
+    slicesOfTime.SetFromDataSet(data);
+    slice.slicesOfTime = slicesOfTime.GetValue();
+  }
+}
+
 /// The slices of a file, without their pixels; none where it is no image, such as an index of the folder.
 std::vector<DicomSlice> slicesOf(const fs::path& file) {
   noteFileRead(file);
@@ -184,6 +200,8 @@ std::vector<DicomSlice> slicesOf(const fs::path& file) {
   all.seriesUid = textOf(data, kSeriesUid);
   all.seriesNumber = textOf(data, kSeriesNumber);
   all.seriesDescription = textOf(data, kSeriesDescription);
+  all.acquisitionNumber = textOf(data, kAcquisitionNumber);
+  readCounts(data, all);
   all.modality = textOf(data, kModality);
   all.valueUnit = textOf(data, kRescaleType);
   if (const std::vector<double> trigger = numbersOf(data, kTriggerTime, all.malformed); !trigger.empty()) {
@@ -386,7 +404,9 @@ std::vector<DicomSlice> arrangeMoments(std::vector<DicomMoment>& moments, Volume
 
 }  // namespace
 
-VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchOutput& scratch, ReadingBudget* budget) {
+VolumeRecord readDicom(const VolumeReadingTask& task, ScratchOutput& scratch, ReadingBudget* budget) {
+  const fs::path& path = task.path;
+  const std::string& series = task.series;
   const std::string where = path.string();
   std::vector<DicomSlice> slices;
   for (const fs::path& file : filesOf(path)) {
@@ -413,6 +433,9 @@ VolumeRecord readDicom(const fs::path& path, const std::string& series, ScratchO
                     all - slices.size()));
   }
   std::vector<DicomMoment> moments = momentsOf(slices);
+  if (const std::optional<std::string> missing = missingSlices(moments)) {
+    record.warnings.push_back(*missing);
+  }
   slices = arrangeMoments(moments, record, where);
   if (moments.front().isNumbered) {
     record.warnings.emplace_back(

@@ -16,8 +16,11 @@ namespace {
 /// Positions are decimal numbers, which scanners round to hundredths of a mm or so. A slice that is so far, as a share
 /// of the distance of slices, from where it should be, would not be seen; one that is missing is twenty times as far.
 constexpr double kMaxMisplaced = 0.05;
-/// Of directions, which are rounded to six digits or so.
-constexpr double kMaxTurned = 1e-4;
+/// Directions of length 1 and spacings are decimal numbers of six digits or so. Directions of two slices may differ by
+/// this length, an angle of 0.006 degrees, and spacings by this share: at the far end of 512 pixels that is a twentieth
+/// of a pixel, as kMaxMisplaced is of the distance of slices.
+constexpr double kMaxSliceTurn = 1e-4;
+constexpr double kMaxSpacingShare = 1e-4;
 
 std::string describe(const std::string& uid, const std::vector<const DicomSlice*>& slices) {
   const DicomSlice& first = *slices.front();
@@ -43,14 +46,14 @@ void checkAlike(const std::vector<DicomSlice>& slices) {
                             first.columns, first.rows),
                 slice, "remove the slices of another kind, such as scouts, from the folder");
     }
-    if (glm::distance(slice.alongColumns, first.alongColumns) > kMaxTurned ||
-        glm::distance(slice.alongRows, first.alongRows) > kMaxTurned) {
+    if (glm::distance(slice.alongColumns, first.alongColumns) > kMaxSliceTurn ||
+        glm::distance(slice.alongRows, first.alongRows) > kMaxSliceTurn) {
       failSlice(fmt::format("this slice is turned against {}", name), slice,
                 "remove the slices of another kind, such as scouts, from the folder");
     }
     const double spacingOff = std::max(std::abs(slice.columnSpacing / first.columnSpacing - 1),
                                        std::abs(slice.rowSpacing / first.rowSpacing - 1));
-    if (spacingOff > kMaxTurned) {
+    if (spacingOff > kMaxSpacingShare) {
       failSlice(fmt::format("the pixels of this slice are not as far apart as those of {}", name), slice,
                 "remove the slices of another kind from the folder");
     }
@@ -173,6 +176,40 @@ std::vector<DicomMoment> momentsOf(const std::vector<DicomSlice>& slices) {
     }
   }
   return {{slices, 0}};
+}
+
+std::optional<std::string> missingSlices(const std::vector<DicomMoment>& moments) {
+  for (const DicomMoment& moment : moments) {
+    for (const DicomSlice& slice : moment.slices) {
+      if (slice.slicesOfTime && *slice.slicesOfTime > static_cast<double>(moment.slices.size())) {
+        return fmt::format(
+            "the files say that a volume has {:.0f} slices (NumberOfSlices), and there are {}: some may be missing at "
+            "an end",
+            *slice.slicesOfTime, moment.slices.size());
+      }
+    }
+  }
+  struct Acquisition {
+    size_t images = 0;
+    double told = 0;
+  };
+  std::map<std::string, Acquisition> acquisitions;
+  for (const DicomMoment& moment : moments) {
+    for (const DicomSlice& slice : moment.slices) {
+      Acquisition& acquisition = acquisitions[slice.acquisitionNumber];
+      ++acquisition.images;
+      acquisition.told = std::max(acquisition.told, slice.imagesInAcquisition.value_or(0));
+    }
+  }
+  for (const auto& [number, acquisition] : acquisitions) {
+    if (acquisition.told > static_cast<double>(acquisition.images)) {
+      return fmt::format(
+          "the files say that their acquisition gave {:.0f} images (ImagesInAcquisition), and this series has {} of "
+          "them: some may be missing at an end",
+          acquisition.told, acquisition.images);
+    }
+  }
+  return std::nullopt;
 }
 
 void arrangeSlices(std::vector<DicomSlice>& slices, VolumeRecord& record, const std::string& where) {

@@ -32,8 +32,11 @@ struct DicomSlice {
   double intercept = 0;
   std::optional<double> triggerSeconds{};    ///< since the trigger of a series of times
   std::optional<double> temporalPosition{};  ///< the number of the time among them
-  std::string unplaced{};                    ///< why it lies nowhere in the patient; empty where it does
-  std::string malformed{};                   ///< what is no number where one must be; empty where all are
+  std::string acquisitionNumber{};
+  std::optional<double> imagesInAcquisition{};  ///< how many images its acquisition gave, as the file says
+  std::optional<double> slicesOfTime{};         ///< how many slices a volume of one time has, as the file says
+  std::string unplaced{};                       ///< why it lies nowhere in the patient; empty where it does
+  std::string malformed{};                      ///< what is no number where one must be; empty where all are
 };
 
 /// The slices of one time.
@@ -53,6 +56,10 @@ std::vector<DicomSlice> chooseSeries(const std::vector<DicomSlice>& slices, cons
 /// Slices of a volume at several times, by their trigger times or else by the numbers of their times, which count as
 /// seconds; one moment, where no two slices lie in one place, or nothing tells them apart.
 std::vector<DicomMoment> momentsOf(const std::vector<DicomSlice>& slices);
+
+/// A warning where the files tell of more images than there are, and none otherwise: slices that are missing at an end
+/// of a volume leave no gap between others.
+std::optional<std::string> missingSlices(const std::vector<DicomMoment>& moments);
 
 /// Sorts the slices along their normal, the way it points, and sets the grid and the facts of the record. Throws
 /// InputError where they make no volume: sizes or orientations differ, slices are missing, stand in one place, or are

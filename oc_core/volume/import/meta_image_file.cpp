@@ -13,6 +13,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/number_list.h"
+#include "oc_core/volume/import/volume_reader_rows.h"
 
 namespace ocelli {
 namespace {
@@ -430,7 +431,8 @@ void appendFiles(const MetaImageHeader& header, const fs::path& folder, VolumeRe
 
 }  // namespace
 
-VolumeRecord readMetaImage(const fs::path& path, ScratchOutput& scratch, ReadingBudget* budget) {
+VolumeRecord readMetaImage(const VolumeReadingTask& task, ScratchOutput& scratch, ReadingBudget* budget) {
+  const fs::path& path = task.path;
   const FileSource headerSource(path, budget);
   MetaImageHeader header = parseMetaImage(headerSource);
   VolumeRecord record = header.record;

@@ -3,7 +3,6 @@
 // packaged inside of ITK and VTK alone; it also says where uncompressed voxels lie, which those do not.
 #pragma once
 
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -23,8 +22,5 @@ struct MetaImageHeader {
 
 /// Throws InputError for what is wrong, unknown or no volume of scalars.
 MetaImageHeader parseMetaImage(const ByteSource& source);
-
-/// For `ocelli-read-volume`. Throws InputError and WorkError.
-VolumeRecord readMetaImage(const std::filesystem::path& path, ScratchOutput& scratch, ReadingBudget* budget);
 
 }  // namespace ocelli

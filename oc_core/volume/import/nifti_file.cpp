@@ -1,5 +1,4 @@
-#include "oc_core/volume/import/nifti_file.h"
-
+// NIfTI-1 and NIfTI-2 (.nii, .nii.gz) through the reference library of the format: https://nifti.nimh.nih.gov
 #include <fmt/format.h>
 #include <nifti2_io.h>
 
@@ -14,6 +13,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/inflate.h"
+#include "oc_core/volume/import/volume_reader_rows.h"
 
 namespace ocelli {
 namespace {
@@ -182,7 +182,8 @@ void checkNiftiHeader(std::string_view header, const std::string& where) {
 
 }  // namespace
 
-VolumeRecord readNifti(const std::filesystem::path& path, ScratchOutput& scratch, ReadingBudget* budget) {
+VolumeRecord readNifti(const VolumeReadingTask& task, ScratchOutput& scratch, ReadingBudget* budget) {
+  const std::filesystem::path& path = task.path;
   const std::string where = path.string();
   const FileSource source(path, budget);
   const bool isDeflated = nifti_is_gzfile(path.c_str()) != 0;

@@ -1,5 +1,4 @@
-#include "oc_core/volume/import/nrrd_file.h"
-
+// NRRD (.nrrd, .nhdr) through Teem, whose format it is: http://teem.sourceforge.net/nrrd/format.html
 #include <fmt/format.h>
 #include <teem/biff.h>
 #include <teem/nrrd.h>
@@ -18,6 +17,7 @@
 #include <vector>
 
 #include "oc_core/base/error.h"
+#include "oc_core/volume/import/volume_reader_rows.h"
 
 namespace ocelli {
 namespace {
@@ -169,7 +169,7 @@ class NrrdHeader {
       const bool isEnd = axis == 0 || axis + 1 == nrrd_.dim;
       const int kind = nrrd_.axis[axis].kind;
       return nrrd_.axis[axis].size == 1 && !hasDirection(axis) && !isKindOfSpace(kind) &&
-             (kind != nrrdKindUnknown || isEnd || isNotSpace(axis));
+             (kind != nrrdKindUnknown || isEnd || isNotSpace(axis) || isBesideSpace(axis));
     };
     for (size_t at = axes.size(); at-- > 0 && axes.size() > 3;) {
       if (isStub(axes[at])) {
@@ -185,8 +185,20 @@ class NrrdHeader {
   }
 
   /// Of one of the first three axes that count.
-  void checkIsOfSpace(unsigned axis, size_t axes) const {
+  void checkIsOfSpace(unsigned axis, size_t axes) {
     const int kind = nrrd_.axis[axis].kind;
+    if (axes == 4 && isBesideSpace(axis)) {
+      fail(fmt::format("axis {} of the file (the first is 0) has the kind none, and the three others are of space: "
+                       "nothing says what it is",
+                       axis),
+           fmt::format("write its kind into the header: list or time, and move it to the end; or take the first of its "
+                       "volumes: unu slice -a {} -p 0 -i IN -o OUT",
+                       axis));
+    }
+    if (axes == 3 && kind == nrrdKindUnknown && spaceAxes() == 2) {
+      record.warnings.push_back(
+          fmt::format("axis {} of the file (the first is 0) has the kind none: it is taken for one of space", axis));
+    }
     if (!isOfRange(kind) && kind != nrrdKindTime && !isNotSpace(axis)) {
       return;
     }
@@ -208,6 +220,15 @@ class NrrdHeader {
          "give a volume of one number a voxel, with three axes of space");
   }
 
+  size_t spaceAxes() const {
+    size_t count = 0;
+    for (unsigned axis = 0; axis < nrrd_.dim; ++axis) {
+      count += isKindOfSpace(nrrd_.axis[axis].kind) ? 1 : 0;
+    }
+    return count;
+  }
+  /// An axis without a kind in a file whose kinds name the three axes of space.
+  bool isBesideSpace(unsigned axis) const { return nrrd_.axis[axis].kind == nrrdKindUnknown && spaceAxes() == 3; }
   static bool isKindOfSpace(int kind) { return kind == nrrdKindDomain || kind == nrrdKindSpace; }
   /// Of an axis along which the numbers of one voxel stand.
   static bool isOfRange(int kind) { return kind >= nrrdKindList; }
@@ -349,7 +370,8 @@ void placeDecoded(const fs::path& path, NrrdHeader& header, StoredType type, Scr
 
 }  // namespace
 
-VolumeRecord readNrrd(const fs::path& path, ScratchOutput& scratch, ReadingBudget* budget) {
+VolumeRecord readNrrd(const VolumeReadingTask& task, ScratchOutput& scratch, ReadingBudget* budget) {
+  const fs::path& path = task.path;
   const std::string where = path.string();
   {
     const FileSource start(path, budget);

@@ -3,41 +3,15 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 
 #include "oc_core/base/error.h"
-#include "oc_core/volume/import/dicom_folder.h"
-#include "oc_core/volume/import/meta_image_file.h"
-#include "oc_core/volume/import/nifti_file.h"
-#include "oc_core/volume/import/nrrd_file.h"
-#include "oc_core/volume/import/vti_file.h"
 #include "oc_core/volume/volume_formats.h"
 
 namespace ocelli {
 namespace {
-
-using VolumeFileReader = VolumeRecord (*)(const VolumeReadingTask&, ScratchOutput&, ReadingBudget*);
-
-struct VolumeFileReaderRow {
-  std::string_view format;
-  VolumeFileReader read;
-};
-
-constexpr std::array<VolumeFileReaderRow, 5> kVolumeFileReaders{
-    {{"NRRD", [](const VolumeReadingTask& task, ScratchOutput& scratch,
-                 ReadingBudget* budget) { return readNrrd(task.path, scratch, budget); }},
-     {"MetaImage", [](const VolumeReadingTask& task, ScratchOutput& scratch,
-                      ReadingBudget* budget) { return readMetaImage(task.path, scratch, budget); }},
-     {"VTI", [](const VolumeReadingTask& task, ScratchOutput& scratch,
-                ReadingBudget* budget) { return readVti(task.path, scratch, budget); }},
-     {"NIfTI", [](const VolumeReadingTask& task, ScratchOutput& scratch,
-                  ReadingBudget* budget) { return readNifti(task.path, scratch, budget); }},
-     {kDicomFormat, [](const VolumeReadingTask& task, ScratchOutput& scratch, ReadingBudget* budget) {
-        return readDicom(task.path, task.series, scratch, budget);
-      }}}};
 
 const VolumeFileReaderRow* rowOf(std::string_view format) {
   const auto* row = std::find_if(kVolumeFileReaders.begin(), kVolumeFileReaders.end(),

@@ -13,6 +13,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/volume/import/number_list.h"
+#include "oc_core/volume/import/volume_reader_rows.h"
 
 namespace ocelli {
 namespace {
@@ -348,7 +349,8 @@ void placeVtiVoxels(VtiHeader& header, const ByteSource& source, const std::stri
   writer.finish(source.name());
 }
 
-VolumeRecord readVti(const std::filesystem::path& path, ScratchOutput& scratch, ReadingBudget* budget) {
+VolumeRecord readVti(const VolumeReadingTask& task, ScratchOutput& scratch, ReadingBudget* budget) {
+  const std::filesystem::path& path = task.path;
   const FileSource source(path, budget);
   VtiHeader header = parseVti(source);
   placeVtiVoxels(header, source, path.string(), scratch);

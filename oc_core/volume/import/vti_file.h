@@ -4,7 +4,6 @@
 // The values at points are voxels there; those of cells are voxels in their middles.
 #pragma once
 
-#include <filesystem>
 #include <string>
 
 #include "oc_core/volume/import/byte_source.h"
@@ -29,8 +28,5 @@ VtiHeader parseVti(const ByteSource& source);
 /// Sets where the record's voxels lie, and writes them where they must be made. `path` is that of the source. Throws
 /// InputError and WorkError.
 void placeVtiVoxels(VtiHeader& header, const ByteSource& source, const std::string& path, ScratchOutput& scratch);
-
-/// For `ocelli-read-volume`. Throws InputError and WorkError.
-VolumeRecord readVti(const std::filesystem::path& path, ScratchOutput& scratch, ReadingBudget* budget);
 
 }  // namespace ocelli

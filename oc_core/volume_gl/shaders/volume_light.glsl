@@ -1,4 +1,5 @@
-// How places of a volume are lit: oc_core/volume_render/volume_lighting.h.
+// How places of a volume are lit: the rule of oc_core/volume/gradient_light.h, and the gradients of
+// oc_core/volume_render/volume_lighting.h.
 layout(std140, binding = 2) uniform VolumeLight {
   mat4 sceneFromIndexGradient;  // of texels
   vec3 toLight;
