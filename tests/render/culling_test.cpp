@@ -146,7 +146,9 @@ TEST(Culling, changesNoPixelOfImagesOfOnePixel) {
   for (int i = 0; i < 60; ++i) {
     made += forEachCamera(onePixel(random), [&](const auto& camera) {
       const FragmentImage drawn = rasterize(camera, mesh);
-      EXPECT_EQ(drawn, uncut(camera, mesh)) << i;
+      if (i < 20) {  // which takes most of the time
+        EXPECT_EQ(drawn, uncut(camera, mesh)) << i;
+      }
       // Vertices are snapped to 1/256 of a pixel, and these pixels are up to six times as large as where 1e-4 holds.
       const Disagreement d = disagreement(raycast(camera, mesh, rays), drawn, 6e-4f);
       all.samples += d.samples;
