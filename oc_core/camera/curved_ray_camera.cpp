@@ -125,7 +125,7 @@ CurvedRayCamera::Segment CurvedRayCamera::segmentAfter(size_t bends, const glm::
   return segment;
 }
 
-/// Where a point is seen that lies on the straight piece of a ray after so many bends, or its prolongation.
+/// Where a point is seen that lies on the straight piece of a ray behind its first `bends` bends, or its prolongation.
 std::optional<glm::dvec2> CurvedRayCamera::pixelOf(size_t bends, const glm::dvec3& point, double rounding) const {
   const glm::dvec4 h = pixelFromWorld_[bends] * glm::dvec4(point, 1);
   const glm::dvec2 pixel(h.x / h.w, h.y / h.w);

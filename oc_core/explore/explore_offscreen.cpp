@@ -8,7 +8,6 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
-#include "oc_core/base/output_folder.h"
 #include "oc_core/base/steady_time.h"
 #include "oc_core/explore/explore_shown_camera.h"
 
@@ -22,7 +21,11 @@ double milliseconds() {
 class OffscreenSession final : public ExploreSession {
  public:
   OffscreenSession(ExploreScene& scene, ExploreOffscreenOptions options)
-      : options_(std::move(options)), explorer_(scene, options_.explorer), renderer_(scene), jumps_(scene) {
+      : ExploreSession({options.folder, options.wrote}),
+        options_(std::move(options)),
+        explorer_(scene, options_.explorer),
+        renderer_(scene),
+        jumps_(scene) {
     if (options_.start) {
       explorer_.jumpTo(*options_.start);
       showFrame({});
@@ -67,15 +70,6 @@ class OffscreenSession final : public ExploreSession {
       drawNow();
     }
     return picture_;
-  }
-
-  std::filesystem::path pathOf(const std::string& file) override {
-    return pathInFolder(options_.folder, file, "script");
-  }
-  void wrote(const std::filesystem::path& path) override {
-    if (options_.wrote) {
-      options_.wrote(path);
-    }
   }
 
   void startRecording(const std::filesystem::path& path) override {

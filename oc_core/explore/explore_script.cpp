@@ -5,6 +5,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/base/output_folder.h"
 #include "oc_core/explore/explore_message.h"
 #include "oc_core/explore/explore_steps.h"
 
@@ -37,6 +38,16 @@ Registry<ExploreStepKind>& exploreStepKinds() {
     return rows;
   }());
   return kinds;
+}
+
+std::filesystem::path ExploreSession::pathOf(const std::string& file) const {
+  return pathInFolder(files_.folder, file, "script");
+}
+
+void ExploreSession::wrote(const std::filesystem::path& path) const {
+  if (files_.wrote) {
+    files_.wrote(path);
+  }
 }
 
 void ExploreSession::give(const InputEvent&) {

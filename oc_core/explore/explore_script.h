@@ -13,6 +13,7 @@
 #include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "oc_core/base/input_event.h"
@@ -26,9 +27,16 @@ class JsonFields;
 
 inline constexpr double kExploreFramesPerSecond = 30;
 
+/// Where the files of a script go.
+struct ExploreFiles {
+  std::filesystem::path folder = ".";
+  std::function<void(const std::filesystem::path& path)> wrote{};  ///< told of each; may be empty
+};
+
 /// What a script is played to.
 class ExploreSession {
  public:
+  explicit ExploreSession(ExploreFiles files = {}) : files_(std::move(files)) {}
   virtual ~ExploreSession() = default;
 
   /// Of the script that is played: what its steps read is named from there.
@@ -43,12 +51,15 @@ class ExploreSession {
   /// What a person sees now, without time passing.
   virtual Image<Rgb8> picture() = 0;
   /// A file that the script names, in the folder that the user gave; its folder is made.
-  virtual std::filesystem::path pathOf(const std::string& file) = 0;
+  std::filesystem::path pathOf(const std::string& file) const;
   /// Told of each file that was written.
-  virtual void wrote(const std::filesystem::path& path) = 0;
+  void wrote(const std::filesystem::path& path) const;
   /// Frames go to a video, or to a folder of images. Throws as those do.
   virtual void startRecording(const std::filesystem::path& path) = 0;
   virtual void stopRecording() = 0;
+
+ private:
+  ExploreFiles files_;
 };
 
 using ExploreStep = std::function<void(ExploreSession& session)>;

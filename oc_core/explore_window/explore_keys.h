@@ -67,7 +67,7 @@ std::span<const ExplorePointerRow> explorePointerRows();
 const ExploreKeyAction* exploreActionOf(const KeyEvent& event);
 const ExploreKeyAction* exploreActionOfPadButton(int button);
 
-/// Changes an option of the constructor by so many steps, within its range.
+/// Changes an option of the constructor by `steps`, within its range.
 void changeExploreField(ExploreKeyTarget& target, size_t row, double steps);
 
 }  // namespace ocelli

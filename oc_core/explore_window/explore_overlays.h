@@ -32,7 +32,7 @@ void drawExploreProgress(const ExploreOverlayFrame& frame);
 void drawExploreMessage(const ExploreOverlayFrame& frame);
 void drawExploreHelp(const ExploreOverlayFrame& frame);
 
-/// How opaque the hint of the first run is after so many seconds: 1 at first, 0 once it has gone.
+/// How opaque the hint of the first run is after `seconds`: 1 at first, 0 once it has gone.
 float exploreHintOpacity(double seconds);
 
 }  // namespace ocelli

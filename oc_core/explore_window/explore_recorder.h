@@ -9,7 +9,7 @@
 
 namespace ocelli {
 
-/// Opens a video of so many pixels, at kExploreFramesPerSecond. Throws WorkError and InputError.
+/// Opens a video of `width` by `height` pixels, at kExploreFramesPerSecond. Throws WorkError and InputError.
 using OpenExploreVideo = std::function<ExploreRecording(const std::filesystem::path& path, int width, int height)>;
 
 class ExploreRecorder {
@@ -20,10 +20,10 @@ class ExploreRecorder {
   const std::filesystem::path& path() const { return path_; }
   /// Throws as the video does, and InputError where there are no videos here or one is being recorded.
   void start(const std::filesystem::path& path, int width, int height);
-  /// What the window shows after so many more seconds: as many frames as are due; images of another size than at the
+  /// What the window shows after `seconds` more: the frames that are due; images of another size than at the
   /// start are cut, or stand on black.
   void add(const Image<Rgb8>& frame, double seconds);
-  /// Whether a frame is due after so many more seconds.
+  /// Whether a frame is due after `seconds` more.
   bool isDue(double seconds) const;
   /// The file is whole then. Throws WorkError, and InputError where nothing is being recorded.
   void stop();

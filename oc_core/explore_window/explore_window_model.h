@@ -138,7 +138,7 @@ class ExploreWindowModel {
 
   virtual void choose(size_t choice) = 0;
   virtual void setField(const std::string& name, double value) = 0;
-  /// By so many of its steps, within its range; one of names goes round.
+  /// By `steps`, within its range; one of names goes round.
   virtual void changeField(const std::string& name, double steps) = 0;
   /// What the pixel of the view shows. Returns what there is to say: what to click instead, where it is of no use.
   virtual std::string pick(const glm::dvec2& viewPixel) = 0;

@@ -5,7 +5,6 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/output_folder.h"
 #include "oc_core/base/steady_time.h"
 #include "oc_core/explore_window/explore_window.h"
 
@@ -23,7 +22,8 @@ double millisecondsNow() {
 class WindowSession final : public ExploreSession {
  public:
   WindowSession(GlContext& context, const ExploreScript& script, ExploreWindowSessionOptions options)
-      : options_(std::move(options)),
+      : ExploreSession({options.folder, options.wrote}),
+        options_(std::move(options)),
         recorder_(options_.record),
         window_(context, {.make = makeKept(options_.model),
                           .way = ExploreWindowWork::Way::kStepwise,
@@ -66,15 +66,6 @@ class WindowSession final : public ExploreSession {
       window_.draw();
     }
     return window_.screenshot();
-  }
-
-  std::filesystem::path pathOf(const std::string& file) override {
-    return pathInFolder(options_.folder, file, "script");
-  }
-  void wrote(const std::filesystem::path& path) override {
-    if (options_.wrote) {
-      options_.wrote(path);
-    }
   }
 
   void startRecording(const std::filesystem::path& path) override {

@@ -18,9 +18,9 @@
 namespace ocelli {
 namespace {
 
-/// Of an option that takes any number: so many steps for its range.
+/// Steps over the range of an option that takes any number.
 constexpr double kFieldSteps = 40;
-/// The ground is cut anew where the eye is so much higher or lower than it was, metres: on another storey.
+/// Where the eye is higher or lower than it was by this, metres, it is on another storey: the ground is cut anew.
 constexpr double kStorey = 1.2;
 /// How far below a place of the plan its floor may be, metres.
 constexpr double kFloorReach = 30;

@@ -16,7 +16,7 @@
 namespace ocelli {
 namespace {
 
-/// A drag over the width of the view turns by so much.
+/// By what a drag over the width of the view turns.
 constexpr float kDegreesPerWidth = 90;
 /// A captured mouse, for each screen coordinate at 96 dots an inch.
 constexpr float kDegreesPerUnit = 0.12f;

@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kBorderSamples = 12;  // of rays, along each side of the image
 
-/// The ray of a pixel from where it crosses the plane of frustum `i`, whichever part it is in.
+/// The ray of a pixel from where it crosses the plane of frustum `i`, also where another frustum has its pixel.
 DrawnRay rayBehind(const GraphCamera& camera, int i, const glm::dvec2& pixel) {
   const GraphCamera::Frustum& frustum = camera.frusta()[static_cast<size_t>(i)];
   if (frustum.parent < 0) {

@@ -18,7 +18,7 @@ struct PlanBackdrop {
   std::vector<SectionLine> section;
 };
 
-/// The longer side of the image of the ground has so many pixels.
+/// Pixels of the longer side of the image of the ground.
 PlanBackdrop planBackdrop(const Mesh& mesh, PlanSide side, const glm::dvec3& eye, int groundPixels = 1200);
 
 /// Frusta, planes, handles, the selected handle's numbers, the stroke, what snaps, and overlaps in red with their

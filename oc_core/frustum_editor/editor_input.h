@@ -1,6 +1,6 @@
-// What the pointer and keys do in two plans of an editor, one from above and one from a side, without a window: whoever
-// has one hands on its events, and draws plans(), the tool and entry(). editorKeys() lists all keys: everything goes
-// without a pointer, too.
+// What the pointer and keys do in two plans of an editor, one from above and one from a side, without a window. The
+// owner of a window passes its events on, and draws plans(), the tool and entry(). editorKeys() lists all keys:
+// everything goes without a pointer, too.
 #pragma once
 
 #include <array>

@@ -34,6 +34,14 @@ EditorScript::Step readStep(const nlohmann::json& json, const std::string& where
   return step;
 }
 
+/// What an error says, in one line.
+std::string lineOf(std::string text) {
+  for (size_t at = text.find("\n  "); at != std::string::npos; at = text.find("\n  ", at)) {
+    text.replace(at, 3, "; ");
+  }
+  return text;
+}
+
 void playStep(const EditorScript::Step& step, EditorSession& session) {
   bool refused = false;
   std::string why;
@@ -47,8 +55,9 @@ void playStep(const EditorScript::Step& step, EditorSession& session) {
     why = error.what();
   }
   if (refused != step.isRefused) {
-    throw InputError(refused ? "the step cannot be done: " + why : "the step was done, though it should be refused",
-                     step.where, "change the step");
+    throw InputError(
+        refused ? "the step cannot be done: " + lineOf(why) : "the step was done, though it should be refused",
+        step.where, "change the step");
   }
 }
 

@@ -32,7 +32,7 @@ std::vector<SnapPoint> cameraSnaps(const DrawnCamera& camera, PlanSide side, con
 std::optional<SnapPoint> snappedToPlane(const DrawnCamera& camera, PlanSide side, const std::string& without,
                                         const glm::dvec2& paper, double reach);
 
-/// Lines of a grid are 1, 2 or 5 times a power of ten apart, and at least so many pixels.
+/// Lines of a grid are 1, 2 or 5 times a power of ten apart, and at least kMinGridPixels.
 double gridStep(double unitsPerPixel);
 
 /// The nearest of the points within `reach`; else the nearest point of a grid (none for a step of 0) within half of it;

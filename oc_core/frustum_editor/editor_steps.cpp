@@ -56,8 +56,11 @@ PointerFields pointerIn(JsonFields& fields) {
   return pointer;
 }
 
-[[noreturn]] void failAsEditor(const FrustumEditor& editor) {
-  throw InputError(editor.message(), "drawing a camera", "draw something else");
+void requireDrag(const FrustumEditor& editor) {
+  if (!editor.isDragging()) {
+    throw InputError("nothing is being dragged", "drawing a camera",
+                     "\"press\" a handle first, or choose the \"tool\" of a stroke");
+  }
 }
 
 EditorStep readTool(JsonFields& fields) {
@@ -75,12 +78,18 @@ EditorStep readPress(JsonFields& fields) {
 EditorStep readDrag(JsonFields& fields) {
   const PointerFields pointer = pointerIn(fields);
   const glm::dvec2 paper = paperOf(pointer.side, pointIn(fields, "drag"));
-  return [=](EditorSession& session) { session.editor().dragTo(pointer.at(session, paper)); };
+  return [=](EditorSession& session) {
+    requireDrag(session.editor());
+    session.editor().dragTo(pointer.at(session, paper));
+  };
 }
 
 EditorStep readRelease(JsonFields& fields) {
   fields.boolean("release", true);
-  return [](EditorSession& session) { session.editor().release(); };
+  return [](EditorSession& session) {
+    requireDrag(session.editor());
+    session.editor().release();
+  };
 }
 
 EditorStep readCancel(JsonFields& fields) {
@@ -177,10 +186,7 @@ EditorStep readOverlap(JsonFields& fields) {
 EditorStep readUndo(JsonFields& fields) {
   const int count = fields.integer("undo", 1, 1000);
   return [count](EditorSession& session) {
-    for (int i = 0; i < count; ++i) {
-      if (!session.editor().undo()) {
-        failAsEditor(session.editor());
-      }
+    for (int i = 0; i < count && session.editor().undo(); ++i) {
     }
   };
 }
@@ -188,10 +194,7 @@ EditorStep readUndo(JsonFields& fields) {
 EditorStep readRedo(JsonFields& fields) {
   const int count = fields.integer("redo", 1, 1000);
   return [count](EditorSession& session) {
-    for (int i = 0; i < count; ++i) {
-      if (!session.editor().redo()) {
-        failAsEditor(session.editor());
-      }
+    for (int i = 0; i < count && session.editor().redo(); ++i) {
     }
   };
 }
@@ -250,15 +253,15 @@ const std::vector<EditorStepKind>& editorStepKinds() {
       {"stroke", "presses at the first point, drags through the others and releases", readStroke},
       {"handle", "selects the handle of this kind, with this \"index\", \"of\" a frustum", readHandle},
       {"move", "drags the selected handle to a point", readMove},
-      {"nudge", "moves the selected handle by so much", readNudge},
+      {"nudge", "moves the selected handle by a distance to the right and up", readNudge},
       {"number", "types a number of the selected handle: what it \"is\"", readNumber},
       {"select", "selects a frustum", readSelect},
       {"next", "selects the next handle of the plan, or with -1 the one before", readNext},
       {"rename", "gives the selected frustum another name", readRename},
       {"remove", "deletes the selected frustum", readRemove},
       {"overlap", "whether frusta may overlap: allowed or refused", readOverlap},
-      {"undo", "undoes so many steps", readUndo},
-      {"redo", "does so many steps again", readRedo},
+      {"undo", "undoes a number of steps", readUndo},
+      {"redo", "does a number of undone steps again", readRedo},
       {"edit", "an edit as `ocelli camera edit` takes it", readEdit},
       {"save", "writes the camera", readSave},
       {"image", "writes the camera's image, a PNG", readImage},

@@ -305,7 +305,7 @@ void FrustumEditor::release() {
     return;
   }
   const Drag drag = *std::exchange(drag_, std::nullopt);
-  const std::string message = message_;
+  std::string message = message_;
   snap_.reset();
   if (!drag.lastEdit.empty()) {
     editor_.apply(drag.lastEdit, kDrawnHere);
@@ -316,6 +316,8 @@ void FrustumEditor::release() {
   } else if (drag.ifClicked && drag.to.paper == drag.from.paper) {
     selectedHandle_ = drag.ifClicked;
     selectedFrustum_ = drag.ifClicked->frustum;
+  } else if (!drag.handle && message.empty()) {
+    message = "The stroke is too short for the tool \"" + tool_->name + "\": " + tool_->says + ".";
   }
   showDocument();
   message_ = message;

@@ -33,7 +33,7 @@ struct PlanWindow {
 
   /// What is at a pixel stays there; the scale stays within sensible limits. More than 1 shows less of the scene.
   void zoom(double factor, const glm::dvec2& at);
-  /// The paper moves by so many pixels.
+  /// The paper moves by `pixels`.
   void pan(const glm::dvec2& pixels);
 };
 

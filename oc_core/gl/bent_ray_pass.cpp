@@ -155,7 +155,7 @@ GlFragments BentRayPass::draw(const CurvedRayCamera& camera, const GlMesh& mesh,
       target.begin(static_cast<uint8_t>(segments[i].order + 1));
       bends_.draw(camera, i, *projections[i], 2 * i + 1, mesh, blocks);
       ways.ways.emplace_back(0u, i, 1u, ways.bends.size());
-      ways.straights.emplace_back();  // it is none
+      ways.straights.emplace_back();  // for the bend: not read
       ways.add(bends[i].planes().from, bends[i].before());
       ways.add(bends[i].planes().to, bends[i].beyond());
     }

@@ -1,21 +1,9 @@
 #include "oc_core/gl/gl_mesh.h"
 
-#include <numeric>
-
 #include "oc_core/base/check.h"
 #include "oc_core/gl/gl_api.h"
-#include "oc_core/render/mesh_blocks.h"
 
 namespace ocelli {
-namespace {
-
-std::vector<uint32_t> numbersTo(size_t count) {
-  std::vector<uint32_t> numbers(count);
-  std::iota(numbers.begin(), numbers.end(), 0u);
-  return numbers;
-}
-
-}  // namespace
 
 GlMesh::GlMesh(GlContext& context, const Mesh& mesh)
     : context_(&context),
@@ -25,7 +13,6 @@ GlMesh::GlMesh(GlContext& context, const Mesh& mesh)
       colors_(
           makeBuffer(context, mesh.colors.empty() ? std::vector<glm::vec3>(vertexCount_, glm::vec3(1)) : mesh.colors)),
       triangles_(makeBuffer(context, mesh.triangles)),
-      blockNumbers_(makeBuffer(context, numbersTo(mesh.triangles.size() / MeshBlocks::kTriangles + 1))),
       vertexArray_(makeVertexArray(context)) {
   const GladGLContext& gl = context.gl();
   GLuint location = 0;
@@ -36,11 +23,9 @@ GlMesh::GlMesh(GlContext& context, const Mesh& mesh)
     gl.EnableVertexArrayAttrib(vertexArray_.id(), location);
     ++location;
   }
-  gl.VertexArrayVertexBuffer(vertexArray_.id(), location, blockNumbers_.id(), 0, sizeof(uint32_t));
-  gl.VertexArrayAttribIFormat(vertexArray_.id(), location, 1, GL_UNSIGNED_INT, 0);
-  gl.VertexArrayAttribBinding(vertexArray_.id(), location, location);
-  gl.VertexArrayBindingDivisor(vertexArray_.id(), location, 1);
-  gl.EnableVertexArrayAttrib(vertexArray_.id(), location);
+  gl.VertexArrayAttribIFormat(vertexArray_.id(), kDrawNumber, 1, GL_UNSIGNED_INT, 0);
+  gl.VertexArrayAttribBinding(vertexArray_.id(), kDrawNumber, kDrawNumber);
+  gl.VertexArrayBindingDivisor(vertexArray_.id(), kDrawNumber, 1);
   gl.VertexArrayElementBuffer(vertexArray_.id(), triangles_.id());
   context.check("uploading the scene");
 }

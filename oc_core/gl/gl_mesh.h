@@ -24,9 +24,10 @@ class GlMesh {
   size_t vertexCount() const { return vertexCount_; }
   size_t triangleCount() const { return triangleCount_; }
 
-  /// A vertex array for glDrawElements(): location 0 is the position, location 1 the colour, and location 2 of instance
-  /// i is i, for draws that begin with a block of triangles (oc_core/render/mesh_blocks.h).
+  /// A vertex array for glDrawElements(): location 0 is the position, location 1 the colour. Location kDrawNumber is
+  /// for a whole number an instance: a pass that needs it binds its buffer, enables it, and disables it again.
   const GlObject& vertexArray() const { return vertexArray_; }
+  static constexpr uint32_t kDrawNumber = 2;
 
  private:
   GlContext* context_;
@@ -35,7 +36,6 @@ class GlMesh {
   GlObject positions_;
   GlObject colors_;
   GlObject triangles_;
-  GlObject blockNumbers_;
   GlObject vertexArray_;
 };
 

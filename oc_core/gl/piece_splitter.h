@@ -30,7 +30,7 @@ class PieceSplitter {
 
   /// Draws to the bound framebuffer, with the bound uniforms of the camera; the mesh is bound too (bindMesh()).
   void draw(const SplitPrograms& programs, const GlMesh& mesh);
-  /// The same for the triangles of so many blocks (mesh_blocks.h), whose numbers are listed; for programs that are made
+  /// The same for the triangles of `count` blocks (mesh_blocks.h), whose numbers are listed; for programs that are made
   /// with BLOCKS (shaders/split_codes.glsl).
   void drawBlocks(const SplitPrograms& programs, const GlObject& blocks, size_t count);
 

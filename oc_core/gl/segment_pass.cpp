@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
+#include <cstddef>
 #include <glm/mat3x3.hpp>
 #include <limits>
 #include <span>
@@ -51,20 +53,25 @@ double nearWeight(const StraightSegment& segment, const glm::dmat3& imageFromWor
 struct IndirectDraw {
   GLuint count = 0;
   GLuint instances = 1;
-  GLuint firstIndex = 0;
+  GLuint firstIndex = 0;  ///< which the shader gets, too (GlMesh::kDrawNumber)
   GLint baseVertex = 0;
-  GLuint baseInstance = 0;  ///< the block, which location 2 tells the shader
+  GLuint baseInstance = 0;  ///< the place in the list of draws
 };
 
-/// What a draw of blocks needs that lie side by side.
-void addBlock(std::vector<IndirectDraw>& draws, uint32_t block, const GlMesh& mesh) {
-  constexpr auto kIndices = static_cast<GLuint>(3 * MeshBlocks::kTriangles);
-  const GLuint first = block * kIndices;
-  const GLuint count = std::min(kIndices, static_cast<GLuint>(3 * mesh.triangleCount()) - first);
-  if (!draws.empty() && draws.back().firstIndex + draws.back().count == first) {
-    draws.back().count += count;
-  } else {
-    draws.push_back({count, 1, first, 0, block});
+/// Adds the triangles of a block whose corners are finite, to the draw before where they lie side by side.
+void addBlock(std::vector<IndirectDraw>& draws, const MeshBlocks& blocks, uint32_t block) {
+  const auto first = static_cast<GLuint>(block * MeshBlocks::kTriangles);
+  for (uint64_t left = blocks[block].finite; left != 0;) {
+    const int skipped = std::countr_zero(left);
+    const int triangles = std::countr_one(left >> skipped);
+    left &= ~(((uint64_t{1} << triangles) - 1) << skipped);
+    const GLuint firstIndex = 3 * (first + static_cast<GLuint>(skipped));
+    const GLuint count = 3 * static_cast<GLuint>(triangles);
+    if (!draws.empty() && draws.back().firstIndex + draws.back().count == firstIndex) {
+      draws.back().count += count;
+    } else {
+      draws.push_back({.count = count, .firstIndex = firstIndex});
+    }
   }
 }
 
@@ -194,7 +201,7 @@ void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, Leaves& l
     if (pixels > 0) {
       kind.fills =
           pixels == static_cast<size_t>(kind.rect.x1 - kind.rect.x0) * static_cast<size_t>(kind.rect.y1 - kind.rect.y0);
-      drawKind(segment, kind, piece, leaves, mesh);
+      drawKind(segment, kind, piece, leaves, mesh, blocks);
     }
   }
   gl.Disable(GL_SCISSOR_TEST);
@@ -202,7 +209,7 @@ void SegmentPass::draw(const StraightSegment& segment, uint32_t piece, Leaves& l
 }
 
 void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uint32_t piece, Leaves& leaves,
-                           const GlMesh& mesh) const {
+                           const GlMesh& mesh, const MeshBlocks& blocks) const {
   const uint64_t bit = RegionBuffer::kindBit(static_cast<size_t>(kind.number));
   std::vector<IndirectDraw> draws;
   std::vector<IndirectDraw> reaching;
@@ -210,7 +217,7 @@ void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uin
     const bool isApart = task.rect.x0 >= kind.rect.x1 || task.rect.x1 <= kind.rect.x0 || task.rect.y0 >= kind.rect.y1 ||
                          task.rect.y1 <= kind.rect.y0;
     if (!isApart && (task.ended & bit) == 0) {
-      addBlock(task.within && (task.clear & bit) != 0 ? draws : reaching, task.block, mesh);
+      addBlock(task.within && (task.clear & bit) != 0 ? draws : reaching, blocks, task.block);
     }
   }
   if (draws.empty() && reaching.empty()) {
@@ -236,6 +243,9 @@ void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uin
   std::copy_n(planes.begin(), std::min(planes.size(), SegmentBlock::kEndPlanes), block.endPlanes.begin());
   const size_t whole = draws.size();
   draws.insert(draws.end(), reaching.begin(), reaching.end());
+  for (size_t i = 0; i < draws.size(); ++i) {
+    draws[i].baseInstance = static_cast<GLuint>(i);
+  }
   const GlObject uniforms = makeBuffer(context_, sizeof(block), &block);
   const GlObject planeBuffer = makeBuffer(context_, planes);
   const GlObject drawBuffer = makeBuffer(context_, draws);
@@ -246,7 +256,11 @@ void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uin
   }
   gl.BindBufferBase(GL_UNIFORM_BUFFER, 1, uniforms.id());
   gl.BindBufferBase(GL_SHADER_STORAGE_BUFFER, 2, planeBuffer.id());
-  gl.BindVertexArray(mesh.vertexArray().id());
+  const GLuint vertices = mesh.vertexArray().id();
+  gl.BindVertexArray(vertices);
+  gl.VertexArrayVertexBuffer(vertices, GlMesh::kDrawNumber, drawBuffer.id(), offsetof(IndirectDraw, firstIndex),
+                             sizeof(IndirectDraw));
+  gl.EnableVertexArrayAttrib(vertices, GlMesh::kDrawNumber);
   gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, drawBuffer.id());
   const auto drawSome = [&](const GlObject& program, size_t first, size_t count) {
     if (count > 0) {
@@ -259,6 +273,8 @@ void SegmentPass::drawKind(const StraightSegment& segment, const Kind& kind, uin
   drawSome(whole_, 0, whole);
   drawSome(tested_, whole, draws.size() - whole);
   gl.BindBuffer(GL_DRAW_INDIRECT_BUFFER, 0);
+  gl.DisableVertexArrayAttrib(vertices, GlMesh::kDrawNumber);
+  gl.VertexArrayVertexBuffer(vertices, GlMesh::kDrawNumber, 0, 0, sizeof(IndirectDraw));
 }
 
 }  // namespace ocelli

@@ -12,23 +12,10 @@ class OrderedBuffer {
 
   explicit OrderedBuffer(size_t pixels) : orders_(pixels, kNone), samples_(pixels) {}
 
-  /// Whether a sample is nearer than what a pixel holds. `depth` is positive and grows along the piece.
-  bool isNearest(size_t pixel, uint8_t order, float depth, uint32_t triangle) const {
-    return order < orders_[pixel] ||
-           (order == orders_[pixel] && KeyedSample::keyOf(depth, triangle) < samples_[pixel].key);
-  }
+  /// `depth` is positive and grows along the piece.
   void put(size_t pixel, uint8_t order, float depth, uint32_t triangle, const glm::vec2& b) {
     orders_[pixel] = order;
     samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
-  }
-  void mergePixels(const OrderedBuffer& other, size_t begin, size_t end) {
-    for (size_t i = begin; i < end; ++i) {
-      if (other.orders_[i] < orders_[i] ||
-          (other.orders_[i] == orders_[i] && other.samples_[i].key < samples_[i].key)) {
-        orders_[i] = other.orders_[i];
-        samples_[i] = other.samples_[i];
-      }
-    }
   }
 
   /// The piece that the sample lies in; kNone where there is none.

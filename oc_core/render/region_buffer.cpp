@@ -17,8 +17,6 @@ using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
 using DoubleLanes = double __attribute__((vector_size(kLanes * sizeof(double))));
 using WordLanes = uint32_t __attribute__((vector_size(kLanes * sizeof(uint32_t))));
 constexpr DoubleLanes kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
-/// Triangles of fewer columns are filled pixel by pixel.
-constexpr int64_t kMinColumns = kWideRow;
 /// Edge functions of triangles whose corners lie within that many pixels are whole numbers below 2^53.
 constexpr int64_t kExactPixels = 1 << 16;
 
@@ -99,22 +97,25 @@ uint32_t RegionBuffer::farthestOf(int tileX, int tileY) const {
   return farthest;
 }
 
+PixelBounds RegionBuffer::tilesOf(const PixelBounds& rect) const {
+  return {(std::max(rect.x0, rect_.x0) - rect_.x0) / kTile, (std::max(rect.y0, rect_.y0) - rect_.y0) / kTile,
+          (std::min(rect.x1, rect_.x1) - rect_.x0 + kTile - 1) / kTile,
+          (std::min(rect.y1, rect_.y1) - rect_.y0 + kTile - 1) / kTile};
+}
+
 bool RegionBuffer::mayShow(const PixelBounds& rect, float nearest) {
   const uint32_t front = frontOf(nearest);
-  const int x0 = (std::max(rect.x0, rect_.x0) - rect_.x0) / kTile;
-  const int y0 = (std::max(rect.y0, rect_.y0) - rect_.y0) / kTile;
-  const int x1 = (std::min(rect.x1, rect_.x1) - rect_.x0 + kTile - 1) / kTile;
-  const int y1 = (std::min(rect.y1, rect_.y1) - rect_.y0 + kTile - 1) / kTile;
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) {
-      Tile& tile = tiles_[static_cast<size_t>(y) * static_cast<size_t>(tilesAcross_) + static_cast<size_t>(x)];
-      if (front > tile.farthest) {
+  const PixelBounds tiles = tilesOf(rect);
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
+      Tile& held = tile(x, y);
+      if (front > held.farthest) {
         continue;
       }
-      if (tile.stale) {
-        tile = {farthestOf(x, y), false};
+      if (held.stale) {
+        held = {farthestOf(x, y), false};
       }
-      if (front <= tile.farthest) {
+      if (front <= held.farthest) {
         return true;
       }
     }
@@ -123,13 +124,10 @@ bool RegionBuffer::mayShow(const PixelBounds& rect, float nearest) {
 }
 
 void RegionBuffer::touch(const PixelBounds& rect) {
-  const int x0 = (std::max(rect.x0, rect_.x0) - rect_.x0) / kTile;
-  const int y0 = (std::max(rect.y0, rect_.y0) - rect_.y0) / kTile;
-  const int x1 = (std::min(rect.x1, rect_.x1) - rect_.x0 + kTile - 1) / kTile;
-  const int y1 = (std::min(rect.y1, rect_.y1) - rect_.y0 + kTile - 1) / kTile;
-  for (int y = y0; y < y1; ++y) {
-    for (int x = x0; x < x1; ++x) {
-      tiles_[static_cast<size_t>(y) * static_cast<size_t>(tilesAcross_) + static_cast<size_t>(x)].stale = true;
+  const PixelBounds tiles = tilesOf(rect);
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
+      tile(x, y).stale = true;
     }
   }
 }
@@ -140,20 +138,11 @@ void RegionBuffer::touch(const PixelBounds& rect) {
 class RegionBuffer::Filling {
  public:
   Filling(RegionBuffer& region, uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-          bool turned, float perArea, std::span<const HeightLimit> limits)
-      : region_(region),
-        triangle_(triangle),
-        a_(a),
-        b_(b),
-        c_(c),
-        second_(turned ? 2 : 1),
-        third_(turned ? 1 : 2),
-        perArea_(perArea),
-        limits_(limits) {}
+          float perArea)
+      : region_(region), triangle_(triangle), a_(a), b_(b), c_(c), perArea_(perArea) {}
 
-  /// Up to kLanes pixels, of which the first has these edge functions of b and c. `mask` has a bit for each pixel that
-  /// the triangle covers.
-  void put(size_t pixel, uint32_t mask, double wb, double wc, double stepB, double stepC) {
+  /// So many pixels, kLanes at most, of which the first has these edge functions of b and c.
+  void put(size_t pixel, uint32_t count, double wb, double wc, double stepB, double stepC) {
     const FloatLanes sb = __builtin_convertvector(wb + kLaneNumbers * stepB, FloatLanes) * perArea_;
     const FloatLanes sc = __builtin_convertvector(wc + kLaneNumbers * stepC, FloatLanes) * perArea_;
     const FloatLanes rest = 1 - sb - sc;
@@ -171,18 +160,9 @@ class RegionBuffer::Filling {
     for (int i = 0; i < kLanes; ++i) {
       nearer |= farther[i] == 0 ? 1u << i : 0u;
     }
-    nearer &= mask;
+    nearer &= (1u << count) - 1;
     if (nearer == 0) {
       return;
-    }
-    for (const HeightLimit& limit : limits_) {
-      const FloatLanes height = (ia * limit.at[0] + ib * limit.at[second_] + ic * limit.at[third_]) * z;
-      const FloatLanes overlap = z * limit.overlap;
-      const FloatLanes most = FloatLanes{} + limit.most;
-      const auto exceeds = height > (most < overlap ? most : overlap) + limit.rounding;
-      for (int i = 0; i < kLanes; ++i) {
-        nearer &= exceeds[i] == 0 ? ~0u : ~(1u << i);
-      }
     }
     const FloatLanes b1 = (ia * a_.b1 + ib * b_.b1 + ic * c_.b1) * z;
     const FloatLanes b2 = (ia * a_.b2 + ib * b_.b2 + ic * c_.b2) * z;
@@ -200,14 +180,11 @@ class RegionBuffer::Filling {
   const RasterVertex& a_;
   const RasterVertex& b_;
   const RasterVertex& c_;
-  size_t second_;  ///< corner of the triangle that b_ is
-  size_t third_;
   float perArea_;
-  std::span<const HeightLimit> limits_;
 };
 
 void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b0,
-                        const RasterVertex& c0, std::span<const HeightLimit> limits) {
+                        const RasterVertex& c0) {
   constexpr int64_t kOne = 1 << kSubPixelBits;
   struct Corner {
     int64_t x;
@@ -228,11 +205,9 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
     return;
   }
   constexpr int64_t kExact = kExactPixels * kOne;
-  if (x1 - x0 < kMinColumns || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
+  if (x1 - x0 < kWideRow || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
     scan(rect, a, b0, c0, [&](size_t pixel, float z, const PixelWeights& weights) {
-      if (isNearest(pixel, z, triangle) && std::none_of(limits.begin(), limits.end(), [&](const HeightLimit& limit) {
-            return limit.isExceeded(weights);
-          })) {
+      if (isNearest(pixel, z, triangle)) {
         put(pixel, z, triangle, weights());
       }
     });
@@ -244,8 +219,7 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
   }
   const RasterVertex* b = &b0;
   const RasterVertex* c = &c0;
-  const bool turned = area < 0;
-  if (turned) {
+  if (area < 0) {  // both sides of a surface are drawn: turn it around
     std::swap(pb, pc);
     std::swap(b, c);
     area = -area;
@@ -266,38 +240,25 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
     return Edge{-dy * kOne, dx * kOne, dx * (startY - p.y) - dy * (startX - p.x) - (topOrLeft ? 0 : 1)};
   };
   std::array<Edge, 3> edges{edge(pb, pc), edge(pc, pa), edge(pa, pb)};
-  const bool isWide = x1 - x0 >= kWideRow;
-  Filling filling(*this, triangle, a, *b, *c, turned, 1.0f / static_cast<float>(area), limits);
+  Filling filling(*this, triangle, a, *b, *c, 1.0f / static_cast<float>(area));
   for (int64_t y = y0; y <= y1; ++y) {
+    // What all edges leave of the row.
     int64_t first = 0;
     int64_t last = x1 - x0;
-    if (isWide) {  // what all edges leave of the row
-      for (const Edge& e : edges) {
-        if (e.stepX > 0) {
-          first = std::max(first, (-e.row + e.stepX - 1) / e.stepX);
-        } else if (e.stepX < 0) {
-          last = e.row < 0 ? -1 : std::min(last, e.row / -e.stepX);
-        } else if (e.row < 0) {
-          last = -1;
-        }
+    for (const Edge& e : edges) {
+      if (e.stepX > 0) {
+        first = std::max(first, (-e.row + e.stepX - 1) / e.stepX);
+      } else if (e.stepX < 0) {
+        last = e.row < 0 ? -1 : std::min(last, e.row / -e.stepX);
+      } else if (e.row < 0) {
+        last = -1;
       }
     }
     const size_t row = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x0) - first_;
     for (int64_t x = first; x <= last; x += kLanes) {
-      const auto lanes = static_cast<uint32_t>(std::min<int64_t>(last - x + 1, kLanes));
-      uint32_t mask = (uint32_t{1} << lanes) - 1;
-      if (!isWide) {
-        for (uint32_t i = 0; i < lanes; ++i) {
-          const int64_t at = x + i;
-          const int64_t sign = (edges[0].row + at * edges[0].stepX) | (edges[1].row + at * edges[1].stepX) |
-                               (edges[2].row + at * edges[2].stepX);
-          mask &= ~(static_cast<uint32_t>(sign < 0) << i);
-        }
-      }
-      if (mask != 0) {
-        filling.put(row + static_cast<size_t>(x), mask, edges[1].at(x), edges[2].at(x),
-                    static_cast<double>(edges[1].stepX), static_cast<double>(edges[2].stepX));
-      }
+      filling.put(row + static_cast<size_t>(x), static_cast<uint32_t>(std::min<int64_t>(last - x + 1, kLanes)),
+                  edges[1].at(x), edges[2].at(x), static_cast<double>(edges[1].stepX),
+                  static_cast<double>(edges[2].stepX));
     }
     for (Edge& e : edges) {
       e.row += e.stepY;

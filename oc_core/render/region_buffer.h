@@ -7,7 +7,6 @@
 // its pixel holds is dropped anyway.
 #pragma once
 
-#include <array>
 #include <span>
 
 #include "oc_core/render/ordered_buffer.h"
@@ -17,19 +16,6 @@ namespace ocelli {
 /// The leaf that the ray of each pixel passes: for cameras whose rays are all of one kind, 0.
 using PixelLeaves = Image<uint16_t>;
 
-/// Pixels of a triangle are dropped where a height over a plane, given at its corners, is more than what they tolerate:
-/// `overlap` times their depth, `most` at most, and what rounding leaves.
-struct HeightLimit {
-  std::array<float, 3> at{};
-  float overlap = 0;
-  float most = 0;
-  float rounding = 0;
-
-  bool isExceeded(const PixelWeights& weights) const {
-    return weights.of(at[0], at[1], at[2]) > std::min(overlap * weights.z(), most) + rounding;
-  }
-};
-
 class RegionBuffer {
  public:
   static constexpr int kTile = 8;  ///< pixels a side
@@ -38,9 +24,9 @@ class RegionBuffer {
   void reset(const PixelBounds& rect, const PixelLeaves& leaves);
   const PixelBounds& rect() const { return rect_; }
 
-  /// Begins a piece: open are the pixels of `rect` that hold nothing yet, and whose leaf has a kind of rays in this
-  /// piece (-1 for none). Returns which kinds of rays open pixels have: bit i is kind i, the last one for all from it
-  /// on; 0 where no pixel is open.
+  /// Begins a piece that is seen within `rect`: open are the pixels that hold nothing yet, and whose leaf has a kind of
+  /// rays in this piece (-1 for none). Returns which kinds of rays open pixels have: bit i is kind i, the last one for
+  /// all from it on; 0 where no pixel is open, or the region lies outside of `rect`.
   uint64_t open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf);
   /// The bit of a kind in what open() returns.
   static uint64_t kindBit(size_t kind) { return uint64_t{1} << std::min<size_t>(kind, 63); }
@@ -50,7 +36,7 @@ class RegionBuffer {
   /// Something was drawn there.
   void touch(const PixelBounds& rect);
 
-  /// Calls `emit(pixel, z, weights)` for the pixels of `rect`, within that of the last open(), that a triangle covers.
+  /// Calls `emit(pixel, z, weights)` for the pixels of `rect`, which lies within the region, that a triangle covers.
   template <class Emit>
   void scan(const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
             const Emit& emit) const {
@@ -67,10 +53,9 @@ class RegionBuffer {
     orders_[pixel] = order_;
     samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
   }
-  /// Draws a triangle to the pixels of `rect` that exceed no limit, as scan(), isNearest() and put() would: many pixels
-  /// at once.
+  /// Draws a triangle to the pixels of `rect`, as scan(), isNearest() and put() would: many pixels at once.
   void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
-            const RasterVertex& c, std::span<const HeightLimit> limits = {});
+            const RasterVertex& c);
   uint16_t leaf(size_t pixel) const { return leaves_[pixel]; }
 
   /// A row of samples of one order, whose rays belong to one leaf.
@@ -102,6 +87,11 @@ class RegionBuffer {
     uint32_t farthest = kOpen;  ///< no front is farther
     bool stale = true;          ///< it may be nearer by now
   };
+  /// The tiles that some pixels lie in, by their columns and rows.
+  PixelBounds tilesOf(const PixelBounds& rect) const;
+  Tile& tile(int tileX, int tileY) {
+    return tiles_[static_cast<size_t>(tileY) * static_cast<size_t>(tilesAcross_) + static_cast<size_t>(tileX)];
+  }
   uint32_t farthestOf(int tileX, int tileY) const;
   class Filling;
 

@@ -61,13 +61,6 @@ class HeightOver {
   bool isBefore(const PixelWeights& weights) const { return height(weights) < -tolerance(weights); }
   bool isBeyond(const PixelWeights& weights) const { return height(weights) > tolerance(weights); }
 
-  /// What drops pixels that are beyond the plane; with a sign of -1, before it.
-  HeightLimit limit(float sign) const {
-    return {{sign * at_[0], sign * at_[1], sign * at_[2]}, overlap_, most_, rounding_};
-  }
-  /// Whether no pixel can be before it.
-  bool isBehindAll() const { return std::min({at_[0], at_[1], at_[2]}) >= 0; }
-
  private:
   float height(const PixelWeights& weights) const { return weights.of(at_[0], at_[1], at_[2]); }
   /// More than what any pixel tolerates, and what rounding takes from heights in between.
@@ -125,7 +118,6 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
   Clipper clipper;
   std::vector<RasterVertex> corners;
   std::vector<HeightOver> heights;
-  std::vector<HeightLimit> limits;
 };
 
 /// Whether rays of some kind end before a point.

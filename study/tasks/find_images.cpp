@@ -2,6 +2,7 @@
 
 #include "oc_core/constructor/portal_constructor.h"
 #include "oc_core/worlds/maze_file.h"
+#include "study/task/eye_camera.h"
 
 namespace ocelli {
 namespace {
@@ -31,7 +32,7 @@ InstructionExample searchExample(bool graph, const glm::ivec2& size) {
   if (graph) {
     SceneGuides guides;
     guides.maze = maze;
-    PortalOptions options = portalCurve("band");
+    PortalOptions options = EyeCameraOptions().portals;  // as subjects will see it
     options.bentBeyond = 1;
     example.layout.views.emplace_back(wholeImage(size), buildPortalCamera(options, guides, eye));
   } else {

@@ -105,8 +105,6 @@ TEST(ExploreScript, walksAndTurnsExactlySoFar) {
     Explorer& explorer() override { return explorer_; }
     void showFrame(const WalkInput& input) override { explorer_.advance(input, 1 / kExploreFramesPerSecond); }
     Image<Rgb8> picture() override { return {}; }
-    std::filesystem::path pathOf(const std::string& file) override { return file; }
-    void wrote(const std::filesystem::path&) override {}
     void startRecording(const std::filesystem::path&) override {}
     void stopRecording() override {}
 

@@ -2,40 +2,17 @@
 
 #include <gmock/gmock.h>
 
-#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_document.h"
 #include "oc_core/drawing/drawing.h"
-#include "tests/base/temporary_folder.h"
-#include "tests/frustum_editor/editor_scene.h"
+#include "tests/frustum_editor/editor_script_player.h"
 
 namespace ocelli {
 namespace {
 
 using testing::HasSubstr;
 
-std::string scriptText(std::string steps) {
-  std::replace(steps.begin(), steps.end(), '\'', '"');
-  return R"({"camera": "graph", "size": [64, 36], "steps": [)" + steps + "]}";
-}
-
-class EditorScriptTest : public testing::Test {
- protected:
-  EditorSession play(const std::string& steps) {
-    return playEditorScript(editorScriptFromJsonText(scriptText(steps), "script.json"), folder.path(),
-                            test::editorView(), mesh, {}, folder.path());
-  }
-  std::string errorOf(const std::string& steps) {
-    try {
-      play(steps);
-    } catch (const InputError& error) {
-      return error.what();
-    }
-    return "";
-  }
-  Mesh mesh = test::editorMesh();
-  test::TemporaryFolder folder;
-};
+class EditorScriptTest : public test::EditorScriptPlayer {};
 
 TEST_F(EditorScriptTest, drawsAndWritesWhatWasDrawn) {
   EditorSession session = play(

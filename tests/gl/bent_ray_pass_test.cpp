@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "oc_core/gl/gl_renderer.h"
@@ -121,6 +123,35 @@ TEST_P(BentRayPassTest, brokenTrianglesLeaveTheirNeighboursAlone) {
   mesh = {};
   EXPECT_EQ(coveredPixels(drawn().first), 0u);
   EXPECT_EQ(coveredPixels(drawn().second), 0u);
+}
+
+// All over the mesh, whole blocks of them, and also where vertices move there and back.
+TEST_P(BentRayPassTest, leavesOutTrianglesThatAreNotFinite) {
+  Mesh mesh = loadScene("builtin:boxes", {}, {});
+  densify(mesh, 4000);
+  const Mesh whole = mesh;
+  const Mesh without = test::breakTriangles(mesh);
+  ASSERT_GT(mesh.triangles.size(), 2048u);
+  const auto images = [&](const GlRenderer& renderer) {
+    return std::array{renderer.draw(GraphCamera(pinhole())), renderer.draw(test::crossroads(pinhole())),
+                      renderer.draw(limited()), renderer.draw(test::bendingTwice(pinhole()))};
+  };
+  const auto expected = images(GlRenderer(*context_, without));
+  EXPECT_GT(coveredPixels(expected[1]), 2000u);
+  EXPECT_EQ(images(GlRenderer(*context_, mesh)), expected);
+  // The same triangles, of corners that are moved away and come back.
+  Mesh moving = mesh;
+  std::vector<glm::vec3> wrong;
+  const size_t first = whole.positions.size();
+  for (size_t v = first; v < moving.positions.size(); ++v) {
+    wrong.push_back(moving.positions[v]);
+    moving.positions[v] = {0.3f, 0.2f, 0.1f};
+  }
+  GlRenderer renderer(*context_, moving);
+  EXPECT_NE(images(renderer), expected);
+  std::copy(wrong.begin(), wrong.end(), moving.positions.begin() + static_cast<std::ptrdiff_t>(first));
+  renderer.moveVertices(moving, first, wrong.size());
+  EXPECT_EQ(images(renderer), expected);
 }
 
 }  // namespace

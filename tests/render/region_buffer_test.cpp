@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "oc_core/base/random.h"
 
 namespace ocelli {
@@ -66,13 +69,12 @@ TEST(RegionBuffer, opensThePixelsWhoseRaysPassAndHaveMetNothing) {
   EXPECT_TRUE(region.mayShow(all, 1e9f));
 }
 
-// Lanes give what single pixels do, bit by bit: of triangles of all sizes, turned both ways, with and without limits.
+// Lanes give what single pixels do, bit by bit: of triangles of all sizes, turned both ways.
 TEST(RegionBuffer, fillsAsPixelByPixel) {
   const PixelBounds all{0, 0, 40, 20};
   const std::array<int16_t, 2> both{0, 0};
   Random random(3);
   size_t covered = 0;
-  size_t limited = 0;
   for (int image = 0; image < 200; ++image) {
     RegionBuffer lanes;
     RegionBuffer pixels;
@@ -84,13 +86,9 @@ TEST(RegionBuffer, fillsAsPixelByPixel) {
       const RasterVertex a = anyVertex(random);
       const RasterVertex b = anyVertex(random);
       const RasterVertex c = anyVertex(random);
-      const HeightLimit limit{
-          {random.inRange(-1, 1), random.inRange(-1, 1), random.inRange(-1, 1)}, 0.01f, 0.1f, 1e-6f};
-      const bool hasLimit = triangle % 2 == 1;
-      lanes.fill(all, triangle, a, b, c, hasLimit ? std::span(&limit, 1) : std::span<const HeightLimit>());
+      lanes.fill(all, triangle, a, b, c);
       pixels.scan(all, a, b, c, [&](size_t pixel, float z, const PixelWeights& weights) {
-        limited += hasLimit && limit.isExceeded(weights);
-        if (pixels.isNearest(pixel, z, triangle) && !(hasLimit && limit.isExceeded(weights))) {
+        if (pixels.isNearest(pixel, z, triangle)) {
           pixels.put(pixel, z, triangle, weights());
           ++covered;
         }
@@ -99,7 +97,57 @@ TEST(RegionBuffer, fillsAsPixelByPixel) {
     EXPECT_EQ(fragmentsOf(lanes), fragmentsOf(pixels)) << image;
   }
   EXPECT_GT(covered, 20000u);
-  EXPECT_GT(limited, 5000u);
+}
+
+// From one pixel in a corner to most of the image: they hold what the whole image does there, and no tile of theirs is
+// passed over that may still show something.
+TEST(RegionBuffer, regionsHoldWhatTheWholeImageDoes) {
+  const PixelBounds all{0, 0, 40, 20};
+  const std::array<int16_t, 2> both{0, 0};
+  Random random(5);
+  size_t covered = 0;
+  size_t passedOver = 0;
+  for (int image = 0; image < 100; ++image) {
+    std::vector<std::array<RasterVertex, 3>> triangles;
+    for (int i = 0; i < 4; ++i) {
+      triangles.push_back({anyVertex(random), anyVertex(random), anyVertex(random)});
+    }
+    RegionBuffer whole;
+    whole.reset(all, twoLeaves());
+    whole.open(all, 0, both);
+    for (uint32_t i = 0; i < triangles.size(); ++i) {
+      whole.fill(all, i, triangles[i][0], triangles[i][1], triangles[i][2]);
+    }
+    for (const PixelBounds& rect : std::initializer_list<PixelBounds>{
+             {0, 0, 1, 1}, {39, 19, 40, 20}, {13, 7, 14, 20}, {5, 3, 8, 5}, {0, 9, 40, 10}, {7, 1, 39, 20}}) {
+      const auto isInside = [&](int x, int y) { return x >= rect.x0 && x < rect.x1 && y >= rect.y0 && y < rect.y1; };
+      RegionBuffer part;
+      part.reset(rect, twoLeaves());
+      EXPECT_EQ(part.open({rect.x1, 0, 50, 20}, 0, both), 0u) << "a piece that is seen elsewhere";
+      EXPECT_EQ(part.open(all, 0, both), 1u);
+      for (uint32_t i = 0; i < triangles.size(); ++i) {
+        const auto& [a, b, c] = triangles[i];
+        const float nearest = 0.999f / std::max({a.inverseZ, b.inverseZ, c.inverseZ});
+        if (part.mayShow(all, nearest)) {
+          part.fill(rect, i, a, b, c);
+          part.touch(rect);
+        } else {
+          ++passedOver;
+        }
+      }
+      std::vector<Fragment> expected = fragmentsOf(whole);
+      for (int y = 0; y < 20; ++y) {
+        for (int x = 0; x < 40; ++x) {
+          Fragment& fragment = expected[static_cast<size_t>(y) * 40 + static_cast<size_t>(x)];
+          fragment = isInside(x, y) ? fragment : Fragment();
+          covered += fragment.covered();
+        }
+      }
+      EXPECT_EQ(fragmentsOf(part), expected) << image << ", region at " << rect.x0 << ", " << rect.y0;
+    }
+  }
+  EXPECT_GT(covered, 20000u);
+  EXPECT_GT(passedOver, 10u);
 }
 
 }  // namespace

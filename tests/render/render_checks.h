@@ -90,4 +90,26 @@ inline void addBrokenTriangles(Mesh& mesh) {
   }
 }
 
+/// Gives some triangles corners of their own that are not finite: every seventh, and all of the second block and of the
+/// second run of blocks (oc_core/render/mesh_blocks.h). Returns the mesh with triangles without an area in their place.
+inline Mesh breakTriangles(Mesh& mesh) {
+  constexpr size_t kBlock = 32;
+  constexpr size_t kRun = 32 * kBlock;
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  constexpr float kInfinite = std::numeric_limits<float>::infinity();
+  const std::array<glm::vec3, 4> wrong{
+      {{kNan, 0, 0}, {0, kInfinite, 0}, {0.1f, -0.2f, -kInfinite}, {kInfinite, kNan, 0}}};
+  Mesh without = mesh;
+  for (size_t i = 0; i < mesh.triangles.size(); ++i) {
+    if (i % 7 == 3 || i / kBlock == 1 || i / kRun == 1) {
+      const auto corner = static_cast<uint32_t>(mesh.positions.size());
+      mesh.positions.push_back(wrong[i % wrong.size()]);
+      mesh.colors.emplace_back(1);
+      mesh.triangles[i][static_cast<int>(i % 3)] = corner;
+      without.triangles[i] = {0, 0, 0};
+    }
+  }
+  return without;
+}
+
 }  // namespace ocelli::test

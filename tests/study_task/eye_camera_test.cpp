@@ -41,6 +41,20 @@ TEST(EyeCamera, theGraphCameraBendsIntoSideWays) {
   EXPECT_EQ(graphs.front().place, place);
 }
 
+// Trials that are stored replay with the cameras that their subjects saw: these are the numbers of the first version,
+// whatever the usual curve of portals is.
+TEST(EyeCamera, keepsThePortalsOfTheFirstVersion) {
+  const PortalOptions portals = EyeCameraOptions().portals;
+  EXPECT_EQ(portals.straightWithin, 0.1);
+  EXPECT_EQ(portals.bentBeyond, 3);
+  EXPECT_EQ(portals.farthest, 12);
+  EXPECT_EQ(portals.straightDegrees, 5);
+  EXPECT_EQ(portals.bentDegrees, 65);
+  EXPECT_EQ(portals.edgeDegrees, 87);
+  EXPECT_EQ(portals.edgeFadeDegrees, 4);
+  EXPECT_EQ(portals.handOver, 0.5);
+}
+
 TEST(EyeCamera, takesWhateverPoseOneCanHave) {
   EXPECT_EQ(test::refusedPoses(30, 60), 0);
 }

@@ -7,6 +7,8 @@
 #include <set>
 
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/graph_operations.h"
+#include "study/task/eye_camera.h"
 #include "tests/study_task/study_tasks.h"
 
 namespace ocelli {
@@ -50,6 +52,30 @@ TEST(TaskRegistry, AnUnknownNameIsAnErrorThatListsTheKnownOnes) {
                                                testing::HasSubstr(taskNames())));
     }
   }
+}
+
+// By the curve of EyeCameraOptions, which is not the usual one; where an example stands nearer to its portals than
+// subjects do, they are bent from nearer by.
+TEST(TaskRegistry, InstructionsShowThePortalsOfTrials) {
+  size_t otherThanUsual = 0;
+  for (const char* name : {"find_gc", "nearer_gc", "distance_gc", "direction_gc"}) {
+    const InstructionImage* image = instructionImage(name);
+    ASSERT_NE(image, nullptr) << name;
+    const InstructionExample example = image->make({160, 100});
+    ASSERT_EQ(example.layout.views.size(), 1u) << name;
+    const GraphCamera& graph = std::get<GraphCamera>(example.layout.views.front().camera);
+    SceneGuides guides;
+    guides.maze = example.scene->maze();
+    const auto builtBy = [&](PortalOptions options, double bentBeyond) {
+      options.bentBeyond = bentBeyond;
+      return jsonText(buildPortalCamera(options, guides, graph.root()));
+    };
+    const PortalOptions ofTrials = EyeCameraOptions().portals;
+    const std::string drawn = jsonText(graph);
+    EXPECT_TRUE(drawn == builtBy(ofTrials, ofTrials.bentBeyond) || drawn == builtBy(ofTrials, 1)) << name;
+    otherThanUsual += drawn != builtBy(PortalOptions(), PortalOptions().bentBeyond);
+  }
+  EXPECT_GE(otherThanUsual, 2u);
 }
 
 // A row that may be registered would be one too many for the other tests: examples/add_a_task registers one.

@@ -1,5 +1,4 @@
 // A segment: its matrix, for points from its viewpoint, its first plane, and where its rays of one kind end.
-const uint kBlockTriangles = 32u;  // oc_core/render/mesh_blocks.h
 const uint kEndPlanes = 4u;
 layout(std140, binding = 1) uniform StraightSegment {
   vec4 rowU;
