@@ -33,6 +33,9 @@
 namespace ocelli {
 namespace {
 
+constexpr float kStepMetres = 0.1f;
+constexpr float kStepDegrees = 4.5f;
+
 struct PortalWalkChoice {
   std::vector<std::string> cameras;
   std::string svg;
@@ -40,6 +43,8 @@ struct PortalWalkChoice {
   int first = 1;
   int cells = 6;
   int samples = 2;
+  double turnShare = 1;
+  bool each = false;
   int threads = 0;
   int width = 160;
   int height = 90;
@@ -112,6 +117,8 @@ struct Ratios {
   std::vector<double> turns;       ///< each with one
   double camera = 0;
   double pinhole = 0;
+  size_t steps = 0;
+  size_t pinholeSteps = 0;
 };
 
 std::string distribution(std::vector<double> values) {
@@ -125,6 +132,21 @@ std::string distribution(std::vector<double> values) {
   const auto over = std::count_if(values.begin(), values.end(), [](double value) { return value > 1.0005; });
   return fmt::format("{:6} of {:6} above 1; median {:.3f}, 90 % {:.3f}, 99 % {:.3f}, largest {:.3f}", over,
                      values.size(), at(0.5), at(0.9), at(0.99), at(1));
+}
+
+PinholeCamera referenceOf(const View& view, const PortalWalkChoice& choice) {
+  return {view, choice.width * choice.samples, choice.height * choice.samples};
+}
+
+/// Of each step, whether the head does not turn in it.
+std::vector<bool> withoutTurn(const std::vector<View>& views) {
+  std::vector<bool> moves;
+  for (size_t i = 1; i < views.size(); ++i) {
+    const glm::vec3 before = views[i - 1].target - views[i - 1].eye;
+    const glm::vec3 now = views[i].target - views[i].eye;
+    moves.push_back(glm::dot(before, now) > std::cos(0.01f));
+  }
+  return moves;
 }
 
 double largest(const std::vector<Change>& changes, double Change::*what, const std::vector<bool>& kept) {
@@ -163,44 +185,60 @@ void measure(const PortalWalkChoice& choice) {
     const GuidedScene scene = loadGuidedScene("builtin:maze,seed=" + std::to_string(walk), {.fit = false});
     const MeshBlocks blocks(scene.mesh);
     Random random(static_cast<uint64_t>(walk));
-    const std::vector<View> views =
-        test::walkAlong(test::randomLine(*scene.guides.maze, static_cast<size_t>(choice.cells), random), 0, 0.1f, 4.5f);
+    const std::vector<glm::vec2> line = test::randomLine(*scene.guides.maze, static_cast<size_t>(choice.cells), random);
+    const std::vector<View> views = test::walkAlong(line, 0, kStepMetres, kStepDegrees);
     Frames pinhole;
-    std::vector<Frames> cameras(curves.size());
-    std::vector<bool> moves;
-    for (size_t i = 0; i < views.size(); ++i) {
-      const PinholeCamera reference(views[i], choice.width * choice.samples, choice.height * choice.samples);
+    for (const View& view : views) {
+      const PinholeCamera reference = referenceOf(view, choice);
       pinhole.add(GraphCamera(reference), rasterize(reference, scene.mesh), scene.mesh, choice.samples);
-      for (size_t k = 0; k < curves.size(); ++k) {
-        const GraphCamera camera = buildPortalCamera(curves[k].options, scene.guides, reference);
-        cameras[k].add(camera, rasterize(camera, scene.mesh, blocks), scene.mesh, choice.samples);
-      }
-      if (i > 0) {
-        const glm::vec3 before = views[i - 1].target - views[i - 1].eye;
-        const glm::vec3 now = views[i].target - views[i].eye;
-        moves.push_back(glm::dot(before, now) > std::cos(0.01f));
-      }
     }
+    const std::vector<View> slower =
+        choice.turnShare < 1
+            ? test::walkAlong(line, 0, kStepMetres, kStepDegrees * static_cast<float>(choice.turnShare))
+            : views;
+    const std::vector<bool> moves = withoutTurn(views);
+    const std::vector<bool> slowerMoves = withoutTurn(slower);
     for (size_t k = 0; k < curves.size(); ++k) {
+      Frames camera;
+      for (const View& view : slower) {
+        const GraphCamera made = buildPortalCamera(curves[k].options, scene.guides, referenceOf(view, choice));
+        camera.add(made, rasterize(made, scene.mesh, blocks), scene.mesh, choice.samples);
+      }
       Ratios& of = ratios[k];
-      const std::vector<Change>& mine = cameras[k].changes;
+      const std::vector<Change>& mine = camera.changes;
       const std::vector<Change>& theirs = pinhole.changes;
       of.walks.push_back(largest(mine, &Change::mean, {}) / largest(theirs, &Change::mean, {}));
       of.walkBlocks.push_back(largest(mine, &Change::block, {}) / largest(theirs, &Change::block, {}));
       of.walkMotion.push_back(largest(mine, &Change::motion, {}) / largest(theirs, &Change::motion, {}));
-      of.walkMoves.push_back(largest(mine, &Change::mean, moves) / largest(theirs, &Change::mean, moves));
-      for (size_t i = 0; i < mine.size(); ++i) {
+      of.walkMoves.push_back(largest(mine, &Change::mean, slowerMoves) / largest(theirs, &Change::mean, moves));
+      of.steps += mine.size();
+      of.pinholeSteps += theirs.size();
+      for (size_t i = 0; choice.turnShare == 1 && i < mine.size(); ++i) {
         (moves[i] ? of.moveMotion : of.turnMotion).push_back(mine[i].motion / std::max(theirs[i].motion, 1e-9));
         (moves[i] ? of.moves : of.turns).push_back(mine[i].mean / std::max(theirs[i].mean, 1e-9));
         of.camera += mine[i].mean;
         of.pinhole += theirs[i].mean;
+      }
+      if (choice.each) {
+        const auto at = std::max_element(mine.begin(), mine.end(),
+                                         [](const Change& a, const Change& b) { return a.mean < b.mean; });
+        const auto index = static_cast<size_t>(at - mine.begin());
+        fmt::print("{} walk {}: {:.4f}, motion {:.4f}, at step {} of {}, {}; there {:.4f} of the pinhole's\n",
+                   curves[k].name, walk, of.walks.back(), of.walkMotion.back(), index, mine.size(),
+                   slowerMoves[index] ? "straight" : "turning",
+                   choice.turnShare == 1 ? mine[index].mean / std::max(theirs[index].mean, 1e-9) : 0);
       }
     }
   }
   for (size_t k = 0; k < curves.size(); ++k) {
     const Ratios& of = ratios[k];
     fmt::print("\n{}, change of the image, camera / pinhole\n", curves[k].name);
-    fmt::print("  all steps together            {:.4f}\n", of.camera / of.pinhole);
+    if (choice.turnShare == 1) {
+      fmt::print("  all steps together            {:.4f}\n", of.camera / of.pinhole);
+    } else {
+      fmt::print("  steps                         {:.4f} times as many\n",
+                 static_cast<double>(of.steps) / static_cast<double>(of.pinholeSteps));
+    }
     fmt::print("  largest step of each walk     {}\n", distribution(of.walks));
     fmt::print("  largest block of each walk    {}\n", distribution(of.walkBlocks));
     fmt::print("  largest straight step of each {}\n", distribution(of.walkMoves));
@@ -224,6 +262,11 @@ int main(int argc, char** argv) {
   program.add_option("--first", choice.first, "Seed of the first maze")->capture_default_str();
   program.add_option("--cells", choice.cells, "Of a walk")->check(CLI::Range(2, 1000))->capture_default_str();
   program.add_option("--samples", choice.samples, "Of a pixel, along each axis")->check(CLI::Range(1, 16));
+  program
+      .add_option("--turn-share", choice.turnShare,
+                  "Of the pinhole's turn in a frame, by which the head turns at most with the camera")
+      ->check(CLI::Range(0.1, 1.0));
+  program.add_flag("--each", choice.each, "Print the largest step of each walk");
   program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
   program.add_option("--width", choice.width, "Pixels")->check(CLI::Range(16, 4096))->capture_default_str();
   program.add_option("--height", choice.height, "Pixels")->check(CLI::Range(16, 4096))->capture_default_str();

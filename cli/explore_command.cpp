@@ -14,6 +14,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_folder.h"
 #include "oc_core/explore/explore_offscreen.h"
 #include "oc_core/explore/explore_shown_camera.h"
 #include "oc_core/walkable/walkable.h"
@@ -59,9 +60,22 @@ void printReport(const ExploreReport& report, const ExploreChoice& choice, const
     context.print(fmt::format("jumps       {} of {} frames\n", report.jumps(), report.changes.size()));
     if (report.worst) {
       context.print(fmt::format("worst       frame {}: {:.2f} of 255, the pinhole {:.2f}, a turn {:.2f}\n",
-                                report.worst->frame, report.worst->picture, report.worst->pinhole, report.worst->turn));
+                                report.worst->change.frame, report.worst->change.picture, report.worst->change.pinhole,
+                                report.worst->change.turn));
     }
   }
+}
+
+/// Of the frame that jumps most, to look at.
+void writeJump(const WorstFrame& worst, const std::filesystem::path& folder, const CommandContext& context) {
+  makeFolder(folder);
+  const auto write = [&](const char* name, const Image<Rgb8>& image) {
+    writePng(folder / name, image);
+    context.note("wrote " + (folder / name).string());
+  };
+  write("jump_before.png", worst.before);
+  write("jump_after.png", worst.after);
+  write("jump_difference.png", worst.difference());
 }
 
 std::shared_ptr<ExploreScene> openScene(const ExploreChoice& choice, const Progress& progress) {
@@ -114,6 +128,9 @@ void explore(const ExploreChoice& choice, const CommandContext& context) {
     context.note("wrote " + choice.changes);
   }
   printReport(report, choice, context);
+  if (choice.jumps && report.jumps() > 0) {
+    writeJump(*report.worst, choice.folder, context);
+  }
 }
 
 }  // namespace
@@ -132,12 +149,7 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
                   "What to begin with, by default the pinhole; or a camera's file, shown as it is:" + cameras)
       ->type_name("NAME|FILE.json");
   addViewOption(command, choice->view);
-  command
-      .add_option("--metre", choice->metre,
-                  "Units of the scene in a metre; by default 1, or so that the longer level side is 20 m where it is "
-                  "less than 2.5 or more than 20,000 units")
-      ->check(numberCheck(1e-6, 1e6))
-      ->type_name("UNITS");
+  addMetreOption(command, choice->metre);
   command.add_option("--eye-height", choice->walker.eyeHeight, "Metres over the floor")
       ->check(numberCheck(0.1, 100))
       ->capture_default_str()
@@ -154,7 +166,9 @@ void addExploreCommand(CLI::App& program, const CommandContext& context) {
   addExploreWindowOptions(command, choice->window);
   command.add_option("-o,--output", choice->folder, "Folder for images, cameras and videos")->type_name("DIR");
   command.add_flag("--benchmark", choice->benchmark, "Draw every frame of the script, and print how long frames take");
-  command.add_flag("--jumps", choice->jumps, "Print how many frames of the script change more than the pinhole's do");
+  command.add_flag(
+      "--jumps", choice->jumps,
+      "Print how many frames of the script change more than the pinhole's do, and save that which does most");
   command
       .add_option("--changes", choice->changes,
                   "A table of how much each frame of the script changes, and the pinhole's")

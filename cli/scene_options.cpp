@@ -137,6 +137,15 @@ ImageSize cameraImageSize(const std::string& camera, const std::string& size, co
   return ofFile ? ImageSize{ofFile->x, ofFile->y} : otherwise;
 }
 
+void addMetreOption(CLI::App& command, std::optional<double>& metre) {
+  command
+      .add_option("--metre", metre,
+                  "How many units of the scene a metre has; by default 1 where its longer level side has 2.5 to 20,000 "
+                  "units, else that side is taken to be 20 metres")
+      ->check(numberCheck(1e-6, 1e6))
+      ->type_name("UNITS");
+}
+
 void addViewOption(CLI::App& command, std::string& path) {
   command.add_option("--view", path, "Reference view; by default from (0, 0, 10) to the origin")
       ->type_name("FILE.json");

@@ -1,6 +1,7 @@
 // The options of every command that takes a SCENE.
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "cli/command.h"
@@ -41,6 +42,9 @@ void addSizeOption(CLI::App& command, std::string& size);
 void addCameraSizeOption(CLI::App& command, std::string& size, const ImageSize& otherwise);
 /// The size that the user gave, or the camera's file, or that one.
 ImageSize cameraImageSize(const std::string& camera, const std::string& size, const ImageSize& otherwise);
+
+/// Adds --metre UNITS, of commands that know people's lengths. Where it is not given, metreOf() guesses.
+void addMetreOption(CLI::App& command, std::optional<double>& metre);
 
 /// Adds --view FILE.json. Read it with readViewOption() when the command runs.
 void addViewOption(CLI::App& command, std::string& path);

@@ -140,12 +140,7 @@ void addSceneWalk(CLI::App& parent, const CommandContext& context) {
                     option.meaning + std::string(option.isLength ? ", metres" : ""))
         ->check(numberCheck(option.min, option.max));
   }
-  command
-      .add_option("--metre", choice->metre,
-                  "How many units of the scene a metre has; by default 1 where the scene is 2.5 to 20,000 units long, "
-                  "else its length is taken to be 20 metres")
-      ->check(numberCheck(1e-6, 1e6))
-      ->type_name("UNITS");
+  addMetreOption(command, choice->metre);
   command.add_option("--floor", choice->floor, "Of the plan: the floor that is shown, y in units of the scene")
       ->check(numberCheck(-1e6, 1e6))
       ->type_name("Y");

@@ -157,11 +157,14 @@ GraphCamera buildOccluderCamera(const OccluderOptions& options, const GuidedScen
     const glm::dvec3 point(reference.worldFromCamera(reference.cameraFromImage(border)));
     return plan.x(point) / plan.z(point);
   };
-  const double merged =
-      std::clamp(std::min(mergedFor(meeting, split, slope, left, -tangentAt(0)),
-                          mergedFor(meeting, split, slope, right, tangentAt(static_cast<float>(reference.width())))),
-                 0.0, (1 - kMinBefore) * meeting) *
-      options.deployed;
+  // As wide as the image is where the box is in its middle.
+  const double halfWidth = reference.width() / (2 * static_cast<double>(reference.focalPixels()));
+  const double leftTangent = options.steady ? halfWidth : -tangentAt(0);
+  const double rightTangent = options.steady ? halfWidth : tangentAt(static_cast<float>(reference.width()));
+  const double merged = std::clamp(std::min(mergedFor(meeting, split, slope, left, leftTangent),
+                                            mergedFor(meeting, split, slope, right, rightTangent)),
+                                   0.0, (1 - kMinBefore) * meeting) *
+                        options.deployed;
   const auto sideTurn = [&](double side, double aside) {
     return GraphCamera::Bend{Plane::through(plan.at(0, split), plan.forward + plan.right * (side * slope)),
                              plan.at(side * aside * options.deployed, 0)};

@@ -26,6 +26,9 @@ struct OccluderOptions {
   std::optional<double> splitDepth{};
   /// By which share of the way its viewpoints have moved: 0 is the pinhole.
   double deployed = 1;
+  /// Whether rays that run on behind the box depend on where the eye is alone, and not on the direction of the view, so
+  /// that none moves when the head turns. Otherwise the outermost rays of the image run on as they do in the pinhole's.
+  bool steady = false;
 };
 
 /// Throws InputError where there is no such object; where the eye is in the box, the box is behind the eye or not in

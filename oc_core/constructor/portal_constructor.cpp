@@ -48,6 +48,12 @@ double rising(double from, double to, double x) {
   return glm::smoothstep(from, to, x);
 }
 
+/// The same, evenly in part: its steepest slope is 3/2 of the least possible, or the least.
+double rising(double from, double to, double x, double evenness) {
+  const double eased = rising(from, to, x);
+  return evenness == 0 ? eased : glm::mix(eased, std::clamp((x - from) / (to - from), 0.0, 1.0), evenness);
+}
+
 /// By which rays have turned.
 double shareOf(double presence, double handOver) {
   return std::max(0.0, (presence - handOver) / (1 - handOver));
@@ -178,6 +184,7 @@ const std::vector<PortalCurve>& portalCurves() {
         .bentDegrees = 65,
         .edgeDegrees = 87,
         .edgeFadeDegrees = 4,
+        .evenness = 0,
         .handOver = 0.5}},
   };
   return curves;
@@ -205,9 +212,9 @@ double portalPresence(const Portal& portal, const glm::dvec3& eye, const PortalO
   const glm::dvec2 beside = glm::max(glm::abs(glm::dvec2(p)) - half, 0.0);
   const double distance = glm::length(glm::dvec3(beside, p.z)) / (2 * std::min(half.x, half.y));
   const double degrees = degreesFromRadians(std::atan2(std::abs(p.x), p.z));
-  return rising(options.straightWithin, options.bentBeyond, distance) *
+  return rising(options.straightWithin, options.bentBeyond, distance, options.evenness) *
          (1 - rising(kFadingShare * options.farthest, options.farthest, distance)) *
-         rising(options.straightDegrees, options.bentDegrees, degrees) *
+         rising(options.straightDegrees, options.bentDegrees, degrees, options.evenness) *
          (1 - rising(options.edgeDegrees - options.edgeFadeDegrees, options.edgeDegrees, degrees));
 }
 
@@ -254,6 +261,7 @@ GraphCamera buildPortalCamera(const PortalOptions& options, const SceneGuides& g
 PortalOptions readPortalOptions(JsonFields& fields) {
   PortalOptions options = portalCurve(fields.has("curve") ? fields.text("curve") : portalCurves().front().name);
   options.edgeFadeDegrees = fields.number("edge_fade_degrees", 0.01, 10, options.edgeFadeDegrees);
+  options.evenness = fields.number("evenness", 0, 1, options.evenness);
   options.handOver = fields.number("hand_over", 0.01, 0.99, options.handOver);
   return readPortalOptions(fields, options);
 }

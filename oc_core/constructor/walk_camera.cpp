@@ -59,6 +59,7 @@ void checkWalkPose(const WalkPose& pose, const WalkCameraOptions& options) {
   range(options.parallel, 0, 1, "parallel");
   range(options.deployed.value_or(0), 0, 1, "deployed");
   range(options.chosenShare, 0, 1, "chosen share");
+  range(options.chosenOpen, 0, 1, "chosen open");
 }
 
 View rootView(const WalkSpace& space, const glm::dvec3& eye, const glm::dvec2& direction, const RootLens& lens,
@@ -124,7 +125,8 @@ class WalkCameraBuilder {
             eye_,
             eye_.y - space_.regions()[region].floorAt(planOf(eye_)),
             options_.chosenPortal,
-            options_.chosenShare};
+            options_.chosenShare,
+            options_.chosenOpen};
   }
 
   /// How much less of the ways is deployed near an opening of a room, or beside a tunnel. It grows with the square of

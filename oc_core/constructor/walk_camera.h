@@ -45,6 +45,7 @@ struct WalkCameraOptions {
   double parallel = 0;               ///< 1 moves the viewpoint of the root away until its rays are almost parallel
   std::optional<uint32_t> chosenPortal{};  ///< of WalkMap::portals: the way out of the crossing to give more rays to
   double chosenShare = 0;                  ///< how far it gets them: 1 for all
+  double chosenOpen = 0;                   ///< how far its sides let rays pass, which end rays otherwise: 1 for all
 };
 
 /// A way out of the crossing or room ahead.

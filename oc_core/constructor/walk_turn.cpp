@@ -62,6 +62,7 @@ class WalkTurning {
     options.parallel = std::min(1.0, 2 * step(1));
     options.chosenPortal = turn_.portal;
     options.chosenShare = chosen;
+    options.chosenOpen = step(2);
     options.fovWayDegrees = glm::mix(options_.fovWayDegrees, options_.fovHorizontalDegrees, step(2));
     return camera(turn_.from, options);
   }

@@ -3,7 +3,8 @@
 //   0 to 1  the ways of the backward camera retract: it becomes a pinhole
 //   1 to 2  the viewpoint of the forward camera moves away until its rays come in almost parallel, then it gives all of
 //           them to the chosen way
-//   2 to 3  the backward camera turns around; the forward one becomes the pinhole before the mouth of the chosen way
+//   2 to 3  the backward camera turns around; the forward one becomes the pinhole before the mouth of the chosen way,
+//           whose sides, which end rays until then, swing open
 //   3 to 4  the user walks on from there, and the ways deploy again, ahead and behind
 #pragma once
 

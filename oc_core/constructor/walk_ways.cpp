@@ -30,6 +30,8 @@ constexpr double kMinBent = 1e-6;
 constexpr double kFullHeight = 0.95;
 /// How far before the opening the viewpoint of the chosen way lies when it has all rays, in widths.
 constexpr double kParallelWidths = 50;
+/// How far the sides of the chosen way swing open: farther than rays of any usual image run apart.
+constexpr double kOpenDegrees = 88;
 constexpr double kShrunk = 2;  ///< how fast limits move outwards, in sizes of the region
 
 double halfTangent(double degrees) {
@@ -41,6 +43,40 @@ glm::dvec3 between(const Plane& plane, const glm::dvec3& bent, const glm::dvec3&
   const double one = share / plane.height(bent);
   const double other = (1 - share) / plane.height(straight);
   return (bent * one + straight * other) / (one + other);
+}
+
+bool isUpright(const Plane& side) {
+  return std::abs(side.normal.y) < 0.5;
+}
+
+/// The plane turned outwards about the line where it meets `hinge`: by `angle` it lets those through that lie within
+/// that, the farther the more.
+Plane swung(const Plane& side, const Plane& hinge, double angle) {
+  const glm::dvec3 normal = side.normal * std::cos(angle) + hinge.normal * std::sin(angle);
+  const double length = glm::length(normal);
+  return {normal / length, (side.distance * std::cos(angle) + hinge.distance * std::sin(angle)) / length};
+}
+
+/// Sides of a way swing open, those beside it about the edges of its mouth and its end about one of these sides, so
+/// that rays that go on through openings farther ahead come in one after the other.
+std::vector<Plane> swungOpen(const std::vector<Plane>& sides, const WalkMouth& mouth, double open) {
+  const glm::dvec3 ahead = spaceOf(mouth.ahead(), 0);
+  const Plane back = Plane::through(spaceOf(mouth.middle(), mouth.floor), -ahead);
+  const auto isEnd = [&](const Plane& side) { return std::abs(glm::dot(side.normal, ahead)) > 0.5; };
+  const auto beside =
+      std::find_if(sides.begin(), sides.end(), [&](const Plane& side) { return isUpright(side) && !isEnd(side); });
+  const double angle = radiansFromDegrees(kOpenDegrees) * open;
+  std::vector<Plane> limits;
+  for (const Plane& side : sides) {
+    if (!isUpright(side)) {
+      limits.push_back(side);  // floor and ceiling
+    } else if (open < 1 && !isEnd(side)) {
+      limits.push_back(swung(side, back, angle));
+    } else if (open < 1 && beside != sides.end()) {
+      limits.push_back(swung(side, *beside, angle));
+    }
+  }
+  return limits;
 }
 
 class Ways {
@@ -66,7 +102,9 @@ class Ways {
       way.why = "rays do not get there in a straight line";
       return;
     }
-    limit(way.frustum, closedSides(next, share));
+    const std::vector<Plane> sides = closedSides(next, share);
+    const bool isChosen = view_.chosenPortal == exit.portal;
+    limit(way.frustum, isChosen && view_.chosenOpen > 0 ? swungOpen(sides, mouth, view_.chosenOpen) : sides);
   }
 
   static Plane planeOf(const WalkMouth& mouth, double size) {

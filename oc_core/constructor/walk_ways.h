@@ -19,6 +19,7 @@ struct WaysView {
   double eyeHeight = 0;                    ///< over the floor below him
   std::optional<uint32_t> chosenPortal{};  ///< as in WalkCameraOptions
   double chosenShare = 0;
+  double chosenOpen = 0;
 };
 
 /// The ways out of the crossing that one comes into by `opening`, from left to right, but for that one. The rays of the

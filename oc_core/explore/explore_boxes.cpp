@@ -1,12 +1,13 @@
 #include "oc_core/explore/explore_boxes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <glm/common.hpp>
 
 namespace ocelli {
 namespace {
 
-constexpr double kBorder = 0.45;       // of the image, over which what leaves it fades
+constexpr double kBorder = 0.9;        // of the angle from the middle to the border, over which what leaves fades
 constexpr float kAroundPlace = 0.25f;  // metres
 
 }  // namespace
@@ -35,13 +36,13 @@ double fadedByBorder(const Box& box, const PinholeCamera& view) {
   if (!(p.z > 0)) {
     return 0;
   }
-  const ImagePoint middle = view.imageFromCamera(p);
-  const double width = view.width();
-  const double height = view.height();
-  const double u = std::min<double>(middle.u, width - static_cast<double>(middle.u));
-  const double v = std::min<double>(middle.v, height - static_cast<double>(middle.v));
-  // Evenly, so that it is no faster at any place than it has to be while the head turns.
-  return std::clamp(u / (kBorder * width), 0.0, 1.0) * std::clamp(v / (kBorder * height), 0.0, 1.0);
+  // Evenly with the angle, so that it is no faster at any place than it has to be while the head turns.
+  const auto share = [&](float off, int pixels) {
+    const double border = std::atan(pixels / (2 * static_cast<double>(view.focalPixels())));
+    const double angle = std::atan2(static_cast<double>(std::abs(off)), static_cast<double>(p.z));
+    return std::clamp((border - angle) / (kBorder * border), 0.0, 1.0);
+  };
+  return share(p.x, view.width()) * share(p.y, view.height());
 }
 
 }  // namespace ocelli

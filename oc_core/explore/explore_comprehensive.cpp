@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/comprehensive_constructor.h"
@@ -17,10 +18,11 @@ class LiveComprehensive final : public LiveConstructor {
   LiveCamera camera(const LiveMoment& moment) override {
     const glm::ivec2 size(moment.view.width(), moment.view.height());
     if (!made_ || size_ != size) {
-      made_ = built(moment.scene, size);
+      made_ = std::make_shared<const GraphCamera>(built(moment.scene, size));
       size_ = size;
     }
     LiveCamera live{*made_};
+    live.still = made_;
     const std::optional<ImagePoint> here = made_->project(glm::vec3(moment.walker.eye));
     live.notes.push_back({ExploreNote::Kind::kState, here ? note_ : note_ + "; you stand where it does not show"});
     return live;
@@ -54,7 +56,7 @@ class LiveComprehensive final : public LiveConstructor {
   }
 
   ComprehensiveOptions options_;
-  std::optional<GraphCamera> made_;
+  std::shared_ptr<const GraphCamera> made_;
   glm::ivec2 size_{0};
   std::string note_ = "all of it in one image";
 };

@@ -1,5 +1,6 @@
 // A camera that was made elsewhere: of a file, or drawn by hand (section 4.3.2.1). It stands where it was put, so the
 // picture dissolves from the walker's.
+#include <memory>
 #include <optional>
 
 #include "oc_core/base/error.h"
@@ -45,19 +46,20 @@ class LiveDrawn final : public LiveConstructor {
       checked_ = true;
     }
     LiveCamera live{*camera_};
+    live.still = camera_;
     live.notes.push_back(problem_ ? ExploreNote{ExploreNote::Kind::kProblem, *problem_}
                                   : ExploreNote{ExploreNote::Kind::kState, name_});
     return live;
   }
   bool show(const MultiperspectiveCamera& camera, const std::string& name) override {
-    camera_ = camera;
+    camera_ = std::make_shared<const MultiperspectiveCamera>(camera);
     name_ = name;
     checked_ = false;
     return true;
   }
 
  private:
-  std::optional<MultiperspectiveCamera> camera_;
+  std::shared_ptr<const MultiperspectiveCamera> camera_;
   std::string name_;
   bool checked_ = false;
   std::optional<std::string> problem_;
@@ -66,8 +68,10 @@ class LiveDrawn final : public LiveConstructor {
 }  // namespace
 
 LiveConstructorRow liveDrawn() {
-  return {"drawn", "a camera of a file, or drawn by hand, that stands where it was put", "", {},
-          false,   [](const ExploreScene&) { return std::make_unique<LiveDrawn>(); }};
+  LiveConstructorRow row{"drawn", "a camera of a file, or drawn by hand, that stands where it was put", "", {},
+                         false,   [](const ExploreScene&) { return std::make_unique<LiveDrawn>(); }};
+  row.showsOthers = true;
+  return row;
 }
 
 }  // namespace ocelli

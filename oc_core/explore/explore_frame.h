@@ -1,6 +1,7 @@
 // What the explorer shows at a moment: cameras, and what a window draws over and beside their images.
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -44,6 +45,8 @@ struct ExploreFrame {
   WalkerView walker;
   PinholeCamera pinhole;          ///< of the walker, as large as the picture
   MultiperspectiveCamera camera;  ///< of the picture, or of its upper part where there is one behind
+  /// The same pointer as in other frames: their `camera` is the same. Null: it may differ.
+  std::shared_ptr<const void> still;
   /// The display surface of section 4.3.1.4: the image of this camera lies below, turned by 180 degrees. Both are as
   /// wide as the picture, and together as tall.
   std::optional<MultiperspectiveCamera> behind;

@@ -33,8 +33,18 @@ double imageChange(const Image<Rgb8>& one, const Image<Rgb8>& other) {
   return one.empty() ? 0 : static_cast<double>(sum) / (3.0 * static_cast<double>(one.size()));
 }
 
+Image<Rgb8> WorstFrame::difference() const {
+  Image<Rgb8> difference(after.width(), after.height());
+  for (size_t i = 0; i < after.size(); ++i) {
+    for (int k = 0; k < 3; ++k) {
+      difference[i][k] = static_cast<uint8_t>(std::abs(int{after[i][k]} - int{before[i][k]}));
+    }
+  }
+  return difference;
+}
+
 std::string csvOf(const std::vector<FrameChange>& changes) {
-  std::string text = "frame,picture,pinhole,turn,jumps\n";
+  std::string text = "frame,image,pinhole,turn,jumps\n";
   for (const FrameChange& each : changes) {
     text += fmt::format("{},{:.4f},{:.4f},{:.4f},{}\n", each.frame, each.picture, each.pinhole, each.turn,
                         each.jumps() ? 1 : 0);
@@ -69,15 +79,11 @@ void JumpMeasure::add(const ExploreFrame& frame, const Image<Rgb8>& picture, dou
   if (last_ && last_->picture.width() == picture.width() && last_->picture.height() == picture.height()) {
     changes_.push_back({frame.number, imageChange(last_->picture, picture), imageChange(last_->pinhole, now.pinhole),
                         std::max(last_->turn, now.turn)});
+    if (!worst_ || shareOfAllowed(changes_.back()) > shareOfAllowed(worst_->change)) {
+      worst_ = WorstFrame{changes_.back(), last_->picture, picture};
+    }
   }
   last_ = std::move(now);
-}
-
-std::optional<FrameChange> JumpMeasure::worst() const {
-  const auto found = std::max_element(changes_.begin(), changes_.end(), [](const auto& a, const auto& b) {
-    return shareOfAllowed(a) < shareOfAllowed(b);
-  });
-  return found == changes_.end() ? std::nullopt : std::optional(*found);
 }
 
 }  // namespace ocelli

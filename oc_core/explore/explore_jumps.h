@@ -29,8 +29,18 @@ struct FrameChange {
   bool jumps() const { return picture > allowed(); }
 };
 
-/// A table, a line a frame: frame,picture,pinhole,turn,jumps.
+/// A table, a line a frame: frame,image,pinhole,turn,jumps.
 std::string csvOf(const std::vector<FrameChange>& changes);
+
+/// The images of the frame with the greatest share of what is allowed, and of that before it.
+struct WorstFrame {
+  FrameChange change;
+  Image<Rgb8> before;
+  Image<Rgb8> after;
+
+  /// Black where both are the same.
+  Image<Rgb8> difference() const;
+};
 
 /// Watches the frames of a session, each once, in their order.
 class JumpMeasure {
@@ -43,8 +53,8 @@ class JumpMeasure {
   void cut() { last_.reset(); }
 
   const std::vector<FrameChange>& changes() const { return changes_; }
-  /// The frame with the greatest share of what is allowed; nothing where there is none.
-  std::optional<FrameChange> worst() const;
+  /// Nothing where there is no frame with one before it.
+  const std::optional<WorstFrame>& worst() const { return worst_; }
 
  private:
   struct Last {
@@ -63,6 +73,7 @@ class JumpMeasure {
   };
   std::optional<Place> place_;
   std::vector<FrameChange> changes_;
+  std::optional<WorstFrame> worst_;
 };
 
 }  // namespace ocelli

@@ -18,8 +18,12 @@ namespace ocelli {
 namespace {
 
 constexpr double kStepSeconds = 1.2;  // of each of the four steps of a turn
-constexpr double kTurnWish = 0.9;     // of the full speed of turning, from which on one wants to turn at the crossing
-constexpr double kTurnWithin = 2.5;   // sizes of the crossing, from its middle, from where one may
+/// The phase from which on the image ahead is a pinhole's before the chosen way. In the one before, rays come in almost
+/// parallel, at the slant of the crossing: the way is as tall as in the pinhole's, but not quite as wide. So it
+/// dissolves.
+constexpr double kPinholeAhead = 3;
+constexpr double kTurnWish = 0.9;    // of the full speed of turning, from which on one wants to turn at the crossing
+constexpr double kTurnWithin = 2.5;  // sizes of the crossing, from its middle, from where one may
 
 enum class MazeOption : size_t { kLeft, kAhead, kRight, kCrossingShare, kFovWay, kBehind };
 
@@ -40,6 +44,7 @@ class LiveMaze final : public LiveConstructor {
     }
     live.splits = splits_;
     live.splitsBehind = splitsBehind_;
+    live.dissolves = std::exchange(dissolves_, false);
     return live;
   }
 
@@ -56,7 +61,9 @@ class LiveMaze final : public LiveConstructor {
     if (!turn_) {
       return std::nullopt;
     }
-    turn_->phase = std::min(4.0, turn_->phase + moment.seconds / kStepSeconds);
+    const double before = turn_->phase;
+    turn_->phase = std::min(4.0, before + moment.seconds / kStepSeconds);
+    dissolves_ = before < kPinholeAhead && turn_->phase >= kPinholeAhead;
     WalkerView view = between(turnFrom_, turnTo_, std::clamp(turn_->phase / 4, 0.0, 1.0));
     if (turn_->phase >= 4) {
       turn_.reset();
@@ -201,7 +208,8 @@ class LiveMaze final : public LiveConstructor {
   std::optional<uint32_t> crossing_;
   std::optional<uint32_t> wish_;  // a portal that was clicked
   std::optional<WalkTurn> turn_;
-  std::string refused_;  // why the last turn that was wanted could not begin
+  bool dissolves_ = false;  // the image of the way becomes the pinhole's
+  std::string refused_;     // why the last turn that was wanted could not begin
   WalkerView turnFrom_;
   WalkerView turnTo_;
   SplitVisibility ahead_;

@@ -46,7 +46,7 @@ struct ExploreReport {
   int frames = 0;
   ExploreTimes times;
   std::vector<FrameChange> changes;
-  std::optional<FrameChange> worst;
+  std::optional<WorstFrame> worst;
 
   int jumps() const;
 };

@@ -133,11 +133,22 @@ Image<Rgb8> ExploreRenderer::draw(const MultiperspectiveCamera& camera) const {
   return image;
 }
 
+Image<Rgb8> ExploreRenderer::imageOf(const ExploreFrame& frame) {
+  if (!frame.still || frame.still != still_) {
+    Image<Rgb8> image = draw(frame.camera);
+    ++drawnCameras_;
+    still_ = frame.still;
+    stillImage_ = still_ ? image : Image<Rgb8>();
+    return image;
+  }
+  return stillImage_;
+}
+
 ExplorePicture ExploreRenderer::draw(const ExploreFrame& frame, bool pinholeBeside) {
   const int width = frame.pinhole.width();
   const int height = frame.pinhole.height();
   const int behindHeight = frame.behind ? heightOf(*frame.behind) : 0;
-  Image<Rgb8> picture = draw(frame.camera);
+  Image<Rgb8> picture = imageOf(frame);
   if (behindHeight > 0 || picture.width() != width || picture.height() != height) {
     const Image<Rgb8> ahead = std::move(picture);
     picture = Image<Rgb8>(width, height, kBesideColor);

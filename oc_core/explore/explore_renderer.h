@@ -28,15 +28,24 @@ class ExploreRenderer {
 
   /// Remembers the picture: frames dissolve from those before, so they come in their order.
   ExplorePicture draw(const ExploreFrame& frame, bool pinholeBeside = false);
+  /// How many images of cameras draw(frame) has drawn: one that stands still takes one.
+  int drawnCameras() const { return drawnCameras_; }
   /// One camera by itself.
   Image<Rgb8> draw(const MultiperspectiveCamera& camera) const;
 
  private:
+  /// Of the frame's camera, which may be known.
+  Image<Rgb8> imageOf(const ExploreFrame& frame);
+
   const ExploreScene& scene_;
   std::vector<Rgb8> vertexColors_;  ///< sRGB
+  /// Of the camera that stands still, without what is drawn over it.
+  std::shared_ptr<const void> still_;
+  Image<Rgb8> stillImage_;
   Image<Rgb8> last_;
   Image<Rgb8> dissolving_;
   int dissolvingFrom_ = -1;
+  int drawnCameras_ = 0;
 };
 
 /// Draws on a thread of its own, the newest frame first, so that who walks never waits.

@@ -7,24 +7,13 @@
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/object_boxes.h"
 #include "oc_core/constructor/walk_from_maze.h"
+#include "oc_core/walkable/walk_options.h"
 
 namespace ocelli {
 namespace {
 
-constexpr double kMinMetricSize = 4;  // metres across: smaller scenes are in other units
-constexpr double kMaxMetricSize = 20'000;
-constexpr double kOtherSize = 50;  // what such scenes are taken to be across, metres
-
 /// Thrown through a search whose scene is not needed any more.
 struct SearchStopped {};
-
-double metreOf(const Box& bounds, const ExploreSceneOptions& options) {
-  if (options.metre) {
-    return *options.metre;
-  }
-  const auto size = static_cast<double>(glm::length(bounds.size()));
-  return size >= kMinMetricSize && size <= kMaxMetricSize ? 1.0 : size / kOtherSize;
-}
 
 /// Grids know where one can walk.
 GuidedScene withWays(GuidedScene scene) {
@@ -43,7 +32,7 @@ ExploreScene::ExploreScene(GuidedScene scene, ExploreSceneOptions options)
     : scene_(withWays(std::move(scene))),
       options_(std::move(options)),
       bounds_(boundsOf(scene_.mesh)),
-      metre_(metreOf(bounds_, options_)),
+      metre_(options_.metre ? *options_.metre : metreOf("", scene_).units),
       blocks_(scene_.mesh),
       rays_(std::make_unique<RayScene>(scene_.mesh, RayScene::Quality::kLow)),
       objects_(objectBoxes(scene_)) {

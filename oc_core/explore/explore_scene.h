@@ -22,8 +22,7 @@
 namespace ocelli {
 
 struct ExploreSceneOptions {
-  /// Units of the scene in a metre. Nothing: 1 where the scene could be in metres, from 4 m to 20 km across; otherwise
-  /// so that it is 50 m across.
+  /// Units of the scene in a metre. Nothing: as metreOf() of oc_core/walkable/walk_options.h guesses from its size.
   std::optional<double> metre{};
   /// Finds where one can walk, where the guides of the scene do not tell it. Empty: nothing finds it. Throws InputError
   /// where there is no floor.

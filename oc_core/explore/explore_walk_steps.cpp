@@ -13,7 +13,8 @@ namespace {
 
 constexpr double kMaxWay = 10'000;  // metres of one step
 constexpr double kMaxTurn = 3600;   // degrees
-constexpr int kRestFrames = 600;    // until everything must have come to rest
+constexpr int kMaxTurnFrames = 100'000;
+constexpr int kRestFrames = 600;  // until everything must have come to rest
 
 /// Whole frames that last so long; the least share of a whole frame more counts as none.
 int framesFor(double seconds) {
@@ -57,11 +58,13 @@ ExploreStep readWalk(JsonFields& fields) {
 ExploreStep readTurn(JsonFields& fields, const std::string& name, double WalkInput::*part) {
   const double degrees = fields.number(name, -kMaxTurn, kMaxTurn);
   return [=](ExploreSession& session) {
-    const double speed = session.explorer().walker().options().turnDegrees;
-    const int frames = framesFor(std::abs(degrees) / speed);
-    for (int i = 0; i < frames; ++i) {
+    double left = degrees;
+    for (int i = 0; i < kMaxTurnFrames && std::abs(left) > 1e-9; ++i) {
+      // The speed may change as cameras deploy.
+      const double speed = session.explorer().turnDegrees();
       WalkInput input;
-      input.*part = degrees * kExploreFramesPerSecond / (speed * frames);
+      input.*part = left * kExploreFramesPerSecond / (speed * framesFor(std::abs(left) / speed));
+      left -= input.*part * speed / kExploreFramesPerSecond;
       session.showFrame(input);
     }
   };
@@ -113,7 +116,7 @@ ExploreStep readSeconds(JsonFields& fields) {
 ExploreStep readFly(JsonFields& fields) {
   const bool fly = fields.boolean("fly", true);
   return [=](ExploreSession& session) {
-    session.explorer().walker().options().fly = fly;
+    session.explorer().setFlying(fly);
     session.showFrame({});
   };
 }

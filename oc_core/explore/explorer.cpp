@@ -15,10 +15,10 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMinBehind = 1;  // pixels
+constexpr int kMinBehind = 1;             // pixels
+constexpr double kSlowedDeployed = 0.25;  // from which on the head turns as slowly as it has to
 /// Of the range of an option, a second: how fast a steady option follows what was set.
 constexpr double kOptionShareASecond = 0.5;
-constexpr const char* kDrawn = "drawn";
 
 double eased(double share) {
   return glm::smoothstep(0.0, 1.0, share);
@@ -193,11 +193,20 @@ void Explorer::move(const WalkInput& input, double seconds) {
     return;
   }
   WalkInput free = input;
+  const double turnShare = turnDegrees() / walker_.options().turnDegrees;
+  free.turnRight *= turnShare;
+  free.lookUp *= turnShare;
   if (state.live.constructor->looksLevel() && !state.next) {
     free.lookUp = 0;
     free.pointerDegrees.y = 0;
   }
   walker_.step(free, seconds);
+}
+
+double Explorer::turnDegrees() const {
+  // Slower before rays have bent far, as bending moves the image, too.
+  const double slowed = glm::smoothstep(0.0, kSlowedDeployed, state_->deployed);
+  return walker_.options().turnDegrees * glm::mix(1.0, state_->live.row->turnShare, slowed);
 }
 
 void Explorer::glideTo(const WalkerView& view) {
@@ -249,6 +258,7 @@ void Explorer::makeFrame(double seconds) {
 
   frame_.walker = walker_.view();
   frame_.pinhole = whole;
+  frame_.still.reset();
   frame_.behind.reset();
   frame_.splits.clear();
   std::vector<ExploreNote> notes;
@@ -258,7 +268,11 @@ void Explorer::makeFrame(double seconds) {
       notes = std::move(made.notes);
       state.failed = false;
       if (state.deployed > 0) {
+        if (made.dissolves) {
+          startDissolve();
+        }
         frame_.camera = std::move(made.camera);
+        frame_.still = std::move(made.still);
         frame_.behind = std::move(made.behind);
         frame_.splits = std::move(made.splits);
         for (const SplitLine& line : frame_.behind ? made.splitsBehind : std::vector<SplitLine>{}) {
@@ -276,6 +290,7 @@ void Explorer::makeFrame(double seconds) {
   }
   if (state.deployed == 0 || waysMissing()) {
     frame_.camera = GraphCamera(whole);
+    frame_.still.reset();
   }
   frame_.deployed = state.deployed;
   frame_.dissolve = state.dissolve;
@@ -354,7 +369,7 @@ void Explorer::setOption(std::string_view name, double value) {
 }
 
 void Explorer::showDrawn(const MultiperspectiveCamera& camera, const std::string& name) {
-  choose(kDrawn);
+  choose(liveConstructorForOthers().name);
   state_->chosen().constructor->show(camera, name);
 }
 

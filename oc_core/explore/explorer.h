@@ -46,8 +46,12 @@ class Explorer {
 
   ExploreScene& scene() { return scene_; }
   const ExploreScene& scene() const { return scene_; }
-  ExploreWalker& walker() { return walker_; }
   const ExploreWalker& walker() const { return walker_; }
+  /// Through walls, or on floors.
+  void setFlying(bool flies) { walker_.options().fly = flies; }
+  /// How fast the head turns at most now, degrees a second: somewhat slower than WalkerOptions::turnDegrees where the
+  /// image would otherwise change more than the pinhole's. What turns by pointer turns as that says.
+  double turnDegrees() const;
   /// Glides to a view: the walker is led there, through walls if need be. A constructor that leads the walker, such as
   /// `path`, leads on from there.
   void glideTo(const WalkerView& view);
@@ -61,7 +65,8 @@ class Explorer {
   /// Of chosen(). Throws InputError, naming the option and its range.
   double option(std::string_view name) const;
   void setOption(std::string_view name, double value);
-  /// A camera that is shown as it is, from a file or drawn by hand, chosen as `drawn`. `name` is for people.
+  /// A camera that is shown as it is, from a file or drawn by hand, chosen as liveConstructorForOthers(). `name` is for
+  /// people.
   void showDrawn(const MultiperspectiveCamera& camera, const std::string& name);
 
   /// What the ray of a pixel of the picture meets; nothing outside of it.

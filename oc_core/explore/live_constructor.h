@@ -57,6 +57,10 @@ struct LiveCamera {
   std::vector<SplitLine> splits = {};  ///< of `camera`, pixels of its image; smoothed over time
   std::vector<SplitLine> splitsBehind = {};
   std::vector<ExploreNote> notes = {};
+  /// Its image cannot follow from that of the frame before: the picture dissolves into it.
+  bool dissolves = false;
+  /// Of a camera that stands still: the same pointer as long as `camera` is the same. Null: it may differ.
+  std::shared_ptr<const void> still = {};
 };
 
 struct LiveMoment {
@@ -116,11 +120,18 @@ struct LiveConstructorRow {
   std::function<std::unique_ptr<LiveConstructor>(const ExploreScene& scene)> make;
   /// Whether in this scene it needs to know where one can walk, which may have to be searched. Empty: in none.
   std::function<bool(const ExploreScene& scene)> needsWays = {};
+  /// Of the usual speed, how fast the head turns while its camera is deployed. Bent rays show more than straight ones,
+  /// so the same turn changes the image more.
+  double turnShare = 1;
+  /// Whether it shows cameras that were made elsewhere: LiveConstructor::show(). One row does.
+  bool showsOthers = false;
 };
 
 /// In the order in which a window offers them; the first is the pinhole.
 const std::vector<LiveConstructorRow>& liveConstructors();
 /// Throws InputError naming those that there are.
 const LiveConstructorRow& findLiveConstructor(std::string_view name);
+/// That which shows cameras that were made elsewhere.
+const LiveConstructorRow& liveConstructorForOthers();
 
 }  // namespace ocelli

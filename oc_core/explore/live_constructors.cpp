@@ -1,5 +1,6 @@
 #include <algorithm>
 
+#include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 #include "oc_core/explore/live_constructor_rows.h"
 
@@ -22,6 +23,13 @@ const LiveConstructorRow& findLiveConstructor(std::string_view name) {
     throw InputError("there is no constructor \"" + std::string(name) + "\" to explore with", "explore",
                      "use one of: " + names);
   }
+  return *found;
+}
+
+const LiveConstructorRow& liveConstructorForOthers() {
+  const auto& rows = liveConstructors();
+  const auto found = std::find_if(rows.begin(), rows.end(), [](const auto& row) { return row.showsOthers; });
+  OC_CHECK(found != rows.end(), "a row shows cameras that were made elsewhere");
   return *found;
 }
 

@@ -17,6 +17,7 @@
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_drawing_painter.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
+#include "oc_core/explore_window/explore_pane_choice.h"
 #include "oc_core/explore_window/explore_texture.h"
 #include "oc_core/frustum_editor/editor_drawing.h"
 #include "oc_core/frustum_editor/editor_input.h"
@@ -172,9 +173,7 @@ class DrawPane : public ExplorePane {
     } catch (const InputError& error) {
       // Camera files do not take every view: too far away, or too near to it.
       say(frame, error);
-      frame.state.shown.erase("draw");
-      frame.state.shown.insert("plan");
-      frame.state.active = "view";
+      hideExplorePane(frame.state, kDrawPane);
       return;
     }
     // Each needs the one after it.
@@ -199,7 +198,7 @@ class DrawPane : public ExplorePane {
     backdrop.draw(list, plan, frame.scale);
     paintExploreDrawing(list, planDrawing(*editor_, plan.window, lines), corner, frame.scale);
     const bool isActive = index == input_->active();
-    if (isActive && frame.state.active == "draw") {
+    if (isActive && frame.state.active == kDrawPane) {
       list.AddRect({from.x + 1, from.y + 1}, {to.x - 1, to.y - 1}, kGuiAccent.packed(), 0, 0, 2 * frame.scale);
     }
     list.PopClipRect();

@@ -8,6 +8,8 @@
 
 namespace ocelli {
 
+inline constexpr const char* kDrawPane = "draw";  ///< the name of its row
+
 std::unique_ptr<ExplorePane> makeDrawPane();
 
 }  // namespace ocelli

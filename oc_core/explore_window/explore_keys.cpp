@@ -4,6 +4,11 @@
 #include <array>
 #include <cmath>
 
+#include "oc_core/explore_window/draw_pane.h"
+#include "oc_core/explore_window/explore_pane_choice.h"
+#include "oc_core/explore_window/pinhole_pane.h"
+#include "oc_core/explore_window/plan_pane.h"
+
 namespace ocelli {
 namespace {
 
@@ -11,8 +16,6 @@ constexpr const char* kWalking = "Walking";
 constexpr const char* kCamera = "Camera";
 constexpr const char* kScreen = "Screen";
 constexpr const char* kFiles = "Files and window";
-
-constexpr float kMaxPlanZoom = 32;
 
 constexpr std::array kHeldKeys{
     ExploreHeldKey{kWalking, "W  A  S  D", "walk, also along the path; Shift: fast", Key::kW, &WindowMotion::ahead, 1,
@@ -86,36 +89,9 @@ void moveRow(ExploreKeyTarget& target, int step) {
   }
 }
 
-void togglePane(ExploreWindowState& state, const char* name) {
-  if (state.shown.erase(name) == 0) {
-    state.shown.insert(name);
-  } else if (state.active == name) {
-    state.active = "view";
-  }
-}
-
-/// The pane to draw in needs the room of the others.
-void toggleDrawing(ExploreKeyTarget& target, int) {
-  ExploreWindowState& state = target.state;
-  if (state.shown.erase("draw") > 0) {
-    state.shown.insert("plan");
-    state.active = "view";
-  } else {
-    state.shown = {"draw"};
-    state.active = "draw";
-  }
-}
-
 void drawAnew(ExploreKeyTarget& target, int curved) {
-  target.state.shown = {"draw"};
-  target.state.active = "draw";
+  showExplorePane(target.state, kDrawPane);
   target.state.drawAnew = curved != 0 ? ExploreWindowState::DrawAnew::kCurved : ExploreWindowState::DrawAnew::kGraph;
-}
-
-/// Keys go to the next of the panes that take any.
-void nextPane(ExploreKeyTarget& target, int) {
-  ExploreWindowState& state = target.state;
-  state.active = state.active == "view" && state.shown.contains("draw") ? "draw" : "view";
 }
 
 void zoomPlan(ExploreKeyTarget& target, int steps) {
@@ -132,8 +108,8 @@ void escape(ExploreKeyTarget& target, int) {
   } else if (state.messageIsError) {
     state.message.clear();
     state.messageIsError = false;
-  } else if (state.active != "view") {
-    state.active = "view";
+  } else if (state.active != mainExplorePane()) {
+    state.active = mainExplorePane();
   } else {
     state.form = false;
   }
@@ -170,9 +146,9 @@ const std::vector<ExploreKeyAction>& actionRows() {
       {kCamera, "", "", Key::kJ, true, false, -1, moveRow, 11},
 
       {kScreen, "Tab", "the pinhole's image beside it", Key::kTab, false, false, 0,
-       [](ExploreKeyTarget& target, int) { togglePane(target.state, "pinhole"); }, 6, "Back"},
+       [](ExploreKeyTarget& target, int) { toggleExplorePane(target.state, kPinholePane); }, 6, "Back"},
       {kScreen, "M", "the plan from above", Key::kM, false, false, 0,
-       [](ExploreKeyTarget& target, int) { togglePane(target.state, "plan"); }, 3, "Y"},
+       [](ExploreKeyTarget& target, int) { toggleExplorePane(target.state, kPlanPane); }, 3, "Y"},
       {kScreen, "Z  Shift + Z", "plan: nearer, farther", Key::kZ, false, false, 1, zoomPlan},
       {kScreen, "", "", Key::kZ, true, false, -1, zoomPlan},
       {kScreen, "B", "borders around what bends", Key::kB, false, false, 0,
@@ -182,10 +158,12 @@ const std::vector<ExploreKeyAction>& actionRows() {
       {kScreen, "", "", Key::kF1, false, false, 0,
        [](ExploreKeyTarget& target, int) { target.state.help = !target.state.help; }},
 
-      {kScreen, "G", "draw a camera by hand, and end it", Key::kG, false, false, 0, toggleDrawing},
+      {kScreen, "G", "draw a camera by hand, and end it", Key::kG, false, false, 0,
+       [](ExploreKeyTarget& target, int) { toggleExplorePane(target.state, kDrawPane); }},
       {kScreen, "Shift + G  Ctrl + G", "draw a new graph, curved ray camera", Key::kG, true, false, 0, drawAnew},
       {kScreen, "", "", Key::kG, false, true, 1, drawAnew},
-      {kScreen, "F6", "keys to where one draws, and back", Key::kF6, false, false, 0, nextPane},
+      {kScreen, "F6", "keys to where one draws, and back", Key::kF6, false, false, 0,
+       [](ExploreKeyTarget& target, int) { activateNextExplorePane(target.state); }},
 
       {kFiles, "P", "save an image of the window", Key::kP, false, false, 0,
        [](ExploreKeyTarget& target, int) { target.wishes.saveImage = true; }},

@@ -6,7 +6,8 @@
 //      takes events; its state is its own.
 //   3. oc_core/explore_window/explore_panes.cpp: a row.
 //
-// A pane shows where its row says so of ExploreWindowState::shown; a key that toggles it is a row of explore_keys.cpp.
+// A pane shows where ExploreWindowState::shown has its name (explore_pane_choice.h); a key that toggles it is a row of
+// explore_keys.cpp.
 #pragma once
 
 #include <glm/vec2.hpp>
@@ -73,12 +74,15 @@ struct ExplorePaneKind {
   const char* name;   ///< of ExploreWindowState::shown, and of scripts: "view"
   const char* title;  ///< over it: "Plan"
   const char* keys;   ///< beside that, how the help names the key that toggles it: "M"
-  bool isAlways;      ///< shows whatever is chosen: the view
   float widthShare;   ///< of the window: how wide the column is where it stands, at least
+  bool showsAtFirst;  ///< when the window opens
+  bool needsRoom;     ///< beside the large one it stands alone: the others come back when it goes
+  bool takesKeys;     ///< handleKey() uses some
   std::unique_ptr<ExplorePane> (*make)();
 };
 
-/// In the order in which they stand: the first is the large one, the others in a column to its right.
+/// In the order in which they stand: the first is the large one, which always shows; the others are in a column to its
+/// right.
 std::span<const ExplorePaneKind> explorePanes();
 
 }  // namespace ocelli

@@ -40,10 +40,10 @@ bool ExplorePane::handleKey(const ExplorePaneFrame&, const KeyEvent&) {
 
 std::span<const ExplorePaneKind> explorePanes() {
   static const std::array kinds{
-      ExplorePaneKind{"view", "View", "", true, 0, makeViewPane},
-      ExplorePaneKind{"pinhole", "Pinhole", "Tab", false, 0.34f, makePinholePane},
-      ExplorePaneKind{"plan", "Plan", "M", false, 0.34f, makePlanPane},
-      ExplorePaneKind{"draw", "Draw a camera", "G", false, 0.5f, makeDrawPane},
+      ExplorePaneKind{"view", "View", "", 0, true, false, true, makeViewPane},
+      ExplorePaneKind{kPinholePane, "Pinhole", "Tab", 0.34f, false, false, false, makePinholePane},
+      ExplorePaneKind{kPlanPane, "Plan", "M", 0.34f, true, false, false, makePlanPane},
+      ExplorePaneKind{kDrawPane, "Draw a camera", "G", 0.5f, false, true, true, makeDrawPane},
   };
   return kinds;
 }

@@ -68,7 +68,7 @@ std::vector<size_t> ExploreWindow::shownKinds() const {
   std::vector<size_t> shown;
   const auto kinds = explorePanes();
   for (size_t i = 0; i < kinds.size(); ++i) {
-    if (kinds[i].isAlways || state_.shown.contains(kinds[i].name)) {
+    if (i == 0 || state_.shown.contains(kinds[i].name)) {
       shown.push_back(i);
     }
   }

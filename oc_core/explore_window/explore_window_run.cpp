@@ -84,7 +84,11 @@ class ExploreRun {
     }
     if (options_.video && !hasBegun_ && explore_.picture() != nullptr) {
       hasBegun_ = true;
-      startRecording(*options_.video);
+      try {
+        startRecording(*options_.video);
+      } catch (const Error& error) {
+        sayRecordingFailed(error);
+      }
     }
     if (explore_.takeRecordWish()) {
       try {

@@ -274,8 +274,7 @@ void ExplorerWindowModel::openCamera(const std::string& nameOrFile) {
 }
 
 void ExplorerWindowModel::toggleFlying() {
-  bool& fly = state_->explorer.walker().options().fly;
-  fly = !fly;
+  state_->explorer.setFlying(!state_->explorer.walker().options().fly);
 }
 
 void ExplorerWindowModel::goToStart() {

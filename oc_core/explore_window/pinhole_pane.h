@@ -7,6 +7,8 @@
 
 namespace ocelli {
 
+inline constexpr const char* kPinholePane = "pinhole";  ///< the name of its row
+
 std::unique_ptr<ExplorePane> makePinholePane();
 
 }  // namespace ocelli

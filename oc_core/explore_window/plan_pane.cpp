@@ -19,7 +19,6 @@ namespace ocelli {
 namespace {
 
 constexpr float kPlanZoomPerStep = 1.25f;
-constexpr float kMaxWheelZoom = 32;
 constexpr float kFirstPlanWidth = 110;  // metres, that show at first of a larger scene
 constexpr float kMaxScaleBar = 110;     // screen coordinates at 96 dots an inch
 
@@ -75,7 +74,7 @@ class PlanPane : public ExplorePane {
       const glm::vec2 size = ground_->upper - ground_->lower;
       frame.state.planZoom = frame.picture->lengthUnit.empty()
                                  ? 1
-                                 : std::clamp(std::max(size.x, size.y) / kFirstPlanWidth, 1.0f, kMaxWheelZoom);
+                                 : std::clamp(std::max(size.x, size.y) / kFirstPlanWidth, 1.0f, kMaxPlanZoom);
     }
     const ExplorePlanSight sight = sightOf(frame);
     ImDrawList& list = *ImGui::GetWindowDrawList();
@@ -95,7 +94,7 @@ class PlanPane : public ExplorePane {
   bool handlePointer(const ExplorePaneFrame& frame, const InputEvent& event, const glm::vec2& pointer) override {
     if (const auto* scroll = std::get_if<ScrollEvent>(&event)) {
       frame.state.planZoom = std::clamp(
-          frame.state.planZoom * std::pow(kPlanZoomPerStep, static_cast<float>(scroll->up)), 1.0f, kMaxWheelZoom);
+          frame.state.planZoom * std::pow(kPlanZoomPerStep, static_cast<float>(scroll->up)), 1.0f, kMaxPlanZoom);
       return true;
     }
     const auto* button = std::get_if<PointerButtonEvent>(&event);

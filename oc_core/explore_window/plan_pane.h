@@ -7,6 +7,8 @@
 
 namespace ocelli {
 
+inline constexpr const char* kPlanPane = "plan";  ///< the name of its row
+
 std::unique_ptr<ExplorePane> makePlanPane();
 
 }  // namespace ocelli

@@ -80,6 +80,7 @@ WalkField standingField(const Mesh& mesh, WalkRaster raster, WalkSurvey& survey,
   for (const bool bothSides : {false, true}) {
     raster.bothSides = bothSides;
     columns = rasterizedColumns(mesh, raster, progress);
+    report(progress, "find floors", 0);
     WalkField field = fieldOf(columns, raster.agentHeight, raster.stepHeight);
     if (!field.squares.empty()) {
       if (bothSides) {
@@ -101,7 +102,11 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   const glm::vec3 size = bounds.size();
   requireRange(options, std::max({size.x, size.y, size.z}));
   WalkSurvey survey;
+  // Often, as whoever waits for it may have gone meanwhile: then this throws.
+  const auto finds = [&](double fraction) { report(progress, "find ways", fraction); };
+  report(progress, "find walls", 0);
   const double angle = wallDirection(mesh);
+  report(progress, "find walls", 0.5);
   survey.directionDegrees = degreesFromRadians(angle);
   const Mesh aligned = turnedAboutVertical(mesh, -angle);
   WalkRaster raster;
@@ -115,9 +120,10 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
         "the scene is large: its height field has squares of {:.3g} instead of {:.3g}, so narrow doors may be missing",
         raster.cellSize, options.cellSize));
   }
+  report(progress, "find walls", 1);
   WalkColumns columns;
   const WalkField standing = standingField(aligned, raster, survey, columns, progress);
-  report(progress, "find ways", 0);
+  finds(0);
   const double squares = std::floor(options.agentRadius / raster.cellSize - 0.5 + 1e-6);
   const int radius = static_cast<int>(std::clamp(squares, 1.0, kMaxRadius));
   WalkReach reach = reachOf(standing, radius, options.partShare);
@@ -131,24 +137,32 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   survey.tooNarrowArea = reach.tooNarrowArea;
   survey.smallPartsArea = reach.smallPartsArea;
   survey.smallParts = reach.smallParts;
-  report(progress, "find ways", 0.3);
+  finds(0.3);
   reach.field = seenOverFurniture(reach.field, columns, raster.agentHeight, raster.stepHeight);
   columns = {};
+  finds(0.4);
   const WalkField field = overlookObstacles(reach.field, raster.agentHeight, kWidestPlace);
   reach.field = {};
-  report(progress, "find ways", 0.6);
-  const std::vector<uint16_t> half = halfWidths(field, stepsToBorder(field), kWidestPlace);
+  finds(0.5);
+  std::vector<uint16_t> steps = stepsToBorder(field);
+  finds(0.55);
+  const std::vector<uint16_t> half = halfWidths(field, std::move(steps), kWidestPlace);
+  finds(0.6);
   const auto smallest =
       static_cast<size_t>(std::min(std::pow(options.agentHeight / raster.cellSize / 2, 2), kMaxWalkColumns));
-  const WalkLayout layout =
-      rectangularLayout(field, layoutOf(field, areasOf(field, half, radius, smallest), radius), radius);
-  report(progress, "find ways", 0.9);
+  const WalkAreas areas = areasOf(field, half, radius, smallest);
+  finds(0.7);
+  const WalkLayout strips = layoutOf(field, areas, radius);
+  finds(0.8);
+  const WalkLayout layout = rectangularLayout(field, strips, radius);
+  finds(0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
+  finds(0.95);
   survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
   dissolveShortTunnels(survey.map, raster.agentHeight / 2);
   survey.map.partOfCell = connectedParts(survey.map);
   turn(survey.map, angle);
-  report(progress, "find ways", 1);
+  finds(1);
   return survey;
 }
 

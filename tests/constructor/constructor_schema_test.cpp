@@ -143,6 +143,7 @@ TEST(ConstructorSchema, portalDefaultsAreTheReaders) {
                             {"bent_degrees", options.bentDegrees},
                             {"edge_degrees", options.edgeDegrees},
                             {"edge_fade_degrees", options.edgeFadeDegrees},
+                            {"evenness", options.evenness},
                             {"hand_over", options.handOver}});
   std::set<std::string> curves;
   for (const PortalCurve& curve : portalCurves()) {

@@ -3,7 +3,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "oc_core/constructor/walk_from_maze.h"
+#include "oc_core/worlds/scene_source.h"
 #include "tests/constructor/image_change.h"
 #include "tests/constructor/maze_plans.h"
 #include "tests/constructor/walk_checks.h"
@@ -12,6 +15,10 @@ namespace ocelli {
 namespace {
 
 using testing::HasSubstr;
+
+constexpr size_t kSomeTurns = 12;
+/// Of the image: the image before is a little less wide.
+constexpr double kSomePixels = 0.03;
 
 TEST(WalkFromMaze, hasRoomsTunnelsAndOpenings) {
   const Maze maze = test::crossroads();
@@ -101,6 +108,41 @@ TEST(WalkTurn, doesNotJump) {
   const double eighth = worst(0.01);
   std::printf("phase 0.08: %.4f, 0.01: %.4f\n", whole, eighth);
   EXPECT_LT(eighth, 0.6 * whole);
+}
+
+/// Of the image ahead, how many pixels show no surface.
+size_t emptyPixels(const WalkCamera& walk, const GuidedScene& scene) {
+  const FragmentImage fragments = rasterize(walk.camera, scene.mesh);
+  return static_cast<size_t>(
+      std::count_if(fragments.begin(), fragments.end(), [](const Fragment& each) { return !each.covered(); }));
+}
+
+TEST(WalkTurn, theChosenWayShowsWhatIsBehindItsOpenings) {
+  // Its sides and its end end rays at first. When its image becomes the pinhole's, none is missing there.
+  const GuidedScene scene = loadGuidedScene("builtin:maze,seed=5", {.fit = false});
+  const WalkMap map = walkMapOf(*scene.guides.maze);
+  const WalkSpace space(map);
+  size_t turns = 0;
+  for (const WalkCell& cell : map.cells) {
+    for (const glm::vec3& heading : {cell.axis, -cell.axis}) {
+      const WalkPose pose{glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), glm::dvec3(heading)};
+      if (cell.kind != WalkCellKind::kTunnel || turns >= kSomeTurns) {
+        continue;
+      }
+      for (const WalkWay& way : makeWalkCamera(space, pose, {}, 64, 40).ways) {
+        if (way.frustum < 0 || way.side == 1) {
+          continue;
+        }
+        ++turns;
+        const auto empty = [&](double phase) {
+          return emptyPixels(walkTurningCameras(space, {pose, way.portal, phase}, {}, 96, 60).first, scene);
+        };
+        EXPECT_LT(static_cast<double>(empty(3 - 1e-6)), static_cast<double>(empty(3)) + kSomePixels * 96 * 60)
+            << "way " << way.portal << " from the cell at " << cell.center.x << ", " << cell.center.z;
+      }
+    }
+  }
+  EXPECT_GE(turns, kSomeTurns / 2);
 }
 
 TEST(WalkTurn, tellsWhatIsWrong) {

@@ -21,7 +21,7 @@ TEST(ExploreRenderer, drawsWhatRenderDraws) {
   }
   ExploreScene scene(std::move(made));
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{5, 1.6, 0.5}, -55, 0});
+  explorer.jumpTo({{5, 1.6, 0.5}, -55, 0});
   explorer.choose("portal");
   for (int i = 0; i < 60; ++i) {
     explorer.advance({}, 1 / 30.0);
@@ -95,6 +95,36 @@ TEST(ExploreRenderer, dissolvesFromThePictureBefore) {
   for (size_t i = 0; i < mixed.size(); i += 97) {
     EXPECT_NEAR(mixed[i].x, 0.75 * before[i].x + 0.25 * after[i].x, 1.01);
   }
+}
+
+TEST(ExploreRenderer, drawsACameraThatStandsStillOnce) {
+  ExploreScene scene(test::twoRooms());
+  Explorer explorer(scene, test::smallPictures());
+  ExploreRenderer renderer(scene);
+  const auto show = [&](const WalkerView& view) {
+    explorer.showDrawn(GraphCamera(walkerCamera(view, scene, 70, 160, 90)), "a file");
+  };
+  const auto walk = [&](int frames) {
+    WalkInput forward;
+    forward.forward = 1;
+    Image<Rgb8> picture;
+    for (int i = 0; i < frames; ++i) {
+      explorer.advance(forward, test::kExploreFrame);
+      picture = renderer.draw(explorer.frame()).image;
+    }
+    EXPECT_EQ(explorer.frame().dissolve, 0);
+    EXPECT_EQ(picture, ExploreRenderer(scene).draw(explorer.frame()).image);
+  };
+  show({{5, 1.6, 0.5}, -55, 0});
+  walk(60);
+  const int drawn = renderer.drawnCameras();
+  walk(20);
+  EXPECT_EQ(renderer.drawnCameras(), drawn) << "the walker's steps change nothing";
+  show({{5, 1.6, 0.5}, 90, 0});
+  walk(20);
+  EXPECT_EQ(renderer.drawnCameras(), drawn + 1) << "another camera is another image";
+  explorer.resize(200, 100);
+  walk(1);
 }
 
 TEST(ExploreDrawing, drawsTheNewestFrame) {

@@ -9,6 +9,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/explore/explore_renderer.h"
+#include "oc_core/walkable/walk_options.h"
 #include "tests/explore/explore_scenes.h"
 
 namespace ocelli {
@@ -75,7 +76,7 @@ TEST(Explorer, beginsWithThePinhole) {
 TEST(Explorer, deploysAndCollapsesStepByStep) {
   ExploreScene scene(test::twoRooms());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{-5, 1.6, 0.5}, 55, 0});
+  explorer.jumpTo({{-5, 1.6, 0.5}, 55, 0});
   explorer.choose("portal");
   EXPECT_STREQ(explorer.chosen().name, "portal");
   double before = 0;
@@ -100,7 +101,7 @@ TEST(Explorer, deploysAndCollapsesStepByStep) {
 TEST(Explorer, choosingBackBeforeItCollapsedKeepsIt) {
   ExploreScene scene(test::hiddenBox());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{0, 1.6, 4}, 0, 0});
+  explorer.jumpTo({{0, 1.6, 4}, 0, 0});
   explorer.choose("target");
   explorer.pick(ExplorePick{{0, 1, -7}, 2, true, false, {}, {}});
   rest(explorer);
@@ -127,7 +128,7 @@ TEST(Explorer, unknownNamesAreErrors) {
 TEST(Explorer, picksWhatTheRayOfAPixelMeets) {
   ExploreScene scene(test::twoRooms());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{0, 1.6, 2}, 0, 0});
+  explorer.jumpTo({{0, 1.6, 2}, 0, 0});
   explorer.advance({}, test::kExploreFrame);
   const std::optional<ExplorePick> through = explorer.probe({80, 47});
   ASSERT_TRUE(through);
@@ -151,7 +152,7 @@ TEST(Explorer, aPickedPortalIsTheOnlyOne) {
   made.guides.portals.push_back({{9.9f, 1, 3}, {-1, 0, 0}, {0, 0, 0.5f}, {0, 1, 0}});
   ExploreScene scene(std::move(made));
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{2, 1.6, 1}, 40, 0});
+  explorer.jumpTo({{2, 1.6, 1}, 40, 0});
   explorer.choose("portal");
   rest(explorer);
   ExplorePick pick;
@@ -170,7 +171,7 @@ TEST(Explorer, saysWhereAPortalLeadsNowhere) {
   made.guides.portals = {{{0, 1, -9.99f}, {0, 0, 1}, {0.5f, 0, 0}, {0, 1, 0}}};
   ExploreScene scene(std::move(made));
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{2, 1.6, 1}, 0, 0});
+  explorer.jumpTo({{2, 1.6, 1}, 0, 0});
   explorer.choose("portal");
   ExplorePick pick;
   pick.portal = scene.guides().portals[0];
@@ -182,7 +183,7 @@ TEST(Explorer, saysWhereAPortalLeadsNowhere) {
 TEST(Explorer, tracksATargetAndSaysSo) {
   ExploreScene scene(test::hiddenBox());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{0, 1.6, 4}, 0, 0});
+  explorer.jumpTo({{0, 1.6, 4}, 0, 0});
   explorer.choose("target");
   rest(explorer);
   EXPECT_THAT(notesOf(explorer), HasSubstr("click an object"));
@@ -211,7 +212,7 @@ TEST(Explorer, saysWhereNoBendShowsATarget) {
   test::addBox(made, {{-0.3f, 0.5f, -7.3f}, {0.3f, 1.8f, -6.7f}}, 2, {0.8f, 0.1f, 0.1f});
   ExploreScene scene(std::move(made));
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{0, 1.6, 4}, 0, 0});
+  explorer.jumpTo({{0, 1.6, 4}, 0, 0});
   explorer.choose("target");
   ASSERT_TRUE(explorer.pick(ExplorePick{{0, 1, -7}, 2, true, false, {}, {}}));
   rest(explorer);
@@ -228,7 +229,7 @@ TEST(Explorer, theSceneGoesOnWhereAConstructorCannot) {
     const double before = explorer.walker().view().eye.z;
     WalkInput back;
     back.forward = explorer.walker().view().eye.z > 0 ? 1 : -1;
-    explorer.walker().jump({{0, 1.6, 0}, 0, 0});
+    explorer.jumpTo({{0, 1.6, 0}, 0, 0});
     explorer.advance(back, test::kExploreFrame);
     EXPECT_NE(explorer.walker().view().eye.z, before);
     EXPECT_EQ(frustaOf(explorer), 1u) << name << " shows the pinhole";
@@ -244,7 +245,7 @@ TEST(Explorer, saysWhereThereIsNoFloor) {
   test::addBox(made, {{-3, -3, -3}, {3, 3, 3}}, 1, glm::vec3(0.5f));
   ExploreScene scene(std::move(made));
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{0, 1, 9}, 0, 0});
+  explorer.jumpTo({{0, 1, 9}, 0, 0});
   explorer.advance({}, test::kExploreFrame);
   EXPECT_THAT(notesOf(explorer), HasSubstr("no floor here"));
 }
@@ -252,7 +253,7 @@ TEST(Explorer, saysWhereThereIsNoFloor) {
 TEST(Explorer, followsThePath) {
   ExploreScene scene(test::hallWithPath());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{-5, 1.6, 3}, 70, 0});
+  explorer.jumpTo({{-5, 1.6, 3}, 70, 0});
   explorer.choose("path");
   rest(explorer);
   EXPECT_NEAR(explorer.walker().view().eye.x, -7, 0.1) << "the nearest place of the path";
@@ -274,7 +275,7 @@ TEST(Explorer, followsThePath) {
 TEST(Explorer, leadsOnAlongThePathFromWhereOneGoes) {
   ExploreScene scene(test::hallWithPath());
   Explorer explorer(scene, test::smallPictures());
-  explorer.walker().jump({{-5, 1.6, 3}, 70, 0});
+  explorer.jumpTo({{-5, 1.6, 3}, 70, 0});
   explorer.choose("path");
   rest(explorer);
   const glm::dvec3 begin = explorer.walker().view().eye;
@@ -347,7 +348,7 @@ TEST(Explorer, mazeCamerasWithAllSharesAtZeroHaveEqualOnes) {
   rest(explorer);
   size_t parted = 1;  // frusta where rays part
   for (const WalkCell& cell : scene.walkMap()->cells) {
-    explorer.walker().jump({glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), headingDegreesOf(cell.axis), 0});
+    explorer.jumpTo({glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), headingDegreesOf(cell.axis), 0});
     rest(explorer);
     parted = frustaOf(explorer);
     if (parted > 2) {
@@ -360,6 +361,29 @@ TEST(Explorer, mazeCamerasWithAllSharesAtZeroHaveEqualOnes) {
   }
   rest(explorer);
   EXPECT_EQ(frustaOf(explorer), parted);
+}
+
+TEST(Explorer, aConstructorSaysAnewWhereItBeginsAfterAJump) {
+  ExploreScene scene(test::hallWithPath());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.choose("path");
+  rest(explorer);
+  const WalkerView onPath = explorer.walker().view();
+  explorer.jumpTo({onPath.eye + glm::dvec3(1, 0, 1), onPath.headingDegrees + 50, 20});
+  EXPECT_FALSE(explorer.atRest());
+  rest(explorer);
+  EXPECT_LT(glm::distance(explorer.walker().view().eye, onPath.eye), 1.2);
+  EXPECT_NEAR(explorer.walker().view().pitchDegrees, onPath.pitchDegrees, 1e-6);
+}
+
+TEST(ExploreScene, guessesMetresAsTheSearchForWaysDoes) {
+  const GuidedScene hall = test::hall();
+  EXPECT_EQ(ExploreScene(hall).metre(), metreOf("", hall).units);
+  GuidedScene tiny = test::hall();
+  for (glm::vec3& position : tiny.mesh.positions) {
+    position *= 0.01f;
+  }
+  EXPECT_NEAR(ExploreScene(tiny).metre(), 0.01, 1e-6);  // 20 m long, as it was
 }
 
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.
@@ -376,7 +400,7 @@ TEST(Explorer, turnsAtACrossingInFourSteps) {
   WalkerView before;
   const auto turns = [&](const WalkCell& cell, const glm::vec3& axis) {
     before = {glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), headingDegreesOf(axis), 0};
-    explorer.walker().jump(before);
+    explorer.jumpTo(before);
     explorer.advance({}, test::kExploreFrame);
     explorer.advance(right, test::kExploreFrame);
     return notesOf(explorer).find("turning: step 1 of 4") != std::string::npos;
@@ -430,7 +454,7 @@ TEST(Explorer, framesDependOnNothingElse) {
     ExploreScene scene(test::twoRooms());
     Explorer explorer(scene, test::smallPictures());
     ExploreRenderer renderer(scene);
-    explorer.walker().jump({{6, 1.6, 0.5}, -55, 0});
+    explorer.jumpTo({{6, 1.6, 0.5}, -55, 0});
     explorer.choose("portal");
     std::vector<Image<Rgb8>> pictures;
     WalkInput input;

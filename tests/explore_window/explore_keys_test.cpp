@@ -5,6 +5,8 @@
 #include <set>
 #include <tuple>
 
+#include "oc_core/explore_window/explore_pane.h"
+#include "oc_core/explore_window/explore_pane_choice.h"
 #include "tests/explore_window/recording_model.h"
 
 namespace ocelli {
@@ -147,6 +149,33 @@ TEST_F(ExploreKeyPress, panesGoAndComeBack) {
   EXPECT_EQ(state.active, "view");
   press(Key::kM);
   EXPECT_TRUE(state.shown.contains("plan"));
+}
+
+TEST_F(ExploreKeyPress, onePaneThatNeedsTheRoomHidesTheOthersMeanwhile) {
+  press(Key::kTab);
+  const auto before = state.shown;
+  EXPECT_EQ(before.size(), 2U);
+  press(Key::kG);
+  EXPECT_EQ(state.shown.size(), 1U);
+  const std::string alone = *state.shown.begin();
+  EXPECT_EQ(state.active, alone);
+  press(Key::kF6);
+  EXPECT_NE(state.active, alone);
+  press(Key::kF6);
+  EXPECT_EQ(state.active, alone);
+  press(Key::kG);
+  EXPECT_EQ(state.shown, before);
+  EXPECT_NE(state.active, alone);
+}
+
+TEST(ExplorePanes, rowsHaveNamesOfTheirOwnAndTheLargeOneTakesKeys) {
+  std::set<std::string> names;
+  for (const ExplorePaneKind& kind : explorePanes()) {
+    EXPECT_TRUE(names.insert(kind.name).second) << kind.name;
+  }
+  EXPECT_TRUE(explorePanes().front().takesKeys);
+  EXPECT_EQ(mainExplorePane(), explorePanes().front().name);
+  EXPECT_FALSE(firstExplorePanes().contains(mainExplorePane()));
 }
 
 TEST_F(ExploreKeyPress, enterPicksTheMiddle) {

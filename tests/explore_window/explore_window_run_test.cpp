@@ -83,6 +83,31 @@ TEST(ExploreWindowRun, goesOnWhereItsVideoFailsAndMakesItsFolder) {
                WorkError);
 }
 
+TEST(ExploreWindowRun, goesOnWhereItsVideoCannotBegin) {
+  if (!hasScreen()) {
+    GTEST_SKIP() << "no display: install xvfb";
+  }
+  const test::TemporaryFolder folder;
+  int tried = 0;
+  int turns = 0;
+  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
+  runExploreWindow({.title = "Ocelli: a test",
+                    .model = {.read = smallMaze},
+                    .folder = folder.path(),
+                    .record = [&](const std::filesystem::path&, int, int) -> ExploreRecording {
+                      ++tried;
+                      throw WorkError("ffmpeg is missing", "walk.mp4", "install it");
+                    },
+                    .video = folder / "walk.mp4",
+                    .goesOn =
+                        [&] {
+                          turns += tried > 0 ? 1 : 0;
+                          return turns < 5 && std::chrono::steady_clock::now() < end;
+                        }});
+  EXPECT_EQ(tried, 1) << "it is not tried again";
+  EXPECT_EQ(turns, 5);
+}
+
 TEST(ExploreWindowRun, aSceneThatCannotBeReadEndsIt) {
   if (!hasScreen()) {
     GTEST_SKIP() << "no display: install xvfb";
