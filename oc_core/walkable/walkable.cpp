@@ -14,7 +14,6 @@
 #include "oc_core/walkable/walk_furniture.h"
 #include "oc_core/walkable/walk_links.h"
 #include "oc_core/walkable/walk_obstacles.h"
-#include "oc_core/walkable/walk_parts.h"
 #include "oc_core/walkable/walk_portals.h"
 #include "oc_core/walkable/walk_reach.h"
 #include "oc_core/walkable/walk_rectangles.h"
@@ -146,7 +145,7 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
   survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
   dissolveShortTunnels(survey.map, raster.agentHeight / 2);
-  survey.map.partOfCell = connectedParts(survey.map);
+  numberCells(survey.map);
   turn(survey.map, angle);
   report(progress, "find ways", 1);
   return survey;

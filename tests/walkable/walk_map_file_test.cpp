@@ -7,7 +7,6 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/walkable/walk_parts.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
 
@@ -94,9 +93,9 @@ TEST(WalkMapFile, ErrorsSayFileFieldAndWhatIsWrong) {
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {7, 1, 1, 2}})), HasSubstr("beyond the end"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1}, {6, 1, 1, 2}})), HasSubstr("four numbers"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 0, 0, 2}, {6, 1, 1, 2}})),
-              HasSubstr("ring 1 must have a width"));
+              HasSubstr("ring 0 must have a width"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {6, 1, 1, 0}})),
-              HasSubstr("ring 2 must have a width"));
+              HasSubstr("ring 1 must have a width"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/axis", {1.002, 0})), HasSubstr("\"axis\""));
   EXPECT_EQ(mapErrorOf(changed("/cells/1/axis", {1.0005, 0})), "") << "what rounding makes of length 1";
   EXPECT_THAT(mapErrorOf(changed("/cells/1/kind", "room")), HasSubstr("only tunnels have rings"));
@@ -134,17 +133,6 @@ TEST(WalkMapFile, TheSchemaOfPortalsNamesTheirFields) {
     EXPECT_THAT(mapErrorOf(changed("/portals/0", without)), HasSubstr('"' + name + '"')) << "it is required";
   }
   EXPECT_EQ(portal.at("required").size(), written.size());
-}
-
-TEST(WalkParts, AreNumberedByTheirFirstCells) {
-  WalkMap map;
-  map.cells.resize(5);
-  map.portals.resize(2);
-  map.portals[0].from = 0;
-  map.portals[0].to = 3;
-  map.portals[1].from = 4;
-  map.portals[1].to = 1;
-  EXPECT_EQ(connectedParts(map), (std::vector<uint32_t>{0, 1, 2, 0, 1}));
 }
 
 }  // namespace
