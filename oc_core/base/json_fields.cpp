@@ -209,7 +209,7 @@ JsonFields JsonFields::inner(const std::string& name) {
 }
 
 void JsonFields::forEach(const std::string& name, size_t min, size_t max,
-                         const std::function<void(JsonFields& each)>& read, const char* elements, size_t first) {
+                         const std::function<void(JsonFields& each)>& read, const char* elements) {
   if (min == 0 && !has(name)) {
     return;
   }
@@ -219,7 +219,7 @@ void JsonFields::forEach(const std::string& name, size_t min, size_t max,
   }
   const std::string pointer = pointerToField(pointer_, name);
   for (size_t i = 0; i < list.size(); ++i) {
-    JsonFields each(*this, list[i], pointerToElement(pointer, i), ", \"" + name + "\" " + std::to_string(i + first));
+    JsonFields each(*this, list[i], pointerToElement(pointer, i), ", \"" + name + "\" " + std::to_string(i + 1));
     read(each);
     each.rejectUnknown();
   }

@@ -54,9 +54,9 @@ class JsonFields {
   /// The fields of the object in a field: messages say `, "name"` after the place. The caller calls rejectUnknown().
   JsonFields inner(const std::string& name);
   /// Calls `read`, then rejectUnknown(), for each of `min` to `max` objects of an array: messages say `, "name" 2`. A
-  /// missing field is an empty array. `elements` is what messages call them, and `first` the number of the first one.
+  /// missing field is an empty array. `elements` is what messages call them.
   void forEach(const std::string& name, size_t min, size_t max, const std::function<void(JsonFields& each)>& read,
-               const char* elements = "objects", size_t first = 1);
+               const char* elements = "objects");
 
   /// The same for at most so many objects in an object: messages say `, "name" key`.
   void forEachNamed(const std::string& name, size_t max,

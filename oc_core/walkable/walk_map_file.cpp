@@ -190,13 +190,18 @@ WalkMap readWalkMap(JsonFields& fields) {
   fields.forEach(
       "cells", 1, kMaxCells,
       [&](JsonFields& each) {
+        each.callIt(nameOfCell(map.cells.size()));
         map.cells.push_back(cellIn(each, kMaxMapRings - rings));
         rings += map.cells.back().rings.size();
       },
-      "cells", 0);
+      "cells");
   fields.forEach(
-      "portals", 0, kMaxPortals, [&](JsonFields& each) { map.portals.push_back(portalIn(each, map.cells.size())); },
-      "portals", 0);
+      "portals", 0, kMaxPortals,
+      [&](JsonFields& each) {
+        each.callIt(nameOfOpening(map.portals.size()));
+        map.portals.push_back(portalIn(each, map.cells.size()));
+      },
+      "portals");
   fields.rejectUnknown();
   numberCells(map);
   return map;

@@ -128,6 +128,7 @@ void joinStrips(Division& d) {
   for (size_t i = 0; i < joined.of.size(); ++i) {
     const uint32_t old = d.pieces.of[i];
     shapes[joined.of[i]].halfWidth = std::max(shapes[joined.of[i]].halfWidth, d.shapes[old].halfWidth);
+    shapes[joined.of[i]].isOfWays = shapes[joined.of[i]].isOfWays || d.shapes[old].isOfWays;
     isCrossing[joined.of[i]] = d.isCrossing[old];
     area[joined.of[i]] = d.area[old];
   }
@@ -168,6 +169,7 @@ void divideArm(Division& d, uint32_t piece) {
   if (rest < kShortestTunnel) {
     return;
   }
+  shape.isOfWays = true;
   const WalkShape room = shape;
   shape.isTunnel = true;
   d.shapes[piece] = shape;
@@ -261,6 +263,13 @@ WalkLayout layoutOf(const WalkField& field, const WalkAreas& areas, int radius) 
   d.shapes.resize(d.pieces.count);
   for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
     d.shapes[piece].halfWidth = areas.halfWidth[d.area[piece]];
+  }
+  std::vector<uint8_t> hasCrossing(areas.pieces.count, 0);
+  for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
+    hasCrossing[d.area[piece]] |= d.isCrossing[piece];
+  }
+  for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
+    d.shapes[piece].isOfWays = hasCrossing[d.area[piece]] != 0;
   }
   joinStrips(d);
   const uint32_t arms = d.pieces.count;

@@ -17,13 +17,14 @@
 #include "oc_core/walkable/walk_portals.h"
 #include "oc_core/walkable/walk_reach.h"
 #include "oc_core/walkable/walk_rectangles.h"
+#include "oc_core/walkable/walk_rooms.h"
 #include "oc_core/walkable/walk_width.h"
 
 namespace ocelli {
 namespace {
 
 constexpr const char* kWalkable = "walkable floor";
-constexpr uint16_t kWidestPlace = 128;  // squares; wider places are as wide as that
+constexpr uint16_t kWidestPlace = 1024;  // squares; wider places are as wide as that
 constexpr double kMaxRadius = 30000;    // squares: fields have kMaxWalkColumns, so floor as wide as that never is
 constexpr double kMostHeights = 8000;   // Recast's height fields have 8,191
 
@@ -139,11 +140,12 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   const std::vector<uint16_t> half = halfWidths(field, stepsToBorder(field), kWidestPlace);
   const auto smallest =
       static_cast<size_t>(std::min(std::pow(options.agentHeight / raster.cellSize / 2, 2), kMaxWalkColumns));
-  const WalkLayout layout =
-      rectangularLayout(field, layoutOf(field, areasOf(field, half, radius, smallest), radius), radius);
+  const WalkLayout strips = layoutOf(field, areasOf(field, half, radius, smallest), radius);
+  report(progress, "find ways", 0.8);
+  const WalkLayout layout = mergedLayout(field, half, rectangularLayout(field, strips, radius));
   report(progress, "find ways", 0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
-  survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
+  survey.map.portals = portalsOf(field, layout, roomsOf(field, half, layout), survey.map.cells, radius);
   dissolveShortTunnels(survey.map, raster.agentHeight / 2);
   numberCells(survey.map);
   turn(survey.map, angle);
