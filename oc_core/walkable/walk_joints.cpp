@@ -4,206 +4,17 @@
 #include <array>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 #include "oc_core/base/disjoint_sets.h"
-#include "oc_core/walkable/walk_extent.h"
 
 namespace ocelli {
 namespace {
 
-// Stairs are steeper than that, and ramps are not: 20 degrees (E. Neufert, Architects' Data, "Stairs").
-constexpr float kSameSlope = 0.36f;
-
-/// Two squares on both sides of a line.
-struct LinePlace {
-  uint32_t a = kNoSquare;
-  uint32_t b = kNoSquare;
-};
-
-class LineSearch {
- public:
-  LineSearch(const WalkField& field, const std::vector<uint16_t>& halfWidths, const WalkPieces& pieces,
-             const std::vector<uint32_t>& groups)
-      : field_(field), halfWidths_(halfWidths), pieces_(pieces), groups_(groups), isSeen_(field.squares.size(), 0) {}
-
-  std::vector<PieceLine> lines() {
-    std::vector<PieceLine> lines;
-    for (uint32_t i = 0; i < field_.squares.size(); ++i) {
-      for (const int side : {1, 2}) {
-        const uint32_t k = field_.squares[i].next[side];
-        if (k != kNoSquare && pieces_.of[k] != pieces_.of[i] && (isSeen_[i] >> side & 1) == 0) {
-          lines.push_back(lineFrom({i, k}, side));
-        }
-      }
-    }
-    std::sort(lines.begin(), lines.end(), [](const PieceLine& p, const PieceLine& q) {
-      return std::tie(p.a, p.b, p.side, p.at, p.first, p.open) < std::tie(q.a, q.b, q.side, q.at, q.first, q.open);
-    });
-    return inOne(lines);
-  }
-
- private:
-  /// Lines of two pieces that lie on one straight line are one, which obstacles part.
-  static std::vector<PieceLine> inOne(const std::vector<PieceLine>& lines) {
-    std::vector<PieceLine> joined;
-    for (const PieceLine& line : lines) {
-      const bool goesOn = !joined.empty() && joined.back().a == line.a && joined.back().b == line.b &&
-                          joined.back().side == line.side && joined.back().at == line.at;
-      if (!goesOn) {
-        joined.push_back(line);
-        continue;
-      }
-      PieceLine& whole = joined.back();
-      whole.open += whole.first == line.first ? 0 : line.open;
-      whole.first = line.first;
-      whole.touching += line.touching;
-      whole.widthOfA = std::max(whole.widthOfA, line.widthOfA);
-      whole.widthOfB = std::max(whole.widthOfB, line.widthOfB);
-      whole.depthOfA = std::max(whole.depthOfA, line.depthOfA);
-      whole.depthOfB = std::max(whole.depthOfB, line.depthOfB);
-      whole.wallEnds = std::max(whole.wallEnds, line.wallEnds);
-      whole.furnitureEnds = std::max(whole.furnitureEnds, line.furnitureEnds);
-      whole.bend = std::max(whole.bend, line.bend);
-    }
-    return joined;
-  }
-
-  /// The next place along a line; none where it ends.
-  LinePlace following(const LinePlace& place, int side, int along) const {
-    const uint32_t a = field_.squares[place.a].next[along];
-    const uint32_t b = field_.squares[place.b].next[along];
-    return a != kNoSquare && b != kNoSquare && field_.squares[a].next[side] == b ? LinePlace{a, b} : LinePlace{};
-  }
-
-  struct Beside {
-    int away = 0;  ///< from the line
-    double width = 0;
-    std::vector<size_t> depths{};
-    std::vector<float> slopes{};
-  };
-
-  static size_t medianOf(std::vector<size_t>& values) {
-    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
-    return values[values.size() / 2];
-  }
-
-  /// Goes away from the line, within the group of the square.
-  void lookBeside(uint32_t square, size_t open, Beside& beside) const {
-    const uint32_t group = groups_[pieces_.of[square]];
-    size_t depth = 0;
-    uint32_t last = square;
-    for (uint32_t i = square; i != kNoSquare && groups_[pieces_.of[i]] == group; i = field_.squares[i].next[beside.away]) {
-      if (depth < open) {
-        beside.width = std::max(beside.width, widthOf(halfWidths_[i]));
-        last = i;
-      }
-      ++depth;
-    }
-    beside.depths.push_back(depth);
-    const auto steps = static_cast<float>(std::min(depth, open) - 1);
-    const float rise = field_.squares[last].floor - field_.squares[square].floor;
-    beside.slopes.push_back(steps > 0 ? rise / (steps * field_.cellSize) : 0);
-  }
-
-  bool isDeep(uint32_t square, int away, size_t depth) const {
-    for (; square != kNoSquare && depth > 0; square = field_.squares[square].next[away]) {
-      --depth;
-    }
-    return depth == 0;
-  }
-
-  /// How far floor goes on along the line beyond its end, half as deep as the line is long, or its piece.
-  bool goesOnBeyond(uint32_t square, const Beside& beside, int along, size_t depth) const {
-    size_t beyond = 0;
-    size_t steps = 0;
-    for (uint32_t i = square; i != kNoSquare && steps < depth; i = field_.squares[i].next[beside.away]) {
-      const uint32_t k = field_.squares[i].next[along];
-      beyond += k != kNoSquare && field_.squares[k].next[along] != kNoSquare ? 1 : 0;  // walls are out by a square
-      ++steps;
-    }
-    return 2 * beyond > steps;
-  }
-
-  /// Whether what stands at the end of a line reaches up to the ceiling. Under the open sky all does.
-  bool endsAtWall(const LinePlace& last, int along) const {
-    for (const uint32_t end : {last.a, last.b}) {
-      const uint32_t beyond = field_.squares[end].next[along];
-      const WalkSquare& square = field_.squares[beyond == kNoSquare ? end : beyond];
-      if (square.ceiling == kNoCeiling || square.wallTop > square.ceiling - field_.cellSize) {
-        return true;
-      }
-    }
-    return false;
-  }
-
-  PieceLine lineFrom(const LinePlace& begin, int side) {
-    PieceLine line;
-    line.a = pieces_.of[begin.a];
-    line.b = pieces_.of[begin.b];
-    line.side = side;
-    const std::array<int, 2> alongs{(side + 1) % 4, (side + 3) % 4};
-    std::vector<LinePlace> touching{begin};
-    std::array<LinePlace, 2> ends{begin, begin};
-    for (const size_t way : {size_t{0}, size_t{1}}) {
-      for (LinePlace at = following(begin, side, alongs[way]);
-           at.a != kNoSquare && pieces_.of[at.a] == line.a && pieces_.of[at.b] == line.b;
-           at = following(at, side, alongs[way])) {
-        touching.push_back(at);
-        ends[way] = at;
-      }
-    }
-    line.touching = touching.size();
-    Beside besideA{(side + 2) % 4};
-    Beside besideB{side};
-    for (const LinePlace& at : touching) {
-      isSeen_[at.a] |= static_cast<uint8_t>(1 << side);
-      lookBeside(at.a, line.touching, besideA);
-      lookBeside(at.b, line.touching, besideB);
-    }
-    line.widthOfA = besideA.width;
-    line.widthOfB = besideB.width;
-    line.depthOfA = medianOf(besideA.depths);
-    line.depthOfB = medianOf(besideB.depths);
-    const auto slopeOf = [](std::vector<float>& slopes) {
-      std::nth_element(slopes.begin(), slopes.begin() + static_cast<long>(slopes.size() / 2), slopes.end());
-      return slopes[slopes.size() / 2];
-    };
-    line.bend = std::abs(slopeOf(besideA.slopes) + slopeOf(besideB.slopes));
-    // The free line goes on where floor beside it is half as deep as where the pieces touch.
-    const size_t deepA = (std::min(line.depthOfA, line.touching) + 1) / 2;
-    const size_t deepB = (std::min(line.depthOfB, line.touching) + 1) / 2;
-    line.open = line.touching;
-    for (const size_t way : {size_t{0}, size_t{1}}) {
-      LinePlace last = ends[way];
-      for (LinePlace at = following(last, side, alongs[way]);
-           at.a != kNoSquare && isDeep(at.a, besideA.away, deepA) && isDeep(at.b, besideB.away, deepB);
-           at = following(at, side, alongs[way])) {
-        ++line.open;
-        last = at;
-      }
-      if (goesOnBeyond(last.a, besideA, alongs[way], line.touching) ||
-          goesOnBeyond(last.b, besideB, alongs[way], line.touching)) {
-        ++(endsAtWall(last, alongs[way]) ? line.wallEnds : line.furnitureEnds);
-      }
-      line.first = std::min({line.first, last.a, last.b});
-    }
-    line.at = coordinateOf(field_, begin.a, side % 2 == 0) + (side == 1 || side == 2 ? 1 : 0);
-    if (line.a > line.b) {
-      std::swap(line.a, line.b);
-      std::swap(line.widthOfA, line.widthOfB);
-      std::swap(line.depthOfA, line.depthOfB);
-      line.side = (side + 2) % 4;
-    }
-    return line;
-  }
-
-  const WalkField& field_;
-  const std::vector<uint16_t>& halfWidths_;
-  const WalkPieces& pieces_;
-  const std::vector<uint32_t>& groups_;
-  std::vector<uint8_t> isSeen_;  ///< a bit for each side
-};
+// In heights of the agent: floors of one room differ by less than that in the middle. A flight of stairs from storey to
+// storey, of 2.5 m at least, has its middle higher by 1.2 m.
+constexpr float kSameLevel = 0.5f;
+// Of the border of a pocket. A closet of 0.9 by 1.2 m with a door of 0.8 m is open for 0.2 of its border.
+constexpr double kOpenPocket = 1.0 / 3;
 
 bool isAtEnd(const PieceLine& line, const WalkShape& shape) {
   return shape.isTunnel && (line.side % 2 == 0) == shape.isAlongX;
@@ -213,7 +24,7 @@ bool isAtEnd(const PieceLine& line, const WalkShape& shape) {
 std::vector<uint8_t> crossingsAmong(const std::vector<PieceLine>& lines, const WalkLayout& layout) {
   std::vector<std::array<uint8_t, 2>> hasWay(layout.pieces.count, std::array<uint8_t, 2>{0, 0});  // along x, along z
   for (const PieceLine& line : lines) {
-    if (layout.shapes[line.a].isOfWays && layout.shapes[line.b].isOfWays) {
+    if (layout.shapes[line.a].isOfWays && layout.shapes[line.b].isOfWays && !line.hasLintel) {
       hasWay[line.a][line.side % 2] = hasWay[line.b][line.side % 2] = 1;
     }
   }
@@ -224,78 +35,134 @@ std::vector<uint8_t> crossingsAmong(const std::vector<PieceLine>& lines, const W
   return isCrossing;
 }
 
-/// Whether pieces go on in each other: nothing narrows or widens the passage, or furniture alone does.
-bool goesOn(const PieceLine& line, const WalkLayout& layout, const std::vector<uint8_t>& isCrossing) {
-  const bool isOfWays = layout.shapes[line.a].isOfWays && layout.shapes[line.b].isOfWays;
-  if (line.bend > kSameSlope || (isOfWays && (isCrossing[line.a] != 0 || isCrossing[line.b] != 0))) {
-    return false;
-  }
-  return (line.wallEnds == 0 && line.furnitureEnds > 0) ||
-         static_cast<double>(line.open) >= kSameWidth * std::max(line.widthOfA, line.widthOfB);
-}
-
-bool isNiche(const PieceLine& line, const WalkLayout& layout, const std::vector<uint8_t>& isCrossing) {
-  const WalkShape& a = layout.shapes[line.a];
-  const WalkShape& b = layout.shapes[line.b];
-  if (line.bend > kSameSlope || (a.isOfWays && b.isOfWays && (isCrossing[line.a] != 0 || isCrossing[line.b] != 0))) {
-    return false;
-  }
-  const bool isANarrower = line.widthOfA <= line.widthOfB;
-  const double width = isANarrower ? line.widthOfA : line.widthOfB;
-  const size_t depth = isANarrower ? line.depthOfA : line.depthOfB;
-  return static_cast<double>(line.open) >= kSameWidth * width && depth <= line.open &&
-         !isAtEnd(line, isANarrower ? a : b);
-}
-
 std::vector<uint32_t> eachAlone(uint32_t count) {
   std::vector<uint32_t> groups(count);
   std::iota(groups.begin(), groups.end(), 0U);
   return groups;
 }
 
-using IsJoint = bool (*)(const PieceLine&, const WalkLayout&, const std::vector<uint8_t>&);
-
-/// Pairs whose border is mostly of such lines.
-void addBorders(const std::vector<PieceLine>& lines, const WalkLayout& layout, IsJoint isJoint,
-                std::vector<PieceBorder>& borders) {
-  const std::vector<uint8_t> isCrossing = crossingsAmong(lines, layout);
-  for (size_t begin = 0; begin < lines.size();) {
-    size_t all = 0;
-    size_t joints = 0;
-    size_t end = begin;
-    for (; end < lines.size() && lines[end].a == lines[begin].a && lines[end].b == lines[begin].b; ++end) {
-      all += lines[end].touching;
-      joints += isJoint(lines[end], layout, isCrossing) ? lines[end].touching : 0;
-    }
-    if (2 * joints >= all) {
-      borders.push_back({lines[begin].a, lines[begin].b, joints});
-    }
-    begin = end;
+/// Of each piece: the median.
+std::vector<float> floorsOf(const WalkField& field, const WalkPieces& pieces) {
+  std::vector<std::vector<float>> all(pieces.count);
+  for (size_t i = 0; i < pieces.of.size(); ++i) {
+    all[pieces.of[i]].push_back(field.squares[i].floor);
   }
+  std::vector<float> floors;
+  for (std::vector<float>& values : all) {
+    std::nth_element(values.begin(), values.begin() + static_cast<long>(values.size() / 2), values.end());
+    floors.push_back(values[values.size() / 2]);
+  }
+  return floors;
 }
+
+/// What joints depend on, of one layout.
+class Joints {
+ public:
+  Joints(const JointSearch& search, const WalkLayout& layout, const std::vector<uint32_t>& groups)
+      : search_(search),
+        layout_(layout),
+        lines_(pieceLines(search, layout.pieces, groups)),
+        isCrossing_(crossingsAmong(lines_, layout)),
+        floors_(floorsOf(search.field, layout.pieces)) {}
+
+  const std::vector<uint8_t>& isCrossing() const { return isCrossing_; }
+
+  /// Pairs whose border is mostly of lines that fulfil a condition.
+  std::vector<PieceBorder> borders(bool (Joints::*isJoint)(const PieceLine&) const) const {
+    std::vector<PieceBorder> borders;
+    for (size_t begin = 0; begin < lines_.size();) {
+      size_t all = 0;
+      size_t joints = 0;
+      size_t end = begin;
+      for (; end < lines_.size() && lines_[end].a == lines_[begin].a && lines_[end].b == lines_[begin].b; ++end) {
+        all += lines_[end].touching;
+        joints += mayJoin(lines_[end]) && (this->*isJoint)(lines_[end]) ? lines_[end].touching : 0;
+      }
+      if (2 * joints >= all) {
+        borders.push_back({lines_[begin].a, lines_[begin].b, joints});
+      }
+      begin = end;
+    }
+    return borders;
+  }
+
+  /// Whether nothing narrows or widens the passage, or furniture alone does.
+  bool goesOn(const PieceLine& line) const {
+    return (line.wallEnds == 0 && line.furnitureEnds > 0) ||
+           static_cast<double>(line.open) >= kSameWidth * std::max(line.widthOfA, line.widthOfB);
+  }
+
+  bool isAny(const PieceLine&) const { return true; }
+
+  bool isNiche(const PieceLine& line) const {
+    const bool isANarrower = line.widthOfA <= line.widthOfB;
+    const uint32_t niche = isANarrower ? line.a : line.b;
+    const double width = isANarrower ? line.widthOfA : line.widthOfB;
+    const size_t depth = isANarrower ? line.depthOfA : line.depthOfB;
+    return static_cast<double>(line.open) >= kSameWidth * width && depth <= line.open && isCrossing_[niche] == 0 &&
+           !isAtEnd(line, layout_.shapes[niche]);
+  }
+
+  /// Of each pocket, its longest border that may be a joint.
+  std::vector<PieceBorder> pockets() const {
+    const WalkField& field = search_.field;
+    std::vector<size_t> around(layout_.pieces.count, 0);  // sides of squares: all, and those that are open
+    std::vector<size_t> open(layout_.pieces.count, 0);
+    for (uint32_t i = 0; i < field.squares.size(); ++i) {
+      const uint32_t piece = layout_.pieces.of[i];
+      for (const uint32_t k : field.squares[i].next) {
+        const bool isInside = k != kNoSquare && layout_.pieces.of[k] == piece;
+        around[piece] += isInside ? 0 : 1;
+        open[piece] += !isInside && k != kNoSquare ? 1 : 0;
+      }
+    }
+    const std::vector<size_t> sizes = layout_.pieces.sizes();
+    const double largest = std::pow(search_.agentHeight / field.cellSize, 2);
+    std::vector<PieceBorder> longest(layout_.pieces.count);
+    for (const PieceBorder& border : borders(&Joints::isAny)) {
+      for (const uint32_t piece : {border.a, border.b}) {
+        longest[piece] = border.length > longest[piece].length ? border : longest[piece];
+      }
+    }
+    std::vector<PieceBorder> pockets;
+    for (uint32_t piece = 0; piece < layout_.pieces.count; ++piece) {
+      if (static_cast<double>(sizes[piece]) < largest && longest[piece].length > 0 &&
+          static_cast<double>(open[piece]) >= kOpenPocket * static_cast<double>(around[piece])) {
+        pockets.push_back(longest[piece]);
+      }
+    }
+    return pockets;
+  }
+
+ private:
+  bool mayJoin(const PieceLine& line) const {
+    const WalkShape& a = layout_.shapes[line.a];
+    const WalkShape& b = layout_.shapes[line.b];
+    const bool areWays = a.isOfWays && b.isOfWays;
+    const bool isBesideTunnel = (a.isTunnel && !isAtEnd(line, a)) || (b.isTunnel && !isAtEnd(line, b));
+    return !line.hasLintel && std::abs(floors_[line.a] - floors_[line.b]) <= kSameLevel * search_.agentHeight &&
+           !(areWays && !isBesideTunnel && (isCrossing_[line.a] != 0 || isCrossing_[line.b] != 0));
+  }
+
+  const JointSearch& search_;
+  const WalkLayout& layout_;
+  std::vector<PieceLine> lines_;
+  std::vector<uint8_t> isCrossing_;
+  std::vector<float> floors_;  ///< of each piece
+};
 
 }  // namespace
 
-std::vector<PieceLine> pieceLines(const WalkField& field, const std::vector<uint16_t>& halfWidths,
-                                  const WalkPieces& pieces, const std::vector<uint32_t>& groups) {
-  return LineSearch(field, halfWidths, pieces, groups).lines();
+std::vector<uint8_t> crossingsOfWays(const JointSearch& search, const WalkLayout& layout) {
+  return Joints(search, layout, eachAlone(layout.pieces.count)).isCrossing();
 }
 
-std::vector<uint8_t> crossingsOfWays(const WalkField& field, const std::vector<uint16_t>& halfWidths,
-                                     const WalkLayout& layout) {
-  return crossingsAmong(pieceLines(field, halfWidths, layout.pieces, eachAlone(layout.pieces.count)), layout);
+std::vector<PieceBorder> straightJoints(const JointSearch& search, const WalkLayout& layout) {
+  return Joints(search, layout, eachAlone(layout.pieces.count)).borders(&Joints::goesOn);
 }
 
-std::vector<PieceBorder> straightJoints(const WalkField& field, const std::vector<uint16_t>& halfWidths,
-                                        const WalkLayout& layout) {
-  std::vector<PieceBorder> borders;
-  addBorders(pieceLines(field, halfWidths, layout.pieces, eachAlone(layout.pieces.count)), layout, goesOn, borders);
-  return borders;
-}
-
-std::vector<PieceBorder> jointBorders(const WalkField& field, const std::vector<uint16_t>& halfWidths,
-                                      const WalkLayout& layout) {
-  std::vector<PieceBorder> borders = straightJoints(field, halfWidths, layout);
+std::vector<PieceBorder> jointBorders(const JointSearch& search, const WalkLayout& layout) {
+  std::vector<PieceBorder> borders = straightJoints(search, layout);
   DisjointSets sets(layout.pieces.count);
   for (const PieceBorder& border : borders) {
     sets.join(border.a, border.b);
@@ -304,7 +171,10 @@ std::vector<PieceBorder> jointBorders(const WalkField& field, const std::vector<
   for (uint32_t piece = 0; piece < layout.pieces.count; ++piece) {
     groups[piece] = sets.least(piece);
   }
-  addBorders(pieceLines(field, halfWidths, layout.pieces, groups), layout, isNiche, borders);
+  const Joints grouped(search, layout, groups);
+  for (const std::vector<PieceBorder>& more : {grouped.borders(&Joints::isNiche), grouped.pockets()}) {
+    borders.insert(borders.end(), more.begin(), more.end());
+  }
   return borders;
 }
 

@@ -8,7 +8,6 @@
 #include "oc_core/base/disjoint_sets.h"
 #include "oc_core/walkable/walk_box.h"
 #include "oc_core/walkable/walk_extent.h"
-#include "oc_core/walkable/walk_joints.h"
 #include "oc_core/walkable/walk_rectangles.h"
 
 namespace ocelli {
@@ -26,11 +25,11 @@ double shareInside(const WalkField& field, const std::vector<uint32_t>& squares,
 }
 
 /// Joins pairs, each piece once at most, the longest joints first. Whether there was one.
-bool mergeOnce(const WalkField& field, const std::vector<uint16_t>& halfWidths, std::vector<PieceBorder> joints,
-               WalkLayout& layout) {
+bool mergeOnce(const JointSearch& search, std::vector<PieceBorder> joints, WalkLayout& layout) {
   std::stable_sort(joints.begin(), joints.end(),
                    [](const PieceBorder& p, const PieceBorder& q) { return p.length > q.length; });
-  const std::vector<uint8_t> isCrossing = crossingsOfWays(field, halfWidths, layout);
+  const WalkField& field = search.field;
+  const std::vector<uint8_t> isCrossing = crossingsOfWays(search, layout);
   const std::vector<std::vector<uint32_t>> squares = squaresOf(layout.pieces);
   std::vector<uint32_t> owner(layout.pieces.count);
   std::vector<uint8_t> isJoined(layout.pieces.count, 0);
@@ -74,18 +73,18 @@ bool mergeOnce(const WalkField& field, const std::vector<uint16_t>& halfWidths, 
 
 }  // namespace
 
-WalkLayout mergedLayout(const WalkField& field, const std::vector<uint16_t>& halfWidths, const WalkLayout& layout) {
+WalkLayout mergedLayout(const JointSearch& search, const WalkLayout& layout) {
   WalkLayout merged = layout;
-  while (mergeOnce(field, halfWidths, straightJoints(field, halfWidths, merged), merged)) {
+  while (mergeOnce(search, straightJoints(search, merged), merged)) {
   }
-  while (mergeOnce(field, halfWidths, jointBorders(field, halfWidths, merged), merged)) {
+  while (mergeOnce(search, jointBorders(search, merged), merged)) {
   }
   return merged;
 }
 
-std::vector<uint32_t> roomsOf(const WalkField& field, const std::vector<uint16_t>& halfWidths, const WalkLayout& layout) {
+std::vector<uint32_t> roomsOf(const JointSearch& search, const WalkLayout& layout) {
   DisjointSets rooms(layout.pieces.count);
-  for (const PieceBorder& joint : jointBorders(field, halfWidths, layout)) {
+  for (const PieceBorder& joint : jointBorders(search, layout)) {
     rooms.join(joint.a, joint.b);
   }
   std::vector<uint32_t> numbers(layout.pieces.count);

@@ -5,15 +5,15 @@
 #include <cstdint>
 #include <vector>
 
-#include "oc_core/walkable/walk_strips.h"
+#include "oc_core/walkable/walk_joints.h"
 
 namespace ocelli {
 
 /// Joins pieces that touch along joints, as long as one box fits them; the larger one says what both are. Tunnels,
 /// crossings, turns and dead ends are not joined with each other.
-WalkLayout mergedLayout(const WalkField& field, const std::vector<uint16_t>& halfWidths, const WalkLayout& layout);
+WalkLayout mergedLayout(const JointSearch& search, const WalkLayout& layout);
 
 /// Of each piece the number of its room: pieces of one number are joined by joints.
-std::vector<uint32_t> roomsOf(const WalkField& field, const std::vector<uint16_t>& halfWidths, const WalkLayout& layout);
+std::vector<uint32_t> roomsOf(const JointSearch& search, const WalkLayout& layout);
 
 }  // namespace ocelli

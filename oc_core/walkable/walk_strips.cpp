@@ -202,13 +202,15 @@ std::vector<SquareRange> mouthsOf(const Division& d, uint32_t piece) {
   std::vector<SquareRange> mouths;
   for (size_t begin = 0; begin < edges.size();) {
     size_t end = begin + 1;
+    const double mouthWidth = widthOf(d.shapes[edges[begin].first].halfWidth);
+    const double widestGap = 1 + (1 - kMouthIsWhole) * mouthWidth;  // behind a tree, a lamp or a car
     while (end < edges.size() && edges[end].first == edges[begin].first &&
-           edges[end].second <= edges[end - 1].second + 1) {
+           edges[end].second <= edges[end - 1].second + widestGap) {
       ++end;
     }
     const SquareRange mouth{edges[begin].second, edges[end - 1].second};
     if (mouth.length() >= kMouthOfTunnel * width && mouth.length() <= kWidestMouth * width &&
-        mouth.length() >= kMouthIsWhole * widthOf(d.shapes[edges[begin].first].halfWidth)) {
+        mouth.length() >= kMouthIsWhole * mouthWidth) {
       mouths.push_back(mouth);
     }
     begin = end;

@@ -142,10 +142,11 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
       static_cast<size_t>(std::min(std::pow(options.agentHeight / raster.cellSize / 2, 2), kMaxWalkColumns));
   const WalkLayout strips = layoutOf(field, areasOf(field, half, radius, smallest), radius);
   report(progress, "find ways", 0.8);
-  const WalkLayout layout = mergedLayout(field, half, rectangularLayout(field, strips, radius));
+  const JointSearch joints{field, half, raster.agentHeight};
+  const WalkLayout layout = mergedLayout(joints, rectangularLayout(field, strips, radius));
   report(progress, "find ways", 0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
-  survey.map.portals = portalsOf(field, layout, roomsOf(field, half, layout), survey.map.cells, radius);
+  survey.map.portals = portalsOf(field, layout, roomsOf(joints, layout), survey.map.cells, radius);
   dissolveShortTunnels(survey.map, raster.agentHeight / 2);
   numberCells(survey.map);
   turn(survey.map, angle);
