@@ -1,12 +1,16 @@
 #include "oc_core/walkable/walk_map_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
+#include "oc_core/walkable/walk_options.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
 
@@ -58,12 +62,16 @@ TEST(WalkMapFile, IsReadAsItSays) {
 TEST(WalkMapFile, WhatIsWrittenIsReadAgain) {
   WalkMap map = walkMapFromJsonText(kGoodMap, "text");
   map.cells[1].axis = {0.6f, 0, 0.8f};
+  map.portals[0].isJoint = true;
+  numberCells(map);
   map.cells[0].center = {0.1f, 1e-3f, 123456.7f};
   const std::string text = jsonText(map);
   const WalkMap again = walkMapFromJsonText(text, "text");
   EXPECT_EQ(again.cells, map.cells);
   EXPECT_EQ(again.partOfCell, map.partOfCell);
+  EXPECT_EQ(again.roomOfCell, map.roomOfCell);
   EXPECT_EQ(again.portals[0].opening.halfUp, map.portals[0].opening.halfUp);
+  EXPECT_EQ(again.portals[0].isJoint, map.portals[0].isJoint);
   EXPECT_EQ(jsonText(again), text);
 }
 
@@ -103,6 +111,49 @@ TEST(WalkMapFile, ErrorsSayFileFieldAndWhatIsWrong) {
   EXPECT_THAT(mapErrorOf(changed("/ways", 1)), HasSubstr("\"ways\""));
 }
 
+TEST(WalkMapFile, MessagesNumberCellsAsPortalsDo) {
+  EXPECT_THAT(mapErrorOf(changed("/cells/0/width", -1)), HasSubstr("cell 0"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/width", -1)), HasSubstr("cell 1"));
+  EXPECT_THAT(mapErrorOf(changed("/portals/0/half_up", {0, 0, 0})), HasSubstr("opening 0"));
+}
+
+TEST(WalkMapFile, RingsAreLimitedInAll) {
+  // 101 tunnels of 10,000 rings; 100 are allowed.
+  std::string tunnel = R"({"kind": "tunnel", "center": [0, 0, 0], "length": 4, "width": 2, "height": 2, "rings": [)";
+  for (int i = 0; i < 10000; ++i) {
+    tunnel += i == 0 ? "[0,1,1,2]" : ",[0,1,1,2]";
+  }
+  tunnel += "]}";
+  std::string cells = tunnel;
+  for (int i = 1; i < 101; ++i) {
+    cells += "," + tunnel;
+  }
+  EXPECT_THAT(mapErrorOf("{"cells": [" + cells + "]}"),
+              AllOf(HasSubstr("cell 100"), HasSubstr(""rings""), HasSubstr("may have 1000000")));
+}
+
+TEST(WalkMapFile, WhatCannotBeReadAgainIsNotWritten) {
+  WalkMap map = walkMapFromJsonText(kGoodMap, "text");
+  map.cells[1].center.x = 2e6f;
+  EXPECT_THAT([&] { jsonText(map); }, testing::ThrowsMessage<InputError>(HasSubstr("cell 1 lies 2e+06 units")));
+  map.cells[1].center.x = 0;
+  map.cells[1].rings.assign(1'000'001, map.cells[1].rings[0]);
+  EXPECT_THAT([&] { jsonText(map); }, testing::ThrowsMessage<InputError>(HasSubstr("1000001 rings")));
+  map.cells.assign(20001, map.cells[0]);
+  EXPECT_THAT([&] { jsonText(map); }, testing::ThrowsMessage<InputError>(HasSubstr("20001 cells")));
+}
+
+TEST(WalkOptions, TheirPageHasAllOfThemWithTheirDefaults) {
+  const std::string page = readFile(OCELLI_WALKABLE_PAGE, kMaxTextBytes);
+  for (const WalkOption& option : walkOptionTable()) {
+    std::string name = option.name;
+    std::replace(name.begin(), name.end(), '_', '-');
+    const std::string row =
+        fmt::format("| `--{}` | {}{} |", name, WalkOptions().*option.value, option.isLength ? " m" : "");
+    EXPECT_THAT(page, HasSubstr(row));
+  }
+}
+
 /// The errors of a part of the map, which stands at that place.
 test::SchemaAgreement agreementOf(const nlohmann::json& schema, const char* pointer) {
   const auto errorOf = [pointer](const std::string& text) {
@@ -126,6 +177,7 @@ TEST(WalkMapFile, TheSchemaOfPortalsNamesTheirFields) {
   const nlohmann::json portal = readJsonFile(OCELLI_WALK_MAP_SCHEMA).at("properties").at("portals").at("items");
   const nlohmann::json written =
       nlohmann::json::parse(jsonText(walkMapFromJsonText(kGoodMap, "text"))).at("portals").at(0);
+  EXPECT_TRUE(portal.at("properties").contains("joint"));
   for (const auto& [name, value] : written.items()) {
     EXPECT_TRUE(portal.at("properties").contains(name)) << name;
     nlohmann::json without = written;

@@ -1,0 +1,64 @@
+// Maps of all built-in scenes, those that scenes know and those that are found, are read as they were written.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/error.h"
+#include "oc_core/walkable/walk_map_file.h"
+#include "oc_core/walkable/walkable.h"
+#include "oc_core/worlds/builtin_scenes.h"
+
+namespace ocelli {
+namespace {
+
+void expectSameAfterFile(const WalkMap& map, const std::string& what) {
+  const std::string text = jsonText(map);
+  const WalkMap again = walkMapFromJsonText(text, what);
+  EXPECT_EQ(again.cells, map.cells) << what;
+  EXPECT_EQ(again.partOfCell, map.partOfCell) << what;
+  EXPECT_EQ(again.roomOfCell, map.roomOfCell) << what;
+  ASSERT_EQ(again.portals.size(), map.portals.size()) << what;
+  for (size_t p = 0; p < map.portals.size(); ++p) {
+    const WalkPortal& one = map.portals[p];
+    const WalkPortal& other = again.portals[p];
+    EXPECT_EQ(std::tie(one.from, one.to, one.isJoint), std::tie(other.from, other.to, other.isJoint)) << what;
+    EXPECT_EQ(one.opening.center, other.opening.center) << what;
+    EXPECT_EQ(one.opening.halfRight, other.opening.halfRight) << what;
+    EXPECT_EQ(one.opening.halfUp, other.opening.halfUp) << what;
+    // A product of two vectors of floats, divided by their lengths.
+    EXPECT_LT(glm::distance(one.opening.normal, other.opening.normal), 1e-6f) << what;
+  }
+  EXPECT_EQ(jsonText(again), text) << what;
+}
+
+TEST(WalkMapFiles, OfAllBuiltinScenesAreReadAsTheyWereWritten) {
+  size_t known = 0;
+  size_t found = 0;
+  for (const BuiltinScene& builtin : listBuiltinScenes()) {
+    const std::string source = "builtin:" + builtin.name;
+    GuidedScene scene;
+    try {
+      scene = loadGuidedScene(source, {.fit = false});
+    } catch (const InputError&) {
+      continue;  // a scene without triangles, as a volume
+    }
+    if (scene.guides.walk) {
+      ++known;
+      expectSameAfterFile(*scene.guides.walk, source + ", known");
+    }
+    WalkMap map;
+    try {
+      map = findWalkMap(scene.mesh, inUnits({}, metreOf(source, scene).units));
+    } catch (const InputError&) {
+      continue;  // it has no floor
+    }
+    ++found;
+    expectSameAfterFile(map, source + ", found");
+  }
+  EXPECT_GE(known, 2U) << "the city and the house";
+  EXPECT_GE(found, 5U);
+}
+
+}  // namespace
+}  // namespace ocelli
