@@ -128,8 +128,8 @@ TEST(WalkMapFile, RingsAreLimitedInAll) {
   for (int i = 1; i < 101; ++i) {
     cells += "," + tunnel;
   }
-  EXPECT_THAT(mapErrorOf("{"cells": [" + cells + "]}"),
-              AllOf(HasSubstr("cell 100"), HasSubstr(""rings""), HasSubstr("may have 1000000")));
+  EXPECT_THAT(mapErrorOf("{\"cells\": [" + cells + "]}"),
+              AllOf(HasSubstr("cell 100"), HasSubstr("\"rings\""), HasSubstr("may have 1000000")));
 }
 
 TEST(WalkMapFile, WhatCannotBeReadAgainIsNotWritten) {
