@@ -117,21 +117,6 @@ TEST(WalkMapFile, MessagesNumberCellsAsPortalsDo) {
   EXPECT_THAT(mapErrorOf(changed("/portals/0/half_up", {0, 0, 0})), HasSubstr("opening 0"));
 }
 
-TEST(WalkMapFile, RingsAreLimitedInAll) {
-  // 101 tunnels of 10,000 rings; 100 are allowed.
-  std::string tunnel = R"({"kind": "tunnel", "center": [0, 0, 0], "length": 4, "width": 2, "height": 2, "rings": [)";
-  for (int i = 0; i < 10000; ++i) {
-    tunnel += i == 0 ? "[0,1,1,2]" : ",[0,1,1,2]";
-  }
-  tunnel += "]}";
-  std::string cells = tunnel;
-  for (int i = 1; i < 101; ++i) {
-    cells += "," + tunnel;
-  }
-  EXPECT_THAT(mapErrorOf("{\"cells\": [" + cells + "]}"),
-              AllOf(HasSubstr("cell 100"), HasSubstr("\"rings\""), HasSubstr("may have 1000000")));
-}
-
 TEST(WalkMapFile, WhatCannotBeReadAgainIsNotWritten) {
   WalkMap map = walkMapFromJsonText(kGoodMap, "text");
   map.cells[1].center.x = 2e6f;

@@ -1,8 +1,10 @@
 // Maps of all built-in scenes, those that scenes know and those that are found, are read as they were written.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <cmath>
 #include <glm/geometric.hpp>
+#include <string>
+#include <tuple>
 
 #include "oc_core/base/error.h"
 #include "oc_core/walkable/walk_map_file.h"
@@ -58,6 +60,26 @@ TEST(WalkMapFiles, OfAllBuiltinScenesAreReadAsTheyWereWritten) {
   }
   EXPECT_GE(known, 2U) << "the city and the house";
   EXPECT_GE(found, 5U);
+}
+
+TEST(WalkMapFiles, RingsAreLimitedInAll) {
+  // 101 tunnels of 10,000 rings; 100 are allowed.
+  std::string tunnel = R"({"kind": "tunnel", "center": [0, 0, 0], "length": 4, "width": 2, "height": 2, "rings": [)";
+  for (int i = 0; i < 10000; ++i) {
+    tunnel += i == 0 ? "[0,1,1,2]" : ",[0,1,1,2]";
+  }
+  tunnel += "]}";
+  std::string cells = tunnel;
+  for (int i = 1; i < 101; ++i) {
+    cells += "," + tunnel;
+  }
+  try {
+    walkMapFromJsonText("{\"cells\": [" + cells + "]}", "text");
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_THAT(error.what(), testing::AllOf(testing::HasSubstr("cell 100"), testing::HasSubstr("\"rings\""),
+                                             testing::HasSubstr("may have 1000000")));
+  }
 }
 
 }  // namespace
