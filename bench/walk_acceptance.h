@@ -45,7 +45,8 @@ struct WalkAcceptance {
   size_t seenRooms() const;
 };
 
-/// An image of that size, none where it is 0 pixels wide; the middle of a cell is seen where as many pixels as the options want show it.
+/// An image of that size, none where it is 0 pixels wide; the middle of a cell is seen where as many pixels as the
+/// options want show it.
 WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const WalkComprehensiveOptions& options = {});
 
 }  // namespace ocelli::bench

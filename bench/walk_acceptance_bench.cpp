@@ -54,7 +54,8 @@ struct WalkTotals {
   std::string row() const {
     const auto count = [](size_t n) { return static_cast<double>(n); };
     return fmt::format(
-        "{:5.1f} % {:5.1f} % | {:3} {:3} {:3} {:4.0f} % {:4.0f} % | {:3} {:3} {:3} {:4.0f} % {:4.0f} % | {:3} of {:3} cells, {:3} rooms",
+        "{:5.1f} % {:5.1f} % | {:3} {:3} {:3} {:4.0f} % {:4.0f} % | {:3} {:3} {:3} {:4.0f} % {:4.0f} % | {:3} of {:3} "
+        "cells, {:3} rooms",
         percentOf(coveredArea, knownArea), percentOf(plannedArea, foundArea), known, found, matched,
         percentOf(count(matched), count(known)), percentOf(count(matched), count(found)), knownPortals, foundPortals,
         matchedPortals, percentOf(count(matchedPortals), count(knownPortals)),

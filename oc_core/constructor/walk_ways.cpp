@@ -60,8 +60,7 @@ class Ways {
       way.why = "it is out of sight, or too small in the image";
       return;
     }
-    way.frustum =
-        bend(i, {plane, between(plane, bent, straight, share)}, "way to " + nameOfCell(exit.cell), part);
+    way.frustum = bend(i, {plane, between(plane, bent, straight, share)}, "way to " + nameOfCell(exit.cell), part);
     if (way.frustum < 0) {
       way.why = "rays do not get there in a straight line";
       return;

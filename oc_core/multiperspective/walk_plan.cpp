@@ -52,10 +52,9 @@ class WalkDrawing {
         number(i);
       }
     }
-    const std::string counts =
-        fmt::format("{} cells, {} of them tunnels, {} rooms, {} openings, {} joints, {} parts", map_.cells.size(),
-                    tunnelCount(), map_.roomCount(), map_.openingCount(), map_.portals.size() - map_.openingCount(),
-                    map_.partCount());
+    const std::string counts = fmt::format("{} cells, {} of them tunnels, {} rooms, {} openings, {} joints, {} parts",
+                                           map_.cells.size(), tunnelCount(), map_.roomCount(), map_.openingCount(),
+                                           map_.portals.size() - map_.openingCount(), map_.partCount());
     Figure figure;
     figure.title = options_.title.empty() ? "Where one can walk" : options_.title;
     figure.description = counts + ", over a section of the scene.";

@@ -56,7 +56,7 @@ struct WalkCell {
 struct WalkPortal {
   uint32_t from = 0;  ///< of WalkMap::cells
   uint32_t to = 0;
-  Portal opening;  ///< seen from within `from`: its normal points into that cell
+  Portal opening;        ///< seen from within `from`: its normal points into that cell
   bool isJoint = false;  ///< where two boxes of one room meet: nothing stands at its sides, and one sees through freely
 
   /// The same, for who comes the other way.

@@ -242,7 +242,8 @@ class MapComparison {
         const glm::dvec3 apart = footOf(found_.portals[f]) - footOf(known_.portals[k]);
         const double distance = std::hypot(apart.x, apart.z);
         const double turn = std::abs(glm::dot(known.normal, found_.portals[f].opening.normal));
-        if (!found_.portals[f].isJoint && distance < reach && std::abs(apart.y) < rules_.levelStep && turn >= std::sqrt(0.5)) {
+        if (!found_.portals[f].isJoint && distance < reach && std::abs(apart.y) < rules_.levelStep &&
+            turn >= std::sqrt(0.5)) {
           pairs.push_back({distance, k, f});
         }
       }

@@ -3,9 +3,9 @@
 //
 // Rooms (WalkMap::roomOfCell) are compared as their boxes seen from above, on one level where their floors differ by
 // less than `levelStep`. Two rooms match where they share the share `roomOverlap` of the area that either covers
-// (intersection over union); two openings match where their middles on the floor lie nearer together than `openingReach`
-// and their normals agree to 45 degrees. Each one matches one other at most, the best pairs first. Joints within rooms
-// are no openings.
+// (intersection over union); two openings match where their middles on the floor lie nearer together than
+// `openingReach` and their normals agree to 45 degrees. Each one matches one other at most, the best pairs first.
+// Joints within rooms are no openings.
 //
 // Of the found map only the part counts that has the most floor in common with the known one: roofs, and the insides of
 // what is closed, are floors for who finds them, and out of reach.
@@ -29,10 +29,10 @@ struct WalkAgreementRules {
 struct WalkAgreement {
   static constexpr uint32_t kNone = 0xffffffffu;
 
-  std::vector<uint32_t> foundOfRoom;    ///< of each known room the found one that matches, or kNone
-  std::vector<uint32_t> foundOfPortal;  ///< of each known portal; kNone of joints
-  std::vector<uint32_t> reached;        ///< the found cells of the part that counts
-  std::vector<uint32_t> reachedRooms;   ///< their rooms
+  std::vector<uint32_t> foundOfRoom;     ///< of each known room the found one that matches, or kNone
+  std::vector<uint32_t> foundOfPortal;   ///< of each known portal; kNone of joints
+  std::vector<uint32_t> reached;         ///< the found cells of the part that counts
+  std::vector<uint32_t> reachedRooms;    ///< their rooms
   std::vector<uint32_t> reachedPortals;  ///< their portals, joints among them
   size_t reachedOpenings = 0;            ///< how many of these are no joints
   double knownArea = 0;

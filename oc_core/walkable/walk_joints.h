@@ -1,6 +1,6 @@
-// Which pieces of floor are parts of one room. Where two of them meet at a joint, nothing changes from one to the other,
-// or one is a niche of the other. An opening, such as a door or the mouth of a street, narrows the passage; the edge of
-// a wardrobe does not.
+// Which pieces of floor are parts of one room. Where two of them meet at a joint, nothing changes from one to the
+// other, or one is a niche of the other. An opening, such as a door or the mouth of a street, narrows the passage; the
+// edge of a wardrobe does not.
 #pragma once
 
 #include <cstdint>

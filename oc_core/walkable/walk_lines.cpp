@@ -59,8 +59,8 @@ class LineSearch {
   static std::vector<PieceLine> inOne(const std::vector<PieceLine>& lines) {
     std::vector<PieceLine> joined;
     for (const PieceLine& line : lines) {
-      const bool goesOn = !joined.empty() && joined.back().a == line.a && joined.back().b == line.b &&
-                          joined.back().side == line.side;
+      const bool goesOn =
+          !joined.empty() && joined.back().a == line.a && joined.back().b == line.b && joined.back().side == line.side;
       if (!goesOn) {
         joined.push_back(line);
         continue;

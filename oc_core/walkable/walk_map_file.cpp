@@ -19,7 +19,7 @@ constexpr double kFarthest = 1e6;
 constexpr double kShortest = 1e-6;
 constexpr size_t kMaxCells = 20000;
 constexpr size_t kMaxPortals = 80000;
-constexpr size_t kMaxRings = 10000;        // of a tunnel
+constexpr size_t kMaxRings = 10000;         // of a tunnel
 constexpr size_t kMaxMapRings = 1'000'000;  // of a map: 16 MB of rings, and some hundred MB while its JSON is read
 
 glm::vec3 vectorIn(JsonFields& fields, const std::string& name) {

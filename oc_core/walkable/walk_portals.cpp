@@ -28,8 +28,8 @@ std::vector<PortalEdge> edgesBetween(const WalkField& field, const WalkPieces& p
     for (int side = 0; side < 4; ++side) {
       const uint32_t k = field.squares[i].next[side];
       if (k != kNoSquare && pieces.of[i] < pieces.of[k]) {
-        edges.push_back({pieces.of[i], pieces.of[k], i, side,
-                         !field.squares[i].isObstacle && !field.squares[k].isObstacle});
+        edges.push_back(
+            {pieces.of[i], pieces.of[k], i, side, !field.squares[i].isObstacle && !field.squares[k].isObstacle});
       }
     }
   }

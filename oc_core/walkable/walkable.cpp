@@ -25,8 +25,8 @@ namespace {
 
 constexpr const char* kWalkable = "walkable floor";
 constexpr uint16_t kWidestPlace = 1024;  // steps to the border: places wider than 2,047 squares are as wide as that
-constexpr double kMaxRadius = 30000;    // squares: fields have kMaxWalkColumns, so floor as wide as that never is
-constexpr double kMostHeights = 8000;   // Recast's height fields have 8,191
+constexpr double kMaxRadius = 30000;     // squares: fields have kMaxWalkColumns, so floor as wide as that never is
+constexpr double kMostHeights = 8000;    // Recast's height fields have 8,191
 
 void requireRange(const WalkOptions& options, double unitsOfScene) {
   for (const WalkOption& option : walkOptionTable()) {
