@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <optional>
 #include <utility>
 
@@ -65,11 +66,24 @@ size_t WalkAcceptance::seenCells() const {
       std::count_if(cells.begin(), cells.end(), [](const SeenCell& cell) { return cell.why.empty(); }));
 }
 
+size_t WalkAcceptance::seenRooms() const {
+  std::map<uint32_t, const SeenCell*> largest;  // by room
+  const auto areaOf = [&](const SeenCell& seen) {
+    return found.cells[seen.cell].halfLength * found.cells[seen.cell].halfWidth;
+  };
+  for (const SeenCell& cell : cells) {
+    const SeenCell*& most = largest[found.roomOfCell[cell.cell]];
+    most = most == nullptr || areaOf(cell) > areaOf(*most) ? &cell : most;
+  }
+  return static_cast<size_t>(
+      std::count_if(largest.begin(), largest.end(), [](const auto& each) { return each.second->why.empty(); }));
+}
+
 WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const WalkComprehensiveOptions& options) {
   WalkAcceptance result;
   result.findMilliseconds = milliseconds([&] { result.found = findWalkMap(scene.mesh, WalkOptions{}); });
   result.agreement = compareWalkMaps(scene.known, result.found);
-  if (result.agreement.reached.empty()) {
+  if (result.agreement.reached.empty() || width == 0) {
     return result;
   }
   // The camera shows what can be reached from its start; it starts in the part that counts.
@@ -79,7 +93,6 @@ WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const 
   for (const uint32_t cell : result.agreement.reached) {
     numberOf[cell] = static_cast<uint32_t>(reached.cells.size());
     reached.cells.push_back(map.cells[cell]);
-    reached.partOfCell.push_back(0);
   }
   for (const uint32_t portal : result.agreement.reachedPortals) {
     WalkPortal opening = map.portals[portal];
@@ -87,6 +100,7 @@ WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const 
     opening.to = numberOf[opening.to];
     reached.portals.push_back(opening);
   }
+  numberCells(reached);
   std::optional<ComprehensiveWalk> made;
   result.cameraMilliseconds =
       milliseconds([&] { made.emplace(makeComprehensiveWalk(reached, options, width, height)); });

@@ -35,15 +35,18 @@ struct SeenCell {
 struct WalkAcceptance {
   WalkMap found;
   WalkAgreement agreement;
-  std::vector<SeenCell> cells;  ///< of those that can be reached
+  std::vector<SeenCell> cells;  ///< of those that can be reached; none where no image was asked for
   size_t frusta = 0;
   double findMilliseconds = 0;
   double cameraMilliseconds = 0;
 
   size_t seenCells() const;
+  /// Rooms of which the largest box is seen.
+  size_t seenRooms() const;
 };
 
-/// An image of that size; the middle of a cell is seen where as many pixels as the options want show it.
+/// An image of that size, none where it is 0 pixels wide; the middle of a cell is seen where as many pixels as the
+/// options want show it.
 WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const WalkComprehensiveOptions& options = {});
 
 }  // namespace ocelli::bench

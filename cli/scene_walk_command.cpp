@@ -31,28 +31,23 @@ struct WalkChoice {
   bool asJson = false;
 };
 
-struct WalkCounts {
-  size_t rooms = 0;
-  size_t tunnels = 0;
-  size_t parts = 0;
-};
+size_t tunnelsIn(const WalkMap& map) {
+  return static_cast<size_t>(std::count_if(map.cells.begin(), map.cells.end(),
+                                           [](const WalkCell& cell) { return cell.kind == WalkCellKind::kTunnel; }));
+}
 
-WalkCounts countsOf(const WalkMap& map) {
-  WalkCounts counts;
-  for (size_t cell = 0; cell < map.cells.size(); ++cell) {
-    ++(map.cells[cell].kind == WalkCellKind::kTunnel ? counts.tunnels : counts.rooms);
-    counts.parts = std::max<size_t>(counts.parts, map.partOfCell[cell] + 1);
-  }
-  return counts;
+size_t jointsIn(const WalkMap& map) {
+  return map.portals.size() - map.openingCount();
 }
 
 std::string surveyAsText(const std::string& source, const WalkSurvey& survey, const SceneMetre& metre) {
-  const WalkCounts counts = countsOf(survey.map);
+  const WalkMap& map = survey.map;
   const double square = metre.units * metre.units;
   std::string text = fmt::format(
-      "{}\n  rooms      {}, crossings and dead ends among them\n  tunnels    {}\n  portals    {}\n  parts      {}{}\n",
-      source, counts.rooms, counts.tunnels, survey.map.portals.size(), counts.parts,
-      counts.parts > 1 ? ": one cannot walk from each to each" : "");
+      "{}\n  rooms      {}, streets and crossings among them\n  cells      {}, {} of them tunnels\n"
+      "  openings   {}, and {} joints within rooms\n  parts      {}{}\n",
+      source, map.roomCount(), map.cells.size(), tunnelsIn(map), map.openingCount(), jointsIn(map), map.partCount(),
+      map.partCount() > 1 ? ": one cannot walk from each to each" : "");
   text += fmt::format("  floor      {:.1f} m2\n", survey.floorArea / square);
   text += fmt::format("  left out   {:.1f} m2 too narrow, {:.1f} m2 in {} smaller parts out of reach\n",
                       survey.tooNarrowArea / square, survey.smallPartsArea / square, survey.smallParts);
@@ -63,13 +58,15 @@ std::string surveyAsText(const std::string& source, const WalkSurvey& survey, co
 }
 
 std::string surveyAsJson(const std::string& source, const WalkSurvey& survey, const SceneMetre& metre) {
-  const WalkCounts counts = countsOf(survey.map);
+  const WalkMap& map = survey.map;
   const double square = metre.units * metre.units;
   return textOfJson({{"scene", source},
-                     {"rooms", counts.rooms},
-                     {"tunnels", counts.tunnels},
-                     {"portals", survey.map.portals.size()},
-                     {"parts", counts.parts},
+                     {"rooms", map.roomCount()},
+                     {"cells", map.cells.size()},
+                     {"tunnels", tunnelsIn(map)},
+                     {"openings", map.openingCount()},
+                     {"joints", jointsIn(map)},
+                     {"parts", map.partCount()},
                      {"floor_m2", survey.floorArea / square},
                      {"too_narrow_m2", survey.tooNarrowArea / square},
                      {"out_of_reach_m2", survey.smallPartsArea / square},

@@ -54,7 +54,7 @@ class WalkBuilder {
       : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)), start_(start) {
     raiseTops();
     if (regions_[start_.cell].border.empty()) {
-      throw InputError(fmt::format("cell {} has no floor", start_.cell), kWalkComprehensive, "begin in another cell");
+      throw InputError(nameOfCell(start_.cell) + " has no floor", kWalkComprehensive, "begin in another cell");
     }
     tour_ = walkTourOf(regions_, start_.cell, options.order);
     fit();
@@ -274,7 +274,7 @@ void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& option
     throw InputError("the scene has no floor to walk on", kWalkComprehensive, "use another scene, or another camera");
   }
   if (options.start && options.start->cell >= map.cells.size()) {
-    throw InputError(fmt::format("the map has no cell {} to begin in", options.start->cell), kWalkComprehensive,
+    throw InputError("the map has no " + nameOfCell(options.start->cell) + " to begin in", kWalkComprehensive,
                      fmt::format("cells are 0 to {}", map.cells.size() - 1));
   }
   if (options.start && !(glm::length(planOf(options.start->heading)) > 1e-6)) {

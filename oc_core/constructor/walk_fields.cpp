@@ -78,7 +78,7 @@ std::optional<WalkStart> walkStartOf(const WalkMap& map, const WalkStartFields& 
     return std::nullopt;
   }
   if (*cell >= map.cells.size()) {
-    throw InputError(fmt::format("there is no cell {}", *cell), kWhere,
+    throw InputError("there is no " + nameOfCell(*cell), kWhere,
                      fmt::format("cells are 0 to {}", map.cells.size() - 1));
   }
   return fields.heading ? WalkStart{*cell, *fields.heading} : chooseWalkSide(map, walkRegionsOf(map), *cell);

@@ -26,7 +26,7 @@ class MazeWalk {
         addWay(cell, way);
       }
     }
-    numberParts();
+    numberCells(map_);
     return std::move(map_);
   }
 
@@ -85,33 +85,6 @@ class MazeWalk {
     const uint32_t tunnel = addTunnel(cells, way);
     addPortal(from, tunnel, cell, way);
     addPortal(tunnel, to, cells.back(), way);
-  }
-
-  void numberParts() {
-    map_.partOfCell.assign(map_.cells.size(), 0);
-    std::vector<bool> met(map_.cells.size(), false);
-    uint32_t parts = 0;
-    for (size_t first = 0; first < met.size(); ++first) {
-      if (met[first]) {
-        continue;
-      }
-      std::vector<size_t> reached{first};
-      met[first] = true;
-      while (!reached.empty()) {
-        const size_t at = reached.back();
-        reached.pop_back();
-        map_.partOfCell[at] = parts;
-        for (const WalkPortal& portal : map_.portals) {
-          for (const auto& [from, to] : {std::pair(portal.from, portal.to), std::pair(portal.to, portal.from)}) {
-            if (from == at && !met[to]) {
-              met[to] = true;
-              reached.push_back(to);
-            }
-          }
-        }
-      }
-      ++parts;
-    }
   }
 
   const Maze& maze_;

@@ -266,7 +266,7 @@ class RegionParts {
     const glm::dvec3 a = at(left.at + left.slope * beyond, beyond, entry.floor);
     const glm::dvec3 b = at(right.at + right.slope * beyond, beyond, entry.floor);
     const Plane plane = Plane::through(at(0, beyond, 0), spaceOf(frame.ahead, 0));
-    rays.frustum = bendWhereOneCan(camera_, frustum, {plane, viewpoint}, "cell " + std::to_string(region_.cell),
+    rays.frustum = bendWhereOneCan(camera_, frustum, {plane, viewpoint}, nameOfCell(region_.cell),
                                    frustumImage(camera_, frustum, std::array{a, b, b + up, a + up}));
     if (rays.frustum < 0) {
       return {};

@@ -46,7 +46,8 @@ class WalkTurning {
         return;
       }
     }
-    throw InputError(fmt::format("opening {} is no way out of the crossing ahead, cell {}", turn.portal, *now.crossing),
+    throw InputError(fmt::format("{} is no way out of the crossing ahead, {}", nameOfOpening(turn.portal),
+                                 nameOfCell(*now.crossing)),
                      kWalkTurn, "choose one of its other openings");
   }
 

@@ -96,8 +96,7 @@ class Ways {
       way.why = "it is out of sight, or too small in the image";
       return;
     }
-    way.frustum =
-        bend(i, {plane, between(plane, bent, straight, share)}, "way to cell " + std::to_string(exit.cell), part);
+    way.frustum = bend(i, {plane, between(plane, bent, straight, share)}, "way to " + nameOfCell(exit.cell), part);
     if (way.frustum < 0) {
       way.why = "rays do not get there in a straight line";
       return;
@@ -266,7 +265,7 @@ std::vector<WalkWay> addCrossingWays(GraphCamera& camera, const WalkSpace& space
     if (part.empty()) {
       continue;
     }
-    const int fan = builder.bend(GraphCamera::kRoot, {plane, viewpoint}, "cell " + std::to_string(crossing.cell), part);
+    const int fan = builder.bend(GraphCamera::kRoot, {plane, viewpoint}, nameOfCell(crossing.cell), part);
     if (fan < 0) {
       continue;
     }
@@ -341,7 +340,7 @@ std::vector<WalkWay> addRoomWays(GraphCamera& camera, const WalkSpace& space, ui
       each.way.why = "it is out of sight, or too small in the image";
     } else {
       each.way.frustum = builder.bend(GraphCamera::kRoot, {plane, spaceOf(turned, view.eye.y)},
-                                      "way to cell " + std::to_string(exit.cell), part);
+                                      "way to " + nameOfCell(exit.cell), part);
       if (each.way.frustum < 0) {
         each.way.why = "its opening is too near";
       } else {

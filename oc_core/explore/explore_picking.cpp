@@ -55,8 +55,10 @@ std::vector<Portal> knownPortals(const ExploreScene& scene) {
   std::vector<Portal> portals;
   if (const WalkMap* map = scene.walkMap()) {
     for (const WalkPortal& each : map->portals) {
-      portals.push_back(each.opening);
-      portals.push_back(reversed(each.opening));
+      if (!each.isJoint) {
+        portals.push_back(each.opening);
+        portals.push_back(reversed(each.opening));
+      }
     }
   }
   return portals;

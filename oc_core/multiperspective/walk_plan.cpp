@@ -15,6 +15,8 @@ namespace {
 constexpr double kWalkMargin = 24;
 constexpr double kWalkTitle = 34;
 constexpr double kWalkLegend = 30;
+constexpr double kSmallestNumber = 5;  // points
+constexpr double kLargestNumber = 14;
 
 class WalkDrawing {
  public:
@@ -42,11 +44,17 @@ class WalkDrawing {
       }
       const glm::vec3& c = portal.opening.center;
       const glm::vec3& r = portal.opening.halfRight;
-      drawing_.line("portal", at({c.x - r.x, c.z - r.z}), at({c.x + r.x, c.z + r.z}), {seriesStyle(1).paint, 3.5});
+      const Pen pen = portal.isJoint ? Pen{seriesStyle(1).paint.faded(0.5), 1.2} : Pen{seriesStyle(1).paint, 3.5};
+      drawing_.line(portal.isJoint ? "joint" : "portal", at({c.x - r.x, c.z - r.z}), at({c.x + r.x, c.z + r.z}), pen);
     }
-    const size_t tunnels = tunnelCount();
-    const std::string counts = fmt::format("{} rooms and crossings, {} tunnels, {} portals, {} parts",
-                                           map_.cells.size() - tunnels, tunnels, map_.portals.size(), partCount());
+    for (size_t i = 0; i < map_.cells.size(); ++i) {
+      if (isShown(map_.cells[i])) {
+        number(i);
+      }
+    }
+    const std::string counts = fmt::format("{} cells, {} of them tunnels, {} rooms, {} openings, {} joints, {} parts",
+                                           map_.cells.size(), tunnelCount(), map_.roomCount(), map_.openingCount(),
+                                           map_.portals.size() - map_.openingCount(), map_.partCount());
     Figure figure;
     figure.title = options_.title.empty() ? "Where one can walk" : options_.title;
     figure.description = counts + ", over a section of the scene.";
@@ -86,8 +94,16 @@ class WalkDrawing {
                                              [](const WalkCell& c) { return c.kind == WalkCellKind::kTunnel; }));
   }
 
-  size_t partCount() const {
-    return map_.partOfCell.empty() ? 0 : *std::max_element(map_.partOfCell.begin(), map_.partOfCell.end()) + 1;
+  /// In the middle of its cell, as large as fits into it.
+  void number(size_t index) {
+    const WalkCell& cell = map_.cells[index];
+    const std::string text = std::to_string(index);
+    const double across = 2 * static_cast<double>(std::min(cell.halfLength, cell.halfWidth)) * scale_;
+    TextLook look;
+    look.size = std::clamp(across / static_cast<double>(text.size() + 1), kSmallestNumber, kLargestNumber);
+    look.across = Across::kMiddle;
+    const PlotPoint middle = at({cell.center.x, cell.center.z});
+    drawing_.text("number", {middle.x, middle.y + look.size / 3}, text, look);
   }
 
   void cell(size_t index) {

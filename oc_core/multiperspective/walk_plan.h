@@ -21,7 +21,8 @@ struct WalkPlanOptions {
   int planPixels = 1200;   ///< longer side of the plan, in points of an SVG
 };
 
-/// Rooms are filled, tunnels too and with their rings across, portals are thick lines; each part that cannot be reached
+/// Rooms are filled, tunnels too and with their rings across, openings are thick lines and joints thin ones; cells have
+/// their numbers, those of WalkMap::cells; each part that cannot be reached
 /// from the others has colours of its own. North, -z, is at the top.
 Figure walkPlanFigure(const WalkMap& map, const Mesh& mesh, const WalkPlanOptions& options = {});
 

@@ -2,6 +2,10 @@
 // goes from one to the next. It is the "maze" of section 4.3.1.4 for any scene: upright boxes of any size, and tunnels
 // of four faces whose cross sections are modulated with rings. Constructors of graph cameras build on it.
 //
+// A room that no single box fits, such as one with two wings, is several cells: the openings between those are joints.
+//
+// Cells, openings, parts and rooms count from 0, in files, plans and messages too.
+//
 // Frame and units are those of the scene; y is up.
 #pragma once
 
@@ -9,6 +13,7 @@
 #include <glm/mat4x4.hpp>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <string>
 #include <vector>
 
 #include "oc_core/scene/portal.h"
@@ -51,11 +56,12 @@ struct WalkCell {
 struct WalkPortal {
   uint32_t from = 0;  ///< of WalkMap::cells
   uint32_t to = 0;
-  Portal opening;  ///< seen from within `from`: its normal points into that cell
+  Portal opening;        ///< seen from within `from`: its normal points into that cell
+  bool isJoint = false;  ///< where two boxes of one room meet: nothing stands at its sides, and one sees through freely
 
   /// The same, for who comes the other way.
   WalkPortal reversed() const {
-    return {to, from, {opening.center, -opening.normal, -opening.halfRight, opening.halfUp}};
+    return {to, from, {opening.center, -opening.normal, -opening.halfRight, opening.halfUp}, isJoint};
   }
 };
 
@@ -64,7 +70,22 @@ struct WalkMap {
   std::vector<WalkPortal> portals;  ///< each opening once
   /// Of each cell, the number of the part of the scene that one can reach from it: cells of one number are connected.
   std::vector<uint32_t> partOfCell;
+  /// Of each cell, the number of its room, or of its street or crossing: joints lead to the other cells of that number.
+  std::vector<uint32_t> roomOfCell;
+
+  size_t partCount() const;
+  size_t roomCount() const;
+  /// Openings that are no joints.
+  size_t openingCount() const;
 };
+
+/// Fills in partOfCell and roomOfCell from the portals, in the order of the cells.
+void numberCells(WalkMap& map);
+
+/// "cell 7": what messages and plans call it.
+std::string nameOfCell(size_t cell);
+/// "opening 7", of WalkMap::portals.
+std::string nameOfOpening(size_t portal);
 
 /// The same map where the transform of its scene puts it: a uniform scale and a translation.
 WalkMap moved(const WalkMap& map, const glm::mat4& newFromOld);

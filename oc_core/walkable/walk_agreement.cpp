@@ -9,6 +9,8 @@
 #include <numeric>
 #include <utility>
 
+#include "oc_core/base/check.h"
+
 namespace ocelli {
 namespace {
 
@@ -102,6 +104,15 @@ size_t countMatches(const std::vector<uint32_t>& match) {
       std::count_if(match.begin(), match.end(), [](uint32_t found) { return found != WalkAgreement::kNone; }));
 }
 
+/// Boxes of one room hardly reach into each other, so their areas are added.
+std::vector<double> areasOfRooms(const WalkMap& map, const std::vector<Outline>& outlines) {
+  std::vector<double> areas(map.roomCount(), 0);
+  for (size_t cell = 0; cell < outlines.size(); ++cell) {
+    areas[map.roomOfCell[cell]] += areaOfOutline(outlines[cell]);
+  }
+  return areas;
+}
+
 class MapComparison {
  public:
   MapComparison(const WalkMap& known, const WalkMap& found, const WalkAgreementRules& rules)
@@ -126,7 +137,7 @@ class MapComparison {
     for (const WalkCell& cell : found_.cells) {
       foundOutlines.push_back(outlineOf(cell));
     }
-    std::vector<CandidatePair> pairs;
+    std::map<std::pair<uint32_t, uint32_t>, double> sharedOfRooms;  // known and found
     std::map<uint32_t, double> sharedOfPart;
     for (uint32_t k = 0; k < known_.cells.size(); ++k) {
       for (uint32_t f = 0; f < found_.cells.size(); ++f) {
@@ -138,19 +149,32 @@ class MapComparison {
           continue;
         }
         sharedOfPart[found_.partOfCell[f]] += shared;
-        const double either = areaOfOutline(knownOutlines[k]) + areaOfOutline(foundOutlines[f]) - shared;
-        if (shared >= rules_.cellOverlap * either) {
-          pairs.push_back({-shared / either, k, f});
-        }
+        sharedOfRooms[{known_.roomOfCell[k], found_.roomOfCell[f]}] += shared;
+      }
+    }
+    std::vector<CandidatePair> pairs;
+    const std::vector<double> knownAreas = areasOfRooms(known_, knownOutlines);
+    const std::vector<double> foundAreas = areasOfRooms(found_, foundOutlines);
+    for (const auto& [rooms, shared] : sharedOfRooms) {
+      const auto& [k, f] = rooms;
+      const double either = knownAreas[k] + foundAreas[f] - shared;
+      if (shared >= rules_.roomOverlap * either) {
+        pairs.push_back({-shared / either, k, f});
       }
     }
     const auto most = std::max_element(sharedOfPart.begin(), sharedOfPart.end(),
                                        [](const auto& a, const auto& b) { return a.second < b.second; });
     isReached_.assign(found_.cells.size(), false);
+    std::vector<bool> isReachedRoom(found_.roomCount(), false);
     if (most != sharedOfPart.end()) {
       for (uint32_t f = 0; f < found_.cells.size(); ++f) {
         isReached_[f] = found_.partOfCell[f] == most->first;
         if (isReached_[f]) {
+          const uint32_t room = found_.roomOfCell[f];
+          if (!isReachedRoom[room]) {
+            agreement_.reachedRooms.push_back(room);
+          }
+          isReachedRoom[room] = true;
           agreement_.reached.push_back(f);
           agreement_.reachedArea += areaOfOutline(foundOutlines[f]);
         }
@@ -158,8 +182,8 @@ class MapComparison {
     }
     compareFloors(knownOutlines, foundOutlines);
     agreement_.otherCells = found_.cells.size() - agreement_.reached.size();
-    std::erase_if(pairs, [&](const CandidatePair& pair) { return !isReached_[pair.found]; });
-    agreement_.foundOfCell = matchPairs(std::move(pairs), known_.cells.size(), found_.cells.size());
+    std::erase_if(pairs, [&](const CandidatePair& pair) { return !isReachedRoom[pair.found]; });
+    agreement_.foundOfRoom = matchPairs(std::move(pairs), known_.roomCount(), found_.roomCount());
   }
 
   /// By places a quarter of a unit apart: boxes of one map may reach into each other.
@@ -205,16 +229,21 @@ class MapComparison {
     for (uint32_t f = 0; f < found_.portals.size(); ++f) {
       if (isReached_[found_.portals[f].from]) {
         agreement_.reachedPortals.push_back(f);
+        agreement_.reachedOpenings += found_.portals[f].isJoint ? 0 : 1;
       }
     }
     for (uint32_t k = 0; k < known_.portals.size(); ++k) {
+      if (known_.portals[k].isJoint) {
+        continue;
+      }
       const Portal& known = known_.portals[k].opening;
       const double reach = std::max(rules_.openingReach, static_cast<double>(glm::length(known.halfRight)));
       for (const uint32_t f : agreement_.reachedPortals) {
         const glm::dvec3 apart = footOf(found_.portals[f]) - footOf(known_.portals[k]);
         const double distance = std::hypot(apart.x, apart.z);
         const double turn = std::abs(glm::dot(known.normal, found_.portals[f].opening.normal));
-        if (distance < reach && std::abs(apart.y) < rules_.levelStep && turn >= std::sqrt(0.5)) {
+        if (!found_.portals[f].isJoint && distance < reach && std::abs(apart.y) < rules_.levelStep &&
+            turn >= std::sqrt(0.5)) {
           pairs.push_back({distance, k, f});
         }
       }
@@ -231,8 +260,8 @@ class MapComparison {
 
 }  // namespace
 
-size_t WalkAgreement::matchedCells() const {
-  return countMatches(foundOfCell);
+size_t WalkAgreement::matchedRooms() const {
+  return countMatches(foundOfRoom);
 }
 
 size_t WalkAgreement::matchedPortals() const {
@@ -240,6 +269,10 @@ size_t WalkAgreement::matchedPortals() const {
 }
 
 WalkAgreement compareWalkMaps(const WalkMap& known, const WalkMap& found, const WalkAgreementRules& rules) {
+  for (const WalkMap* map : {&known, &found}) {
+    OC_CHECK(map->partOfCell.size() == map->cells.size() && map->roomOfCell.size() == map->cells.size(),
+             "cells of maps that are compared are numbered");
+  }
   return MapComparison(known, found, rules).compare();
 }
 

@@ -8,7 +8,6 @@
 namespace ocelli {
 namespace {
 
-constexpr double kSameWidth = 0.8;
 constexpr double kThinShare = 0.35;
 
 }  // namespace

@@ -8,6 +8,9 @@
 
 namespace ocelli {
 
+/// Of the widest place of an area: what is narrower is another one, or an opening.
+inline constexpr double kSameWidth = 0.8;
+
 struct WalkAreas {
   WalkPieces pieces;
   std::vector<uint16_t> halfWidth;  ///< of each, as halfWidths()

@@ -66,7 +66,8 @@ void dissolveShortTunnels(WalkMap& map, float shortest) {
   std::vector<WalkPortal> portals;
   for (size_t p = 0; p < map.portals.size(); ++p) {
     if (isPortalGone[p] == 0) {
-      portals.push_back({numbers[map.portals[p].from], numbers[map.portals[p].to], map.portals[p].opening});
+      portals.push_back(
+          {numbers[map.portals[p].from], numbers[map.portals[p].to], map.portals[p].opening, map.portals[p].isJoint});
     }
   }
   map.cells = std::move(cells);

@@ -5,11 +5,12 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
 
+#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/walkable/walk_parts.h"
 
 namespace ocelli {
 namespace {
@@ -18,7 +19,8 @@ constexpr double kFarthest = 1e6;
 constexpr double kShortest = 1e-6;
 constexpr size_t kMaxCells = 20000;
 constexpr size_t kMaxPortals = 80000;
-constexpr size_t kMaxRings = 10000;
+constexpr size_t kMaxRings = 10000;         // of a tunnel
+constexpr size_t kMaxMapRings = 1'000'000;  // of a map: 16 MB of rings, and some hundred MB while its JSON is read
 
 glm::vec3 vectorIn(JsonFields& fields, const std::string& name) {
   const std::vector<double> v = fields.numbers(name, 3, -kFarthest, kFarthest);
@@ -43,7 +45,8 @@ glm::vec3 axisIn(JsonFields& fields) {
   return {static_cast<float>(v[0] / divisor), 0, static_cast<float>(v[1] / divisor)};
 }
 
-std::vector<WalkRing> ringsIn(JsonFields& fields, const WalkCell& cell) {
+/// `allowed` is how many rings the map may still have.
+std::vector<WalkRing> ringsIn(JsonFields& fields, const WalkCell& cell, size_t allowed) {
   std::vector<WalkRing> rings;
   if (!fields.has("rings")) {
     if (cell.kind == WalkCellKind::kTunnel) {
@@ -56,26 +59,30 @@ std::vector<WalkRing> ringsIn(JsonFields& fields, const WalkCell& cell) {
   if (!list.is_array() || list.size() > kMaxRings) {
     fields.fail("rings", fmt::format("must be an array of at most {} rings", kMaxRings));
   }
+  if (list.size() > allowed) {
+    fields.fail("rings", fmt::format("has {} rings: all tunnels of a map together may have {}, and {} are left",
+                                     list.size(), kMaxMapRings, allowed));
+  }
   for (const nlohmann::json& value : list) {
     const bool isRing = value.is_array() && value.size() == 4 && value[0].is_number() && value[1].is_number() &&
                         value[2].is_number() && value[3].is_number();
     const auto number = [&](size_t i) { return value[i].get<double>(); };
     if (!isRing || std::min({number(0), number(1), number(2), number(3)}) < 0 ||
         std::max({number(0), number(1), number(2), number(3)}) > kFarthest) {
-      fields.fail("rings", fmt::format("ring {} must be four numbers from 0 to {:.0f}", rings.size() + 1, kFarthest));
+      fields.fail("rings", fmt::format("ring {} must be four numbers from 0 to {:.0f}", rings.size(), kFarthest));
     }
     if (!(number(1) + number(2) >= kShortest) || !(number(3) >= kShortest)) {
       fields.fail("rings", fmt::format("ring {} must have a width (the second and third number) and a height (the "
                                        "fourth) above 0",
-                                       rings.size() + 1));
+                                       rings.size()));
     }
     rings.push_back({static_cast<float>(number(0)), static_cast<float>(number(1)), static_cast<float>(number(2)),
                      static_cast<float>(number(3))});
     if (rings.size() > 1 && rings.back().along < rings[rings.size() - 2].along) {
-      fields.fail("rings", fmt::format("ring {} must not lie before the one before it", rings.size()));
+      fields.fail("rings", fmt::format("ring {} must not lie before the one before it", rings.size() - 1));
     }
     if (rings.back().along > 2.001f * cell.halfLength) {
-      fields.fail("rings", fmt::format("ring {} lies beyond the end of the cell", rings.size()));
+      fields.fail("rings", fmt::format("ring {} lies beyond the end of the cell", rings.size() - 1));
     }
   }
   if (cell.kind == WalkCellKind::kTunnel ? rings.size() < 2 : !rings.empty()) {
@@ -85,7 +92,7 @@ std::vector<WalkRing> ringsIn(JsonFields& fields, const WalkCell& cell) {
   return rings;
 }
 
-WalkCell cellIn(JsonFields& fields) {
+WalkCell cellIn(JsonFields& fields, size_t allowedRings) {
   WalkCell cell;
   cell.kind = fields.choice("kind", {"room", "tunnel"}) == "room" ? WalkCellKind::kRoom : WalkCellKind::kTunnel;
   cell.center = vectorIn(fields, "center");
@@ -94,7 +101,7 @@ WalkCell cellIn(JsonFields& fields) {
   cell.halfWidth = lengthIn(fields, "width") / 2;
   cell.height = lengthIn(fields, "height");
   cell.floorRise = static_cast<float>(fields.number("floor_rise", -kFarthest, kFarthest, 0));
-  cell.rings = ringsIn(fields, cell);
+  cell.rings = ringsIn(fields, cell, allowedRings);
   return cell;
 }
 
@@ -112,6 +119,7 @@ WalkPortal portalIn(JsonFields& fields, size_t cells) {
   if (portal.from == portal.to) {
     fields.fail("to", "must be another cell than \"from\"");
   }
+  portal.isJoint = fields.boolean("joint", false);
   Portal& opening = portal.opening;
   opening.center = vectorIn(fields, "center");
   opening.halfRight = vectorIn(fields, "half_right");
@@ -150,17 +158,52 @@ nlohmann::ordered_json listOf(const glm::vec3& v) {
   return listOf({v.x, v.y, v.z});
 }
 
+/// What is written must be read again.
+void requireFit(const WalkMap& map) {
+  size_t rings = 0;
+  for (const WalkCell& cell : map.cells) {
+    rings += cell.rings.size();
+    const glm::vec3 reach = glm::abs(cell.center);
+    if (!(std::max({reach.x, reach.y, reach.z}) <= static_cast<float>(kFarthest))) {
+      throw InputError(fmt::format("{} lies {:.3g} units from the origin, and files of walk maps hold {:.0f} at most",
+                                   nameOfCell(static_cast<size_t>(&cell - map.cells.data())),
+                                   std::max({reach.x, reach.y, reach.z}), kFarthest),
+                       "walk map", "move the scene to its origin, or make its units larger");
+    }
+  }
+  const auto require = [](size_t count, size_t most, const char* what) {
+    if (count > most) {
+      throw InputError(fmt::format("the map has {} {}, and files of walk maps hold {} at most", count, what, most),
+                       "walk map", "give a larger agent or larger squares, or divide the scene");
+    }
+  };
+  require(map.cells.size(), kMaxCells, "cells");
+  require(map.portals.size(), kMaxPortals, "portals");
+  require(rings, kMaxMapRings, "rings");
+}
+
 }  // namespace
 
 WalkMap readWalkMap(JsonFields& fields) {
   WalkMap map;
+  size_t rings = 0;
   fields.forEach(
-      "cells", 1, kMaxCells, [&](JsonFields& each) { map.cells.push_back(cellIn(each)); }, "cells");
+      "cells", 1, kMaxCells,
+      [&](JsonFields& each) {
+        each.callIt(nameOfCell(map.cells.size()));
+        map.cells.push_back(cellIn(each, kMaxMapRings - rings));
+        rings += map.cells.back().rings.size();
+      },
+      "cells");
   fields.forEach(
-      "portals", 0, kMaxPortals, [&](JsonFields& each) { map.portals.push_back(portalIn(each, map.cells.size())); },
+      "portals", 0, kMaxPortals,
+      [&](JsonFields& each) {
+        each.callIt(nameOfOpening(map.portals.size()));
+        map.portals.push_back(portalIn(each, map.cells.size()));
+      },
       "portals");
   fields.rejectUnknown();
-  map.partOfCell = connectedParts(map);
+  numberCells(map);
   return map;
 }
 
@@ -177,6 +220,7 @@ WalkMap readWalkMap(const std::filesystem::path& path) {
 }
 
 std::string jsonText(const WalkMap& map) {
+  requireFit(map);
   nlohmann::ordered_json cells = nlohmann::ordered_json::array();
   for (const WalkCell& cell : map.cells) {
     nlohmann::ordered_json json{{"kind", cell.kind == WalkCellKind::kRoom ? "room" : "tunnel"},
@@ -198,11 +242,15 @@ std::string jsonText(const WalkMap& map) {
   }
   nlohmann::ordered_json portals = nlohmann::ordered_json::array();
   for (const WalkPortal& portal : map.portals) {
-    portals.push_back({{"from", portal.from},
-                       {"to", portal.to},
-                       {"center", listOf(portal.opening.center)},
-                       {"half_right", listOf(portal.opening.halfRight)},
-                       {"half_up", listOf(portal.opening.halfUp)}});
+    nlohmann::ordered_json json{{"from", portal.from},
+                                {"to", portal.to},
+                                {"center", listOf(portal.opening.center)},
+                                {"half_right", listOf(portal.opening.halfRight)},
+                                {"half_up", listOf(portal.opening.halfUp)}};
+    if (portal.isJoint) {
+      json["joint"] = true;
+    }
+    portals.push_back(std::move(json));
   }
   return textOfJson(nlohmann::ordered_json{{"cells", cells}, {"portals", portals}}, 1) + "\n";
 }

@@ -13,12 +13,13 @@
 namespace ocelli {
 namespace {
 
-/// A side between two squares of two pieces that one can stand on, seen from the one with the lower number.
+/// A side between two squares of two pieces, seen from the one with the lower number.
 struct PortalEdge {
   uint32_t from = 0;  ///< pieces
   uint32_t to = 0;
   uint32_t square = 0;  ///< of `from`
   int side = 0;
+  bool isWalkable = true;  ///< else an obstacle stands there
 };
 
 std::vector<PortalEdge> edgesBetween(const WalkField& field, const WalkPieces& pieces) {
@@ -26,9 +27,9 @@ std::vector<PortalEdge> edgesBetween(const WalkField& field, const WalkPieces& p
   for (uint32_t i = 0; i < field.squares.size(); ++i) {
     for (int side = 0; side < 4; ++side) {
       const uint32_t k = field.squares[i].next[side];
-      if (k != kNoSquare && pieces.of[i] < pieces.of[k] && !field.squares[i].isObstacle &&
-          !field.squares[k].isObstacle) {
-        edges.push_back({pieces.of[i], pieces.of[k], i, side});
+      if (k != kNoSquare && pieces.of[i] < pieces.of[k]) {
+        edges.push_back(
+            {pieces.of[i], pieces.of[k], i, side, !field.squares[i].isObstacle && !field.squares[k].isObstacle});
       }
     }
   }
@@ -70,6 +71,14 @@ std::vector<std::vector<PortalEdge>> openingsIn(const WalkField& field, const st
   return openings;
 }
 
+/// From its first edge that one can walk through to its last one.
+std::vector<PortalEdge> trimmed(const std::vector<PortalEdge>& run) {
+  const auto isWalkable = [](const PortalEdge& edge) { return edge.isWalkable; };
+  const auto first = std::find_if(run.begin(), run.end(), isWalkable);
+  const auto last = std::find_if(run.rbegin(), run.rend(), isWalkable).base();
+  return first < last ? std::vector<PortalEdge>(first, last) : std::vector<PortalEdge>();
+}
+
 /// A group that lies on several sides of a piece, as around a corner, has an opening on each: its straight runs of at
 /// least that many edges, and of a quarter of all. One that is mostly straight is its longest run; one that is a
 /// staircase is one opening.
@@ -91,12 +100,14 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
       while (end < edges.size() && edges[end].first == edges[end - 1].first + 1) {
         ++end;
       }
-      if (end - begin >= shortest) {
-        runs.emplace_back();
+      std::vector<PortalEdge> run;
+      for (size_t e = begin; e < end; ++e) {
+        run.push_back(edges[e].second);
+      }
+      run = trimmed(run);
+      if (run.size() >= shortest) {
         hasSide[line[0]] = true;
-        for (size_t e = begin; e < end; ++e) {
-          runs.back().push_back(edges[e].second);
-        }
+        runs.push_back(std::move(run));
       }
       begin = end;
     }
@@ -110,7 +121,12 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
       return {run};
     }
   }
-  return {group};
+  std::vector<PortalEdge> walkable = group;
+  std::erase_if(walkable, [](const PortalEdge& edge) { return !edge.isWalkable; });
+  if (walkable.empty()) {
+    return {};
+  }
+  return {walkable};
 }
 
 float median(std::vector<float> values) {
@@ -168,8 +184,8 @@ WalkPortal portalOf(const WalkField& field, const std::vector<PortalEdge>& edges
 
 }  // namespace
 
-std::vector<WalkPortal> portalsOf(const WalkField& field, const WalkLayout& layout, const std::vector<WalkCell>& cells,
-                                  int radius) {
+std::vector<WalkPortal> portalsOf(const WalkField& field, const WalkLayout& layout, const std::vector<uint32_t>& rooms,
+                                  const std::vector<WalkCell>& cells, int radius) {
   const std::vector<PortalEdge> edges = edgesBetween(field, layout.pieces);
   std::vector<WalkPortal> portals;
   std::vector<WalkPortal> narrow;
@@ -183,7 +199,8 @@ std::vector<WalkPortal> portalsOf(const WalkField& field, const WalkLayout& layo
                                        edges.begin() + static_cast<long>(end));
     for (const std::vector<PortalEdge>& opening : openingsIn(field, pair)) {
       for (const std::vector<PortalEdge>& straight : straightOpenings(field, opening, 2 * radius + 1)) {
-        const WalkPortal portal = portalOf(field, straight, cells);
+        WalkPortal portal = portalOf(field, straight, cells);
+        portal.isJoint = rooms[portal.from] == rooms[portal.to];
         (glm::length(portal.opening.halfRight) < 0.99f * least ? narrow : portals).push_back(portal);
       }
     }

@@ -63,7 +63,9 @@ SquareRectangle largestRectangle(const WalkField& field, const std::vector<uint3
   return best;
 }
 
-bool fitsAsItIs(const WalkField& field, const std::vector<uint32_t>& squares, const WalkShape& shape) {
+}  // namespace
+
+bool fitsBox(const WalkField& field, const std::vector<uint32_t>& squares, const WalkShape& shape) {
   // Tunnels shorter than wide are what is between two crossings.
   if (shape.isTunnel && static_cast<double>(squares.size()) < widthOf(shape.halfWidth) * widthOf(shape.halfWidth)) {
     return true;
@@ -72,6 +74,8 @@ bool fitsAsItIs(const WalkField& field, const std::vector<uint32_t>& squares, co
   const bool isTurned = std::min(std::abs(fit.box.axis.x), std::abs(fit.box.axis.y)) > 1e-6;
   return fit.shared >= (isTurned ? kTurnedFits : shape.isTunnel ? kTunnelFits : kRoomFits);
 }
+
+namespace {
 
 /// Labels for the squares of one piece, from `next` on.
 void divide(const WalkField& field, const std::vector<uint32_t>& piece, int radius, std::vector<uint32_t>& labels,
@@ -112,11 +116,12 @@ WalkLayout rectangularLayout(const WalkField& field, const WalkLayout& layout, i
   std::vector<uint8_t> isDivided(layout.pieces.count, 0);
   uint32_t next = layout.pieces.count;
   for (uint32_t piece = 0; piece < layout.pieces.count; ++piece) {
-    if (!fitsAsItIs(field, squares[piece], layout.shapes[piece])) {
+    if (!fitsBox(field, squares[piece], layout.shapes[piece])) {
       isDivided[piece] = 1;
       divide(field, squares[piece], radius, labels, next);
       WalkShape room = layout.shapes[piece];
       room.isTunnel = false;
+      room.isOfWays = false;
       shapeOf.resize(next, room);
     }
   }

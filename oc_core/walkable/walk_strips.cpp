@@ -128,6 +128,7 @@ void joinStrips(Division& d) {
   for (size_t i = 0; i < joined.of.size(); ++i) {
     const uint32_t old = d.pieces.of[i];
     shapes[joined.of[i]].halfWidth = std::max(shapes[joined.of[i]].halfWidth, d.shapes[old].halfWidth);
+    shapes[joined.of[i]].isOfWays = shapes[joined.of[i]].isOfWays || d.shapes[old].isOfWays;
     isCrossing[joined.of[i]] = d.isCrossing[old];
     area[joined.of[i]] = d.area[old];
   }
@@ -168,6 +169,7 @@ void divideArm(Division& d, uint32_t piece) {
   if (rest < kShortestTunnel) {
     return;
   }
+  shape.isOfWays = true;
   const WalkShape room = shape;
   shape.isTunnel = true;
   d.shapes[piece] = shape;
@@ -200,13 +202,15 @@ std::vector<SquareRange> mouthsOf(const Division& d, uint32_t piece) {
   std::vector<SquareRange> mouths;
   for (size_t begin = 0; begin < edges.size();) {
     size_t end = begin + 1;
+    const double mouthWidth = widthOf(d.shapes[edges[begin].first].halfWidth);
+    const double widestGap = 1 + (1 - kMouthIsWhole) * mouthWidth;  // behind a tree, a lamp or a car
     while (end < edges.size() && edges[end].first == edges[begin].first &&
-           edges[end].second <= edges[end - 1].second + 1) {
+           edges[end].second <= edges[end - 1].second + widestGap) {
       ++end;
     }
     const SquareRange mouth{edges[begin].second, edges[end - 1].second};
     if (mouth.length() >= kMouthOfTunnel * width && mouth.length() <= kWidestMouth * width &&
-        mouth.length() >= kMouthIsWhole * widthOf(d.shapes[edges[begin].first].halfWidth)) {
+        mouth.length() >= kMouthIsWhole * mouthWidth) {
       mouths.push_back(mouth);
     }
     begin = end;
@@ -261,6 +265,13 @@ WalkLayout layoutOf(const WalkField& field, const WalkAreas& areas, int radius) 
   d.shapes.resize(d.pieces.count);
   for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
     d.shapes[piece].halfWidth = areas.halfWidth[d.area[piece]];
+  }
+  std::vector<uint8_t> hasCrossing(areas.pieces.count, 0);
+  for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
+    hasCrossing[d.area[piece]] |= d.isCrossing[piece];
+  }
+  for (uint32_t piece = 0; piece < d.pieces.count; ++piece) {
+    d.shapes[piece].isOfWays = hasCrossing[d.area[piece]] != 0;
   }
   joinStrips(d);
   const uint32_t arms = d.pieces.count;

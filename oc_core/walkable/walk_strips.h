@@ -12,6 +12,7 @@ namespace ocelli {
 struct WalkShape {
   bool isTunnel = false;
   bool isAlongX = false;   ///< of a tunnel: else along z
+  bool isOfWays = false;   ///< of a street or corridor: a tunnel, a crossing, a turn or a dead end
   uint16_t halfWidth = 1;  ///< of its area
 };
 

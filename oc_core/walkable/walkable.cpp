@@ -14,19 +14,19 @@
 #include "oc_core/walkable/walk_furniture.h"
 #include "oc_core/walkable/walk_links.h"
 #include "oc_core/walkable/walk_obstacles.h"
-#include "oc_core/walkable/walk_parts.h"
 #include "oc_core/walkable/walk_portals.h"
 #include "oc_core/walkable/walk_reach.h"
 #include "oc_core/walkable/walk_rectangles.h"
+#include "oc_core/walkable/walk_rooms.h"
 #include "oc_core/walkable/walk_width.h"
 
 namespace ocelli {
 namespace {
 
 constexpr const char* kWalkable = "walkable floor";
-constexpr uint16_t kWidestPlace = 128;  // squares; wider places are as wide as that
-constexpr double kMaxRadius = 30000;    // squares: fields have kMaxWalkColumns, so floor as wide as that never is
-constexpr double kMostHeights = 8000;   // Recast's height fields have 8,191
+constexpr uint16_t kWidestPlace = 1024;  // steps to the border: places wider than 2,047 squares are as wide as that
+constexpr double kMaxRadius = 30000;     // squares: fields have kMaxWalkColumns, so floor as wide as that never is
+constexpr double kMostHeights = 8000;    // Recast's height fields have 8,191
 
 void requireRange(const WalkOptions& options, double unitsOfScene) {
   for (const WalkOption& option : walkOptionTable()) {
@@ -151,16 +151,19 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   const auto smallest =
       static_cast<size_t>(std::min(std::pow(options.agentHeight / raster.cellSize / 2, 2), kMaxWalkColumns));
   const WalkAreas areas = areasOf(field, half, radius, smallest);
-  finds(0.7);
+  finds(0.65);
   const WalkLayout strips = layoutOf(field, areas, radius);
+  finds(0.7);
+  const WalkLayout rectangles = rectangularLayout(field, strips, radius);
   finds(0.8);
-  const WalkLayout layout = rectangularLayout(field, strips, radius);
+  const JointSearch joints{field, half, raster.agentHeight};
+  const WalkLayout layout = mergedLayout(joints, rectangles);
   finds(0.9);
   survey.map.cells = cellsOf(field, layout, raster.agentHeight);
   finds(0.95);
-  survey.map.portals = portalsOf(field, layout, survey.map.cells, radius);
+  survey.map.portals = portalsOf(field, layout, roomsOf(joints, layout), survey.map.cells, radius);
   dissolveShortTunnels(survey.map, raster.agentHeight / 2);
-  survey.map.partOfCell = connectedParts(survey.map);
+  numberCells(survey.map);
   turn(survey.map, angle);
   finds(1);
   return survey;

@@ -8,8 +8,9 @@
 // 5. The width of the free space at each square (walk_width.h) divides the floor into areas: doors are narrow, rooms
 //    and streets have a width of their own (walk_areas.h).
 // 6. Areas that are longer than wide are divided where they cross or turn (walk_strips.h).
-// 7. Each piece becomes a box, or a tunnel with rings (walk_cells.h), and their borders become portals
-//    (walk_portals.h).
+// 7. Pieces of one room are joined (walk_joints.h, walk_rooms.h).
+// 8. Each piece becomes a box, or a tunnel with rings (walk_cells.h), and their borders become portals
+//    (walk_portals.h): openings between rooms, and joints within them.
 //
 // DEVIATION: the dissertation fits boxes by hand ("The maze is built by fitting rectangular boxes to path
 // intersections"); all the rules here are ours.

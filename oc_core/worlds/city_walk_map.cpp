@@ -46,7 +46,7 @@ class CityWalks {
       addStreet(street);
     }
     openTouchingCells(map_, kMinMouth);
-    numberParts(map_);
+    numberCells(map_);
     return std::move(map_);
   }
 

@@ -32,7 +32,7 @@ class HouseWalks {
     if (plan_.stairs) {
       addFlight(*plan_.stairs, cellsOfRoom);
     }
-    numberParts(map_);
+    numberCells(map_);
     return std::move(map_);
   }
 
@@ -44,7 +44,7 @@ class HouseWalks {
 
   std::vector<uint32_t> addRoomCells(const HouseRoom& room) {
     if (room.kind == HouseRoomKind::kStairwell) {
-      // What is beside the flight, before its first step and behind its last one.
+      // One room: what is beside the flight, before its first step and behind its last one.
       const HouseRectangle& flight = plan_.stairs->area;
       const uint32_t beside =
           addCell(WalkCellKind::kRoom, {{room.area.lower.x, flight.upper.y}, room.area.upper}, room.floor());
@@ -57,7 +57,7 @@ class HouseWalks {
         const CellFootprint area = footprintOf(map_.cells[landing]);
         const glm::vec3 place((area.lower.x + area.upper.x) / 2, room.floor(), area.upper.y);
         map_.portals.push_back(
-            {beside, landing, uprightOpening(place, {0, 0, 1}, (area.upper.x - area.lower.x) / 2, kRoomHeight)});
+            {beside, landing, uprightOpening(place, {0, 0, 1}, (area.upper.x - area.lower.x) / 2, kRoomHeight), true});
       }
       return {beside, west, east};
     }

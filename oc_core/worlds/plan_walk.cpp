@@ -109,25 +109,6 @@ void openTouchingCells(WalkMap& map, float minWidth) {
   }
 }
 
-void numberParts(WalkMap& map) {
-  map.partOfCell.assign(map.cells.size(), 0);
-  std::vector<bool> isNumbered(map.cells.size());
-  uint32_t parts = 0;
-  for (size_t cell = 0; cell < map.cells.size(); ++cell) {
-    if (isNumbered[cell]) {
-      continue;
-    }
-    const CellSearch search = searchCells(map, cell);
-    for (size_t other = 0; other < map.cells.size(); ++other) {
-      if (search.distance[other] != kNowhere) {
-        isNumbered[other] = true;
-        map.partOfCell[other] = parts;
-      }
-    }
-    ++parts;
-  }
-}
-
 CellWay wayThroughCells(const WalkMap& map, size_t from, size_t to) {
   const CellSearch search = searchCells(map, from);
   CellWay way;

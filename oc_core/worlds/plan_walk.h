@@ -27,9 +27,6 @@ Portal uprightOpening(const glm::vec3& place, const glm::vec3& normal, float hal
 /// one of them; it is seen from the one with the larger floor. For cells that nothing parts but their edges.
 void openTouchingCells(WalkMap& map, float minWidth);
 
-/// Fills in partOfCell from the portals, in the order of the cells.
-void numberParts(WalkMap& map);
-
 /// The cells of a shortest way by the number of portals, both ends included, and the portals between them; empty where
 /// there is none.
 struct CellWay {

@@ -118,7 +118,6 @@ WalkMap PlannedHouse::map(float degrees) const {
                     {2 * cell.halfLength, cell.halfWidth, cell.halfWidth, plan.height}};
     }
     map.cells.push_back(cell);
-    map.partOfCell.push_back(0);
   }
   for (const PlanDoor& door : doors) {
     const DoorPlace place = placeOf(cells[door.from], cells[door.to], door);
@@ -130,6 +129,7 @@ WalkMap PlannedHouse::map(float degrees) const {
     opening.halfRight = glm::cross(glm::vec3(0, 1, 0), opening.normal) * (door.width / 2);
     map.portals.push_back({door.from, door.to, opening});
   }
+  numberCells(map);
   return map;
 }
 

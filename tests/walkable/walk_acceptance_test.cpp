@@ -18,18 +18,28 @@ struct FoundTotals {
   double coveredArea = 0;
   double foundArea = 0;
   double plannedArea = 0;
-  size_t knownCells = 0;
-  size_t matchedCells = 0;
+  size_t knownRooms = 0;
+  size_t matchedRooms = 0;
+  size_t foundRooms = 0;
   size_t knownPortals = 0;
   size_t matchedPortals = 0;
+  size_t foundPortals = 0;
   size_t cells = 0;
   size_t seen = 0;
 
   double covered() const { return coveredArea / knownArea; }
   double planned() const { return plannedArea / foundArea; }
-  double cellRecall() const { return static_cast<double>(matchedCells) / static_cast<double>(knownCells); }
-  double portalRecall() const { return static_cast<double>(matchedPortals) / static_cast<double>(knownPortals); }
-  double seenShare() const { return static_cast<double>(seen) / static_cast<double>(cells); }
+  static double share(size_t part, size_t whole) { return static_cast<double>(part) / static_cast<double>(whole); }
+  double roomRecall() const { return share(matchedRooms, knownRooms); }
+  double roomPrecision() const { return share(matchedRooms, foundRooms); }
+  double openingRecall() const { return share(matchedPortals, knownPortals); }
+  double openingPrecision() const { return share(matchedPortals, foundPortals); }
+  double seenShare() const { return share(seen, cells); }
+
+  void print() const {
+    std::printf("floor %.3f %.3f, rooms %.3f %.3f, openings %.3f %.3f, seen %.3f of %zu\n", covered(), planned(),
+                roomRecall(), roomPrecision(), openingRecall(), openingPrecision(), seenShare(), cells);
+  }
 };
 
 void accept(const bench::WalkScene& scene, FoundTotals& totals) {
@@ -46,10 +56,12 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
   totals.coveredArea += agreement.coveredShare * agreement.knownArea;
   totals.foundArea += agreement.reachedArea;
   totals.plannedArea += agreement.knownShare * agreement.reachedArea;
-  totals.knownCells += scene.known.cells.size();
-  totals.matchedCells += agreement.matchedCells();
-  totals.knownPortals += scene.known.portals.size();
+  totals.knownRooms += scene.known.roomCount();
+  totals.matchedRooms += agreement.matchedRooms();
+  totals.foundRooms += agreement.reachedRooms.size();
+  totals.knownPortals += scene.known.openingCount();
   totals.matchedPortals += agreement.matchedPortals();
+  totals.foundPortals += agreement.reachedOpenings;
   totals.cells += result.cells.size();
   totals.seen += result.seenCells();
 }
@@ -66,12 +78,11 @@ TEST(WalkAcceptance, FindsCities) {
   for (uint64_t seed = 1; seed <= kScenes; ++seed) {
     accept(bench::cityToWalk(seed, kCitySize), totals);
   }
-  std::printf("floor %.3f %.3f, cells %.3f, openings %.3f, seen %.3f\n", totals.covered(), totals.planned(),
-              totals.cellRecall(), totals.portalRecall(), totals.seenShare());
+  totals.print();
   EXPECT_GE(totals.covered(), 0.95);
   EXPECT_GE(totals.planned(), 0.85);
-  EXPECT_GE(totals.cellRecall(), 0.8);
-  EXPECT_GE(totals.portalRecall(), 0.7);
+  EXPECT_GE(totals.roomRecall(), 0.8);
+  EXPECT_GE(totals.openingRecall(), 0.7);
   EXPECT_GE(totals.seenShare(), 0.35);
 }
 
@@ -83,12 +94,11 @@ TEST(WalkAcceptance, FindsHouses) {
   for (uint64_t seed = 1; seed <= kScenes; ++seed) {
     accept(bench::houseToWalk(seed), totals);
   }
-  std::printf("floor %.3f %.3f, cells %.3f, openings %.3f, seen %.3f\n", totals.covered(), totals.planned(),
-              totals.cellRecall(), totals.portalRecall(), totals.seenShare());
+  totals.print();
   EXPECT_GE(totals.covered(), 0.9);
   EXPECT_GE(totals.planned(), 0.97);
-  EXPECT_GE(totals.cellRecall(), 0.95);
-  EXPECT_GE(totals.portalRecall(), 0.97);
+  EXPECT_GE(totals.roomRecall(), 0.95);
+  EXPECT_GE(totals.openingRecall(), 0.97);
   EXPECT_GE(totals.seenShare(), 0.54);
 }
 

@@ -17,17 +17,17 @@ WalkMap twoRooms() {
   map.cells = {levelCell(WalkCellKind::kRoom, {0, 0}, {4, 6}, 0, 2.7f),
                levelCell(WalkCellKind::kRoom, {4, 0}, {8, 6}, 0, 2.7f)};
   map.portals = {{0, 1, uprightOpening({4, 0, 3}, {-1, 0, 0}, 0.5f, 2)}};
-  numberParts(map);
+  numberCells(map);
   return map;
 }
 
 TEST(WalkAgreement, OfAMapWithItselfIsWhole) {
   for (const WalkMap& map : {twoRooms(), cityWalkMap(planCity({1, 100})), houseWalkMap(planHouse({1}))}) {
     const WalkAgreement agreement = compareWalkMaps(map, map);
-    EXPECT_EQ(agreement.matchedCells(), map.cells.size());
-    EXPECT_EQ(agreement.matchedPortals(), map.portals.size());
-    for (uint32_t cell = 0; cell < map.cells.size(); ++cell) {
-      EXPECT_EQ(agreement.foundOfCell[cell], cell);
+    EXPECT_EQ(agreement.matchedRooms(), map.roomCount());
+    EXPECT_EQ(agreement.matchedPortals(), map.openingCount());
+    for (uint32_t room = 0; room < map.roomCount(); ++room) {
+      EXPECT_EQ(agreement.foundOfRoom[room], room);
     }
     EXPECT_EQ(agreement.coveredShare, 1);
     EXPECT_EQ(agreement.knownShare, 1);
@@ -42,10 +42,10 @@ TEST(WalkAgreement, TellsWhatIsMissedAndWhatIsExtra) {
   found.cells[1] = levelCell(WalkCellKind::kRoom, {4, 0}, {8, 3.5f}, 0, 2.7f);
   found.cells.push_back(levelCell(WalkCellKind::kRoom, {4, 3.5f}, {8, 6}, 0, 2.7f));
   found.portals.push_back({1, 2, uprightOpening({6, 0, 3.5f}, {0, 0, -1}, 2, 2.7f)});
-  numberParts(found);
+  numberCells(found);
   const WalkAgreement agreement = compareWalkMaps(known, found);
-  EXPECT_EQ(agreement.matchedCells(), 2u) << "the larger half stands for the room";
-  EXPECT_EQ(agreement.foundOfCell[1], 1u);
+  EXPECT_EQ(agreement.matchedRooms(), 2u) << "the larger half stands for the room";
+  EXPECT_EQ(agreement.foundOfRoom[1], 1u);
   EXPECT_EQ(agreement.reached.size(), 3u);
   EXPECT_EQ(agreement.matchedPortals(), 1u);
   EXPECT_EQ(agreement.reachedPortals.size(), 2u);
@@ -54,10 +54,29 @@ TEST(WalkAgreement, TellsWhatIsMissedAndWhatIsExtra) {
   found.cells.erase(found.cells.begin() + 1);
   found.portals.clear();
   found.partOfCell = {0, 0};
-  EXPECT_EQ(compareWalkMaps(known, found).foundOfCell[1], 1u);
-  EXPECT_EQ(compareWalkMaps(known, found, {.cellOverlap = 0.5}).foundOfCell[1], WalkAgreement::kNone);
+  found.roomOfCell = {0, 1};
+  EXPECT_EQ(compareWalkMaps(known, found).foundOfRoom[1], 1u);
+  EXPECT_EQ(compareWalkMaps(known, found, {.roomOverlap = 0.5}).foundOfRoom[1], WalkAgreement::kNone);
   // Places a quarter of a metre apart: rows of them at the border may count for either.
   EXPECT_NEAR(compareWalkMaps(known, found).coveredShare, (24.0 + 10) / 48, 0.25 * 4 / 48);
+}
+
+TEST(WalkAgreement, BoxesOfOneRoomCountTogetherAndJointsAreNoOpenings) {
+  const WalkMap known = twoRooms();
+  WalkMap found = known;
+  found.cells[1] = levelCell(WalkCellKind::kRoom, {4, 0}, {8, 3.5f}, 0, 2.7f);
+  found.cells.push_back(levelCell(WalkCellKind::kRoom, {4, 3.5f}, {8, 6}, 0, 2.7f));
+  found.portals.push_back({1, 2, uprightOpening({6, 0, 3.5f}, {0, 0, -1}, 2, 2.7f), true});
+  numberCells(found);
+  const WalkAgreement agreement = compareWalkMaps(known, found, {.roomOverlap = 0.999});
+  EXPECT_EQ(agreement.matchedRooms(), 2u);
+  EXPECT_EQ(agreement.reachedRooms, (std::vector<uint32_t>{0, 1}));
+  EXPECT_EQ(agreement.reachedPortals.size(), 2u);
+  EXPECT_EQ(agreement.reachedOpenings, 1u);
+  // One way round as the other: a joint of the known map is none that is missing.
+  const WalkAgreement back = compareWalkMaps(found, known, {.roomOverlap = 0.999});
+  EXPECT_EQ(back.matchedRooms(), 2u);
+  EXPECT_EQ(back.matchedPortals(), 1u);
 }
 
 TEST(WalkAgreement, LeavesOutOtherLevelsAndOtherParts) {
@@ -67,16 +86,17 @@ TEST(WalkAgreement, LeavesOutOtherLevelsAndOtherParts) {
     roof.center.y = 3;
     found.cells.push_back(roof);
     found.partOfCell.push_back(1);
+    found.roomOfCell.push_back(static_cast<uint32_t>(found.roomOfCell.size()));
   }
   const WalkAgreement agreement = compareWalkMaps(known, found);
   EXPECT_EQ(agreement.reached.size(), 2u);
   EXPECT_EQ(agreement.otherCells, 2u);
-  EXPECT_EQ(agreement.matchedCells(), 2u);
+  EXPECT_EQ(agreement.matchedRooms(), 2u);
   for (WalkCell& cell : found.cells) {
     cell.center.y += 3;
   }
   const WalkAgreement above = compareWalkMaps(known, found);
-  EXPECT_EQ(above.matchedCells(), 0u);
+  EXPECT_EQ(above.matchedRooms(), 0u);
   EXPECT_TRUE(above.reached.empty());
 }
 
@@ -88,7 +108,7 @@ TEST(WalkAgreement, TakesBoxesThatAreTurned) {
     cell.axis = {std::sin(turn), 0, -std::cos(turn)};
   }
   const WalkAgreement agreement = compareWalkMaps(known, found);
-  EXPECT_EQ(agreement.matchedCells(), 2u);
+  EXPECT_EQ(agreement.matchedRooms(), 2u);
   EXPECT_LT(agreement.knownShare, 0.95) << "corners stick out";
   EXPECT_GT(agreement.knownShare, 0.7);
 }

@@ -1,13 +1,16 @@
 #include "oc_core/walkable/walk_map_file.h"
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <glm/geometric.hpp>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/walkable/walk_parts.h"
+#include "oc_core/walkable/walk_options.h"
 #include "tests/base/schema_agreement.h"
 #include "tests/base/temporary_folder.h"
 
@@ -59,12 +62,16 @@ TEST(WalkMapFile, IsReadAsItSays) {
 TEST(WalkMapFile, WhatIsWrittenIsReadAgain) {
   WalkMap map = walkMapFromJsonText(kGoodMap, "text");
   map.cells[1].axis = {0.6f, 0, 0.8f};
+  map.portals[0].isJoint = true;
+  numberCells(map);
   map.cells[0].center = {0.1f, 1e-3f, 123456.7f};
   const std::string text = jsonText(map);
   const WalkMap again = walkMapFromJsonText(text, "text");
   EXPECT_EQ(again.cells, map.cells);
   EXPECT_EQ(again.partOfCell, map.partOfCell);
+  EXPECT_EQ(again.roomOfCell, map.roomOfCell);
   EXPECT_EQ(again.portals[0].opening.halfUp, map.portals[0].opening.halfUp);
+  EXPECT_EQ(again.portals[0].isJoint, map.portals[0].isJoint);
   EXPECT_EQ(jsonText(again), text);
 }
 
@@ -94,14 +101,42 @@ TEST(WalkMapFile, ErrorsSayFileFieldAndWhatIsWrong) {
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {7, 1, 1, 2}})), HasSubstr("beyond the end"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1}, {6, 1, 1, 2}})), HasSubstr("four numbers"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 0, 0, 2}, {6, 1, 1, 2}})),
-              HasSubstr("ring 1 must have a width"));
+              HasSubstr("ring 0 must have a width"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/rings", {{0, 1, 1, 2}, {6, 1, 1, 0}})),
-              HasSubstr("ring 2 must have a width"));
+              HasSubstr("ring 1 must have a width"));
   EXPECT_THAT(mapErrorOf(changed("/cells/1/axis", {1.002, 0})), HasSubstr("\"axis\""));
   EXPECT_EQ(mapErrorOf(changed("/cells/1/axis", {1.0005, 0})), "") << "what rounding makes of length 1";
   EXPECT_THAT(mapErrorOf(changed("/cells/1/kind", "room")), HasSubstr("only tunnels have rings"));
   EXPECT_THAT(mapErrorOf(changed("/cells", nlohmann::json::array())), HasSubstr("\"cells\""));
   EXPECT_THAT(mapErrorOf(changed("/ways", 1)), HasSubstr("\"ways\""));
+}
+
+TEST(WalkMapFile, MessagesNumberCellsAsPortalsDo) {
+  EXPECT_THAT(mapErrorOf(changed("/cells/0/width", -1)), HasSubstr("cell 0"));
+  EXPECT_THAT(mapErrorOf(changed("/cells/1/width", -1)), HasSubstr("cell 1"));
+  EXPECT_THAT(mapErrorOf(changed("/portals/0/half_up", {0, 0, 0})), HasSubstr("opening 0"));
+}
+
+TEST(WalkMapFile, WhatCannotBeReadAgainIsNotWritten) {
+  WalkMap map = walkMapFromJsonText(kGoodMap, "text");
+  map.cells[1].center.x = 2e6f;
+  EXPECT_THAT([&] { jsonText(map); }, testing::ThrowsMessage<InputError>(HasSubstr("cell 1 lies 2e+06 units")));
+  map.cells[1].center.x = 0;
+  map.cells[1].rings.assign(1'000'001, map.cells[1].rings[0]);
+  EXPECT_THAT([&] { jsonText(map); }, testing::ThrowsMessage<InputError>(HasSubstr("1000001 rings")));
+  map.cells.assign(20001, map.cells[0]);
+  EXPECT_THAT([&] { jsonText(map); }, testing::ThrowsMessage<InputError>(HasSubstr("20001 cells")));
+}
+
+TEST(WalkOptions, TheirPageHasAllOfThemWithTheirDefaults) {
+  const std::string page = readFile(OCELLI_WALKABLE_PAGE, kMaxTextBytes);
+  for (const WalkOption& option : walkOptionTable()) {
+    std::string name = option.name;
+    std::replace(name.begin(), name.end(), '_', '-');
+    const std::string row =
+        fmt::format("| `--{}` | {}{} |", name, WalkOptions().*option.value, option.isLength ? " m" : "");
+    EXPECT_THAT(page, HasSubstr(row));
+  }
 }
 
 /// The errors of a part of the map, which stands at that place.
@@ -127,6 +162,7 @@ TEST(WalkMapFile, TheSchemaOfPortalsNamesTheirFields) {
   const nlohmann::json portal = readJsonFile(OCELLI_WALK_MAP_SCHEMA).at("properties").at("portals").at("items");
   const nlohmann::json written =
       nlohmann::json::parse(jsonText(walkMapFromJsonText(kGoodMap, "text"))).at("portals").at(0);
+  EXPECT_TRUE(portal.at("properties").contains("joint"));
   for (const auto& [name, value] : written.items()) {
     EXPECT_TRUE(portal.at("properties").contains(name)) << name;
     nlohmann::json without = written;
@@ -134,17 +170,6 @@ TEST(WalkMapFile, TheSchemaOfPortalsNamesTheirFields) {
     EXPECT_THAT(mapErrorOf(changed("/portals/0", without)), HasSubstr('"' + name + '"')) << "it is required";
   }
   EXPECT_EQ(portal.at("required").size(), written.size());
-}
-
-TEST(WalkParts, AreNumberedByTheirFirstCells) {
-  WalkMap map;
-  map.cells.resize(5);
-  map.portals.resize(2);
-  map.portals[0].from = 0;
-  map.portals[0].to = 3;
-  map.portals[1].from = 4;
-  map.portals[1].to = 1;
-  EXPECT_EQ(connectedParts(map), (std::vector<uint32_t>{0, 1, 2, 0, 1}));
 }
 
 }  // namespace

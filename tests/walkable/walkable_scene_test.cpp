@@ -110,6 +110,8 @@ TEST(Walkable, StreetsThatCrossAreACrossingAndFourTunnels) {
                                      [](const WalkCell& c) { return c.kind == WalkCellKind::kTunnel; });
   EXPECT_EQ(tunnels, 4);
   EXPECT_EQ(map.cells.size(), 9U);
+  EXPECT_EQ(map.roomCount(), 5U) << "dead ends are parts of their streets";
+  EXPECT_EQ(map.openingCount(), 4U);
   const int crossing = test::cellAt(map, {0, 0, 0});
   ASSERT_GE(crossing, 0);
   EXPECT_NEAR(map.cells[crossing].halfLength, 4, 0.15f);

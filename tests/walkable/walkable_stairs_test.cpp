@@ -69,6 +69,10 @@ TEST(WalkableStairs, StoreysAreJoinedByTheirStairs) {
     return std::abs(a.floorRise) < std::abs(b.floorRise);
   });
   EXPECT_NEAR(std::abs(flight->floorRise), 3, 0.5f);
+  const auto roomOf = [&](int cell) { return map.roomOfCell[static_cast<size_t>(cell)]; };
+  const int stairs = static_cast<int>(flight - map.cells.begin());
+  EXPECT_NE(roomOf(stairs), roomOf(below));
+  EXPECT_NE(roomOf(stairs), roomOf(above));
   EXPECT_NEAR(2 * flight->halfWidth, 1.2f, 0.25f);
   EXPECT_GT(std::abs(flight->axis.x), 0.99f);
 }
