@@ -1,5 +1,5 @@
-// Shows all ways that leave the crossing or room ahead, and, below, behind (section 4.3.1.4). A click on a way, or a
-// turn to its side before the crossing, goes into it in four steps.
+// Shows all ways that leave the crossing or room ahead, and, at the left, behind (section 4.3.1.4). A click on a way,
+// or a turn to its side before the crossing, goes into it in four steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -112,6 +112,7 @@ class LiveMaze final : public LiveConstructor {
     options.crossingShare = shows(MazeOption::kCrossingShare);
     options.fovWayDegrees = shows(MazeOption::kFovWay);
     options.fovHorizontalDegrees = moment.walkerOptions.fovHorizontal;
+    options.lowered = moment.deployed;
     return options;
   }
 
@@ -214,20 +215,21 @@ class LiveMaze final : public LiveConstructor {
 
 LiveConstructorRow liveMaze() {
   const WalkCameraOptions usual;
-  return {"maze",
-          "shows all ways that leave the crossing or room ahead, and those behind below",
-          "a way to turn into, in four steps",
-          {{"left", "To the left", "parts", 0, 4, 1, "share of the rays at a crossing"},
-           {"ahead", "Ahead", "parts", 0, 4, 1, "share of the rays at a crossing"},
-           {"right", "To the right", "parts", 0, 4, 1, "share of the rays at a crossing"},
-           {"crossing_share", "Crossing", "of the width", 0.3, 0.95, usual.crossingShare,
-            "how much of the image's width the crossing takes, however far it is"},
-           {"fov_way", "Width of ways", "degrees", 15, 90, usual.fovWayDegrees,
-            "field of view at the beginning of the ways that leave the crossing"},
-           {"behind", "Image behind", "", 0, 1, 1, "whether what is behind shows below", 1, {"off", "on"}, false}},
-          true,
-          [](const ExploreScene&) { return std::make_unique<LiveMaze>(); },
-          [](const ExploreScene&) { return true; }};
+  return {
+      "maze",
+      "shows all ways that leave the crossing or room ahead, and at the left those behind",
+      "a way to turn into, in four steps",
+      {{"left", "To the left", "parts", 0, 4, 1, "share of the rays at a crossing"},
+       {"ahead", "Ahead", "parts", 0, 4, 1, "share of the rays at a crossing"},
+       {"right", "To the right", "parts", 0, 4, 1, "share of the rays at a crossing"},
+       {"crossing_share", "Crossing", "of the width", 0.3, 0.95, usual.crossingShare,
+        "how much of the image's width the crossing takes, however far it is"},
+       {"fov_way", "Width of ways", "degrees", 15, 90, usual.fovWayDegrees,
+        "field of view at the beginning of the ways that leave the crossing"},
+       {"behind", "Image behind", "", 0, 1, 1, "whether what is behind shows at the left", 1, {"off", "on"}, false}},
+      true,
+      [](const ExploreScene&) { return std::make_unique<LiveMaze>(); },
+      [](const ExploreScene&) { return true; }};
 }
 
 }  // namespace ocelli

@@ -153,14 +153,14 @@ void Explorer::followOptions(double seconds) {
 }
 
 LiveMoment Explorer::momentFor(const PinholeCamera& view, double seconds) const {
-  const int behind = state_->height - view.height();
+  const int behind = state_->width - view.width();
   return {scene_,
           view,
           walker_.view(),
           walker_.options(),
           seconds,
           eased(state_->deployed),
-          behind > 0 ? std::optional(glm::ivec2(state_->width, behind)) : std::nullopt};
+          behind > 0 ? std::optional(glm::ivec2(behind, state_->height)) : std::nullopt};
 }
 
 void Explorer::move(const WalkInput& input, double seconds) {
@@ -239,13 +239,13 @@ void Explorer::startDissolve() {
 
 void Explorer::makeFrame(double seconds) {
   State& state = *state_;
-  const auto viewOf = [&](int height) {
-    return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, state.width, height);
+  const auto viewOf = [&](int width) {
+    return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, width, state.height);
   };
   LiveConstructor& constructor = *state.live.constructor;
-  const int wanted = constructor.showsBehind() ? static_cast<int>(state.height / 2 * eased(state.deployed)) : 0;
-  const PinholeCamera whole = viewOf(state.height);
-  const PinholeCamera view = viewOf(state.height - (wanted >= kMinBehind ? wanted : 0));
+  const int wanted = constructor.showsBehind() ? static_cast<int>(state.width / 2 * eased(state.deployed)) : 0;
+  const PinholeCamera whole = viewOf(state.width);
+  const PinholeCamera view = viewOf(state.width - (wanted >= kMinBehind ? wanted : 0));
 
   frame_.walker = walker_.view();
   frame_.pinhole = whole;
@@ -261,8 +261,11 @@ void Explorer::makeFrame(double seconds) {
         frame_.camera = std::move(made.camera);
         frame_.behind = std::move(made.behind);
         frame_.splits = std::move(made.splits);
-        for (const SplitLine& line : frame_.behind ? made.splitsBehind : std::vector<SplitLine>{}) {
-          frame_.splits.push_back({state.width - line.u, state.height - line.bottom, state.height - line.top});
+        if (frame_.behind) {
+          for (SplitLine& line : frame_.splits) {
+            line.u += widthOf(*frame_.behind);
+          }
+          frame_.splits.insert(frame_.splits.end(), made.splitsBehind.begin(), made.splitsBehind.end());
         }
       }
     }

@@ -43,9 +43,8 @@ TEST_P(WalkScenes, areSeenInOneImage) {
   std::printf("%s: %zu cells, %zu connected, %zu seen\n", name.c_str(), walk.cells.size(), connected, seen);
   EXPECT_GE(static_cast<double>(seen), GetParam().cells * static_cast<double>(connected));
   test::keepImage(walk.camera, scene.mesh, "comprehensive_" + name.substr(8));
-  // Regions are disjoint, but the passages through walls between them are nobody's: where two meet in a corner, rays of
-  // one may reach into the other.
-  EXPECT_LE(test::overlapCount(walk.camera, scene.mesh), 2u);
+  // Rays of strips cross, but no more than half of what is seen is shown twice.
+  EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), 0.5);
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, WalkScenes,
