@@ -22,7 +22,7 @@ constexpr double kTurnDepths = 0.5;
 /// The plane where they turn is tilted towards them by half of the turn, or so much that the exit lies beyond it.
 constexpr double kTurnTilt = 1.6;
 /// Walls between exits that are narrower than this, in widths of the entry, have no strip of their own.
-constexpr double kMinWall = 0.12;
+constexpr double kMinWallStrip = 0.12;
 /// Of the height that rays keep on the way to an exit that is taller than the entry: the rest shows the floor.
 constexpr double kTallerShare = 0.9;
 /// How far ahead of the entry exits lie at least, for the height of rays, in widths of the entry.
@@ -46,7 +46,7 @@ constexpr double kMinInto = 0.3;
 /// Where the outer rays meet the sides of the region, in its depths.
 constexpr double kSideDepth = 0.6;
 /// Of what a region has of the width for itself, the share of its walls: strips of exits show its floor, too.
-constexpr double kWallShare = 0.5;
+constexpr double kOwnWallShare = 0.5;
 
 size_t turnsOf(const GraphCamera& camera, int i) {
   size_t turns = 0;
@@ -58,7 +58,7 @@ size_t turnsOf(const GraphCamera& camera, int i) {
 
 /// A strip of the entry, and what its rays look at: from `begin` at its left to `end` at its right, in the frame of the
 /// entry.
-struct Strip {
+struct EntryStrip {
   int exit = -1;  ///< -1 for a wall
   glm::dvec2 begin{0};
   glm::dvec2 end{0};
@@ -87,11 +87,11 @@ class RegionPiece {
   }
 
   PieceFans add(int frustum) {
-    std::vector<Strip> strips = stripsOf();
+    std::vector<EntryStrip> strips = stripsOf();
     share(strips);
     narrowMouths(strips);
     double before = 0;
-    for (const Strip& strip : strips) {
+    for (const EntryStrip& strip : strips) {
       const double from = before * entry_.width();
       before += strip.share;
       const double to = std::min(before, 1.0) * entry_.width();
@@ -110,7 +110,7 @@ class RegionPiece {
 
   static FanRay rayTo(double at, const glm::dvec2& point) { return {at, (point.x - at) / std::max(point.y, 1e-9)}; }
 
-  void keep(const Strip& strip, const PieceRays& rays) {
+  void keep(const EntryStrip& strip, const PieceRays& rays) {
     if (rays.frustum < 0) {
       return;
     }
@@ -121,11 +121,11 @@ class RegionPiece {
   }
 
   /// From left to right, with no shares yet.
-  std::vector<Strip> stripsOf() const {
-    std::vector<Strip> ways;
+  std::vector<EntryStrip> stripsOf() const {
+    std::vector<EntryStrip> ways;
     for (size_t i = 0; i < exits_.size(); ++i) {
       const WalkMouth& mouth = exits_[i].mouth;
-      Strip strip{static_cast<int>(i), frame_.inFrame(mouth.left), frame_.inFrame(mouth.right)};
+      EntryStrip strip{static_cast<int>(i), frame_.inFrame(mouth.left), frame_.inFrame(mouth.right)};
       const glm::dvec2 middle = (strip.begin + strip.end) / 2.0;
       const glm::dvec2 way(middle.x - width() / 2, middle.y);
       const glm::dvec2 out(glm::dot(mouth.ahead(), frame_.right), glm::dot(mouth.ahead(), frame_.ahead));
@@ -134,12 +134,13 @@ class RegionPiece {
       strip.angle = angleOf(middle);
       ways.push_back(strip);
     }
-    std::stable_sort(ways.begin(), ways.end(), [](const Strip& a, const Strip& b) { return a.angle < b.angle; });
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const EntryStrip& a, const EntryStrip& b) { return a.angle < b.angle; });
     // Walls between those that rays go straight on to.
-    std::vector<Strip> strips;
+    std::vector<EntryStrip> strips;
     const double deep = std::max(most_.y, kMinDepth * width());
     glm::dvec2 last(std::min(least_.x, 0.0), kSideDepth * deep);
-    for (const Strip& way : ways) {
+    for (const EntryStrip& way : ways) {
       if (!way.turns) {
         addWall(strips, last, way.begin);
         last = way.end;
@@ -147,16 +148,17 @@ class RegionPiece {
       strips.push_back(way);
     }
     addWall(strips, last, {std::max(most_.x, width()), kSideDepth * deep});
-    if (std::none_of(strips.begin(), strips.end(), [](const Strip& strip) { return strip.exit < 0; })) {
-      Strip all{-1, {std::min(least_.x, 0.0), deep}, {std::max(most_.x, width()), deep}};
+    if (std::none_of(strips.begin(), strips.end(), [](const EntryStrip& strip) { return strip.exit < 0; })) {
+      EntryStrip all{-1, {std::min(least_.x, 0.0), deep}, {std::max(most_.x, width()), deep}};
       strips.push_back(all);
     }
-    std::stable_sort(strips.begin(), strips.end(), [](const Strip& a, const Strip& b) { return a.angle < b.angle; });
+    std::stable_sort(strips.begin(), strips.end(),
+                     [](const EntryStrip& a, const EntryStrip& b) { return a.angle < b.angle; });
     return strips;
   }
 
-  void addWall(std::vector<Strip>& strips, const glm::dvec2& begin, const glm::dvec2& end) const {
-    if (glm::distance(begin, end) > kMinWall * width() && angleOf(begin) < angleOf(end)) {
+  void addWall(std::vector<EntryStrip>& strips, const glm::dvec2& begin, const glm::dvec2& end) const {
+    if (glm::distance(begin, end) > kMinWallStrip * width() && angleOf(begin) < angleOf(end)) {
       strips.push_back({-1, begin, end, false, angleOf((begin + end) / 2.0)});
     }
   }
@@ -167,8 +169,8 @@ class RegionPiece {
   }
 
   /// Of a wide exit, the part in the middle that its strip shows at the scale that is wanted.
-  void narrowMouths(std::vector<Strip>& strips) {
-    for (Strip& strip : strips) {
+  void narrowMouths(std::vector<EntryStrip>& strips) {
+    for (EntryStrip& strip : strips) {
       if (strip.exit < 0) {
         continue;
       }
@@ -187,7 +189,7 @@ class RegionPiece {
   }
 
   /// The entry's width: to exits by what comes after them, to walls by their lengths.
-  void share(std::vector<Strip>& strips) {
+  void share(std::vector<EntryStrip>& strips) {
     double after = 0;
     double sum = 0;
     for (const PieceExit& exit : exits_) {
@@ -197,17 +199,17 @@ class RegionPiece {
     scale_ = after > 0 ? std::sqrt(after / (after + sharing_.ownWeight)) : 0;
     double walls = 0;
     double all = 0;
-    for (Strip& strip : strips) {
+    for (EntryStrip& strip : strips) {
       strip.share = strip.exit >= 0
                         ? scale_ * std::pow(exits_[static_cast<size_t>(strip.exit)].weight, sharing_.evenness) / sum
                         : glm::distance(strip.begin, strip.end);
       walls += strip.exit >= 0 ? 0 : strip.share;
     }
-    for (Strip& strip : strips) {
-      strip.share *= strip.exit < 0 ? kWallShare * (1 - scale_) / walls : 1;
+    for (EntryStrip& strip : strips) {
+      strip.share *= strip.exit < 0 ? kOwnWallShare * (1 - scale_) / walls : 1;
       all += strip.share;
     }
-    for (Strip& strip : strips) {
+    for (EntryStrip& strip : strips) {
       strip.share /= all;
     }
   }
@@ -241,7 +243,7 @@ class RegionPiece {
   }
 
   /// Rays run on in parallel from turn to turn until they look straight through the exit.
-  void addTurn(int frustum, const Strip& strip, double from, double to) {
+  void addTurn(int frustum, const EntryStrip& strip, double from, double to) {
     const WalkMouth& mouth = mouths_[static_cast<size_t>(strip.exit)];
     EntryFrame frame = frame_;
     WalkMouth entry = entry_;
@@ -251,7 +253,7 @@ class RegionPiece {
         return;
       }
       const double slope = (at.x - (from + to) / 2) / at.y;
-      const Strip lane{-1, at, at};
+      const EntryStrip lane{-1, at, at};
       const PieceRays straight = addFan(frame, frustum, entry, lane, {from, slope}, {to, slope});
       if (straight.frustum < 0) {
         return;
@@ -274,12 +276,12 @@ class RegionPiece {
       from = 0;
       to = entry.width();
     }
-    const Strip through{strip.exit, frame.inFrame(mouth.left), frame.inFrame(mouth.right)};
+    const EntryStrip through{strip.exit, frame.inFrame(mouth.left), frame.inFrame(mouth.right)};
     keep(strip, addFan(frame, frustum, entry, through, rayTo(from, through.begin), rayTo(to, through.end)));
   }
 
   /// Rays of `frustum` that come in by `entry`, between two of them.
-  PieceRays addFan(const EntryFrame& frame, int frustum, const WalkMouth& entry, const Strip& strip, FanRay left,
+  PieceRays addFan(const EntryFrame& frame, int frustum, const WalkMouth& entry, const EntryStrip& strip, FanRay left,
                    FanRay right) {
     const double wide = entry.width();
     if (!(right.slope > left.slope)) {  // what it looks at is narrower than the strip: it sees what is beside, too

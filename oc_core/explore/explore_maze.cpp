@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/walk_turn.h"
 #include "oc_core/explore/explore_message.h"
@@ -20,6 +21,15 @@ namespace {
 constexpr double kStepSeconds = 1.2;  // of each of the four steps of a turn
 constexpr double kTurnWish = 0.9;     // of the full speed of turning, from which on one wants to turn at the crossing
 constexpr double kTurnWithin = 2.5;   // sizes of the crossing, from its middle, from where one may
+
+constexpr double kMinFov = 10;  // degrees, of the image behind
+
+/// Of the image behind, which slides in from the left: while it is narrow it shows no more than 90 degrees from top to
+/// bottom.
+double fovBehind(double fovHorizontal, const glm::ivec2& size) {
+  const double widest = degreesFromRadians(2 * std::atan(static_cast<double>(size.x) / size.y));
+  return std::clamp(widest, kMinFov, fovHorizontal);
+}
 
 enum class MazeOption : size_t { kLeft, kAhead, kRight, kCrossingShare, kFovWay, kBehind };
 
@@ -135,6 +145,7 @@ class LiveMaze final : public LiveConstructor {
     LiveCamera live{std::move(ahead.camera)};
     if (moment.behindSize) {
       options.backward = true;
+      options.fovHorizontalDegrees = fovBehind(options.fovHorizontalDegrees, *moment.behindSize);
       live.behind = made(options, *moment.behindSize, moment).camera;
     }
     ways_ = std::move(ahead.ways);
@@ -150,9 +161,10 @@ class LiveMaze final : public LiveConstructor {
     return live;
   }
 
-  LiveCamera turning(const WalkCameraOptions& options, const glm::ivec2& size, const LiveMoment& moment) const {
+  LiveCamera turning(WalkCameraOptions options, const glm::ivec2& size, const LiveMoment& moment) const {
     LiveCamera live{walkTurningCameras(*space_, *turn_, options, size.x, size.y).first.camera};
     if (moment.behindSize) {
+      options.fovHorizontalDegrees = fovBehind(options.fovHorizontalDegrees, *moment.behindSize);
       live.behind =
           walkTurningCameras(*space_, *turn_, options, moment.behindSize->x, moment.behindSize->y).second.camera;
     }

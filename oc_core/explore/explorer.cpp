@@ -15,7 +15,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMinBehind = 1;  // pixels
+/// Of the picture's height: narrower images of what is behind would be wider than half a turn from top to bottom.
+constexpr double kMinBehind = 0.005;
 /// Of the range of an option, a second: how fast a steady option follows what was set.
 constexpr double kOptionShareASecond = 0.5;
 constexpr const char* kDrawn = "drawn";
@@ -245,7 +246,7 @@ void Explorer::makeFrame(double seconds) {
   LiveConstructor& constructor = *state.live.constructor;
   const int wanted = constructor.showsBehind() ? static_cast<int>(state.width / 2 * eased(state.deployed)) : 0;
   const PinholeCamera whole = viewOf(state.width);
-  const PinholeCamera view = viewOf(state.width - (wanted >= kMinBehind ? wanted : 0));
+  const PinholeCamera view = viewOf(state.width - (wanted > kMinBehind * state.height ? wanted : 0));
 
   frame_.walker = walker_.view();
   frame_.pinhole = whole;
