@@ -17,7 +17,7 @@ struct WalkDemoImage {
 constexpr std::array kImages{
     WalkDemoImage{"pinhole", "Pinhole", "Walls hide what is behind the crossing."},
     WalkDemoImage{"maze", "Maze camera",
-                  "Above, all ways out of the crossing ahead; below, those behind, turned so that they meet."},
+                  "At the right, all ways out of the crossing ahead; at the left, those behind."},
     WalkDemoImage{"comprehensive", "Comprehensive camera", "The whole maze from its entrance, each place once."},
 };
 

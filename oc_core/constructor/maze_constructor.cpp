@@ -9,6 +9,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/camera_fields.h"
+#include "oc_core/constructor/maze_horizon.h"
 #include "oc_core/constructor/maze_options.h"
 
 namespace ocelli {
@@ -48,7 +49,9 @@ View viewOf(const Maze& maze, const glm::dvec3& eye, const glm::dvec3& direction
   view.eye = glm::vec3(eye - direction * lens.behind);
   view.target = glm::vec3(eye + direction * cell);
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(lens.tangent / aspect));
-  view.centerShift = {static_cast<float>(lens.aside * aspect), 0};
+  const double eyeHeight = eye.y - static_cast<double>(maze.origin.y);
+  view.centerShift = {static_cast<float>(lens.aside * aspect),
+                      static_cast<float>(horizonShift(eyeHeight, 2 * lens.tangent * lens.behind / aspect))};
   view.zNear = static_cast<float>(std::max(lens.behind, 0.01 * cell));
   view.zFar = static_cast<float>(lens.behind + cell * static_cast<double>(4 * (maze.rows() + maze.columns())));
   return view;

@@ -60,12 +60,15 @@ std::vector<SplitLine> splitLines(const GraphCamera& camera) {
 
 Image<glm::vec3> layOut(const GraphCamera& forward, const Image<glm::vec3>& ahead, const GraphCamera& backward,
                         const Image<glm::vec3>& behind) {
-  OC_CHECK(ahead.width() == behind.width(), "both images have one width");
-  const Image<glm::vec3> above = withLines(forward, ahead);
-  const Image<glm::vec3> below = withLines(backward, behind);
-  Image<glm::vec3> both(above.width(), above.height() + below.height());
-  std::copy(above.begin(), above.end(), both.begin());
-  std::reverse_copy(below.begin(), below.end(), both.begin() + static_cast<std::ptrdiff_t>(above.size()));
+  OC_CHECK(ahead.height() == behind.height(), "both images have one height");
+  const Image<glm::vec3> left = withLines(backward, behind);
+  const Image<glm::vec3> right = withLines(forward, ahead);
+  Image<glm::vec3> both(left.width() + right.width(), left.height());
+  for (int y = 0; y < both.height(); ++y) {
+    for (int x = 0; x < both.width(); ++x) {
+      both(x, y) = x < left.width() ? left(x, y) : right(x - left.width(), y);
+    }
+  }
   return both;
 }
 

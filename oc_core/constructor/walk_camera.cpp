@@ -9,6 +9,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/maze_horizon.h"
 #include "oc_core/constructor/walk_ways.h"
 
 namespace ocelli {
@@ -32,6 +33,7 @@ struct RootLens {
   double behind = 0;   ///< the eye, of the user
   double tangent = 1;  ///< of half the horizontal field of view
   double aside = 0;    ///< where the view direction meets the image: to the right of its middle, in image widths
+  double down = 0;     ///< and below it, in image heights
 };
 
 void checkWalkPose(const WalkPose& pose, const WalkCameraOptions& options) {
@@ -56,6 +58,7 @@ void checkWalkPose(const WalkPose& pose, const WalkCameraOptions& options) {
   range(options.crossingShare, 0.05, 0.98, "crossing_share");
   range(options.deployWidths, 0.01, 100, "deploy_cells");
   range(options.portalsInRooms, 0, 1, "portals_in_rooms");
+  range(options.lowered, 0, 1, "lowered");
   range(options.parallel, 0, 1, "parallel");
   range(options.deployed.value_or(0), 0, 1, "deployed");
   range(options.chosenShare, 0, 1, "chosen share");
@@ -69,7 +72,7 @@ View rootView(const WalkSpace& space, const glm::dvec3& eye, const glm::dvec2& d
   view.eye = glm::vec3(eye - forward * lens.behind);
   view.target = glm::vec3(eye + forward * size);
   view.fovVerticalDegrees = degreesFromRadians(2 * std::atan(lens.tangent / aspect));
-  view.centerShift = {static_cast<float>(lens.aside * aspect), 0};
+  view.centerShift = {static_cast<float>(lens.aside * aspect), static_cast<float>(lens.down)};
   view.zNear = static_cast<float>(std::max(lens.behind, 0.01 * space.size()));
   view.zFar = static_cast<float>(lens.behind + std::max(8 * space.reach(), space.reachFrom(eye)));
   return view;
@@ -113,17 +116,23 @@ class WalkCameraBuilder {
 
  private:
   GraphCamera pinhole() const {
-    const RootLens lens{0, tangentOf(options_.fovHorizontalDegrees), 0};
+    const RootLens lens = lowered({0, tangentOf(options_.fovHorizontalDegrees), 0}, 0);
     return GraphCamera(PinholeCamera(rootView(space_, eye_, heading_, lens, aspect(), space_.size()), width_, height_));
   }
   double aspect() const { return static_cast<double>(width_) / height_; }
+  double eyeHeight(uint32_t region) const { return eye_.y - space_.regions()[region].floorAt(planOf(eye_)); }
+
+  RootLens lowered(RootLens lens, double eyeHeight) const {
+    lens.down = options_.lowered * horizonShift(eyeHeight, 2 * lens.tangent * lens.behind / aspect());
+    return lens;
+  }
 
   WaysView viewOfWays(uint32_t region, double deployed) const {
     return {options_.split,
             options_.fovWayDegrees,
             deployed,
             eye_,
-            eye_.y - space_.regions()[region].floorAt(planOf(eye_)),
+            eyeHeight(region),
             options_.chosenPortal,
             options_.chosenShare,
             options_.chosenOpen};
@@ -164,9 +173,10 @@ class WalkCameraBuilder {
     if (!(result.deployed > 0)) {
       return;
     }
-    result.camera = GraphCamera(PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
-                                                       lensIn(ahead, result.deployed), aspect(), space_.size()),
-                                              width_, height_));
+    result.camera = GraphCamera(
+        PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
+                               lowered(lensIn(ahead, result.deployed), eyeHeight(region)), aspect(), space_.size()),
+                      width_, height_));
     result.ways = addCrossingWays(result.camera, space_, *ahead.opening, viewOfWays(region, result.deployed));
     for (const Plane& side : closedSides(space_.regions()[region], result.deployed)) {
       if (std::abs(glm::dot(side.normal, spaceOf(ahead.direction, 0))) < 0.5 && side.height(eye_) < 0) {
@@ -245,7 +255,7 @@ PinholeCamera walkPinhole(const WalkSpace& space, const WalkPose& pose, const Wa
                           int height) {
   checkWalkPose(pose, options);
   const glm::dvec2 heading = glm::normalize(planOf(pose.heading)) * (options.backward ? -1.0 : 1.0);
-  const RootLens lens{0, tangentOf(options.fovHorizontalDegrees), 0};
+  const RootLens lens{0, tangentOf(options.fovHorizontalDegrees), 0, options.lowered * horizonShift(0, 0)};
   return {rootView(space, pose.eye, heading, lens, static_cast<double>(width) / height, space.size()), width, height};
 }
 

@@ -42,6 +42,7 @@ struct WalkCameraOptions {
   double deployWidths = 2;           ///< over how many widths of the tunnel the ways deploy behind an opening
   double portalsInRooms = 1;         ///< how far rays bend in the openings of the room that the user is in; 0 for none
   std::optional<double> deployed{};  ///< instead of what the pose allows; 0 is a pinhole, 1 deployed in full
+  double lowered = 1;                ///< how far level rays move up from the middle, to show the floor (maze_horizon.h)
   double parallel = 0;               ///< 1 moves the viewpoint of the root away until its rays are almost parallel
   std::optional<uint32_t> chosenPortal{};  ///< of WalkMap::portals: the way out of the crossing to give more rays to
   double chosenShare = 0;                  ///< how far it gets them: 1 for all

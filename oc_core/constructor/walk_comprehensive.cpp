@@ -9,7 +9,6 @@
 #include <limits>
 
 #include "oc_core/base/error.h"
-#include "oc_core/camera/graph_overlap.h"
 #include "oc_core/constructor/frustum_image.h"
 #include "oc_core/constructor/walk_piece.h"
 #include "oc_core/constructor/walk_start.h"
@@ -19,12 +18,14 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kWalkComprehensive = "comprehensive camera";
-/// By which the weight of a cell grows from build to build while its middle has too few pixels.
+/// By which the weight of a cell grows or shrinks at most from build to build.
 constexpr double kGrowth = 2;
+/// Of the way to the weight that would give it what it should have, as areas are not as weights are: in logarithms.
+constexpr double kFollow = 0.5;
+/// Pixels of a middle of which as many more mean little.
+constexpr double kEnough = 60;
 /// So many starts are tried where none is given: until all cells are seen.
 constexpr size_t kStarts = 16;
-/// Of the overlap that counts, how much of it regions may have.
-constexpr double kAllowedOverlap = 0.25;
 
 double pixelsOf(const GraphCamera::Part& part) {
   double twice = 0;
@@ -36,28 +37,29 @@ double pixelsOf(const GraphCamera::Part& part) {
   return twice / 2;
 }
 
-size_t unseenCells(const ComprehensiveWalk& walk) {
-  return static_cast<size_t>(std::count_if(walk.cells.begin(), walk.cells.end(), [](const WalkCellView& view) {
-    return view.unseen != WalkUnseen::kNothing;
-  }));
-}
-
-/// Whether a larger share of the rays may help.
-bool mayNeedMore(const WalkCellView& view) {
-  return view.unseen == WalkUnseen::kTooFewPixels || view.unseen == WalkUnseen::kNoRays;
+/// What cells lack: 1 for each without pixels, half for one with kEnough.
+double lackingIn(const ComprehensiveWalk& walk) {
+  double lacking = 0;
+  for (const WalkCellView& view : walk.cells) {
+    lacking += 1 / (1 + view.pixels / kEnough);
+  }
+  return lacking;
 }
 
 class WalkBuilder {
  public:
   WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, const WalkStart& start, int width,
               int height)
-      : map_(map), options_(options), width_(width), height_(height), regions_(walkRegionsOf(map)), start_(start) {
+      : map_(map), options_(options), width_(width), height_(height), regions_(walkBoxesOf(map)), start_(start) {
     raiseTops();
     if (regions_[start_.cell].border.empty()) {
       throw InputError(nameOfCell(start_.cell) + " has no floor", kWalkComprehensive, "begin in another cell");
     }
     tour_ = walkTourOf(regions_, start_.cell, options.order);
-    fit();
+    for (const uint32_t region : tour_.order) {
+      const WalkCell& cell = map_.cells[regions_[region].cell];
+      reach_ += 2 * (static_cast<double>(cell.halfLength) + static_cast<double>(cell.halfWidth));
+    }
     reachable_ = reachable();
     // Small cells need more than their share of the floor.
     double sum = 0;
@@ -72,28 +74,44 @@ class WalkBuilder {
   ComprehensiveWalk best() {
     std::vector<double> weights = floors_;
     std::optional<ComprehensiveWalk> best;
-    size_t fewest = 0;
+    double least = 0;
     for (int build = 0; build < options_.builds; ++build) {
       ComprehensiveWalk walk = built(weights);
-      size_t few = 0;
-      for (const WalkCellView& view : walk.cells) {
-        few += mayNeedMore(view) ? 1 : 0;
-      }
-      for (size_t i = 0; i < weights.size(); ++i) {
-        weights[i] *= mayNeedMore(walk.cells[regions_[i].cell]) ? kGrowth : 1;
-      }
-      if (!best || few < fewest) {
-        fewest = few;
+      share(weights, walk);
+      const double lacking = lackingIn(walk);
+      if (!best || lacking < least) {
+        least = lacking;
         best = std::move(walk);
-      }
-      if (fewest == 0) {
-        break;
       }
     }
     return *best;
   }
 
  private:
+  /// Moves weights towards those of cells whose middles have fewer pixels than others for their size.
+  void share(std::vector<double>& weights, const ComprehensiveWalk& walk) const {
+    // The mean over cells, of logarithms.
+    double sum = 0;
+    size_t shown = 0;
+    for (size_t i = 0; i < walk.cells.size(); ++i) {
+      if (walk.cells[i].pixels > 0) {
+        sum += std::log(walk.cells[i].pixels / middleSize(i));
+        ++shown;
+      }
+    }
+    const double mean = shown > 0 ? std::exp(sum / static_cast<double>(shown)) : 1;
+    for (size_t i = 0; i < weights.size(); ++i) {
+      const uint32_t cell = regions_[i].cell;
+      const WalkCellView& view = walk.cells[cell];
+      const double wanted = mean * middleSize(cell);
+      const double factor = view.pixels > 0 ? std::pow(wanted / view.pixels, kFollow) : kGrowth;
+      weights[i] *= std::clamp(factor, 1 / kGrowth, kGrowth);
+    }
+  }
+  double middleSize(size_t cell) const {
+    return std::max(1e-9, static_cast<double>(std::min(map_.cells[cell].halfLength, map_.cells[cell].halfWidth)));
+  }
+
   /// Of all openings, where one sees over walls.
   void raiseTops() {
     for (WalkRegion& region : regions_) {
@@ -103,27 +121,7 @@ class WalkBuilder {
     }
   }
 
-  /// Cuts the regions so that none reaches into another that comes before it.
-  void fit() {
-    glm::dvec3 lower(std::numeric_limits<double>::infinity());
-    glm::dvec3 upper(-lower);
-    for (const WalkRegion& region : regions_) {
-      for (const glm::dvec2& corner : region.border) {
-        lower = glm::min(lower, spaceOf(corner, region.floorAt(corner)));
-        upper = glm::max(upper, spaceOf(corner, region.floorAt(corner) + region.height));
-      }
-    }
-    const double allowed = kAllowedOverlap * kMinOverlap * glm::distance(lower, upper);
-    std::vector<const WalkRegion*> before;
-    for (const uint32_t region : tour_.order) {
-      cutToFit(regions_[region], map_, before, allowed);
-      before.push_back(&regions_[region]);
-      const WalkCell& cell = map_.cells[regions_[region].cell];
-      reach_ += 2 * (static_cast<double>(cell.halfLength) + static_cast<double>(cell.halfWidth));
-    }
-  }
-
-  /// The opening to the next region on the tour, if it is still there after regions were cut.
+  /// The opening to the next region on the tour.
   const WalkExit* exitTo(uint32_t region, uint32_t next) const {
     const uint32_t portal = tour_.stops[next].way.portal;
     for (const WalkExit& exit : regions_[region].exits) {
@@ -189,7 +187,7 @@ class WalkBuilder {
   WalkUnseen reasonAt(const std::vector<Built>& all, uint32_t region) const {
     const int parent = tour_.stops[region].parent;
     if (regions_[region].border.empty()) {
-      return WalkUnseen::kOverlap;
+      return WalkUnseen::kNoFloor;
     }
     if (all[region].rays.frustum >= 0) {
       return WalkUnseen::kNothing;
@@ -197,9 +195,6 @@ class WalkBuilder {
     const Built& before = all[static_cast<size_t>(parent)];
     if (before.why != WalkUnseen::kNothing) {
       return before.why;
-    }
-    if (exitTo(static_cast<uint32_t>(parent), region) == nullptr) {
-      return WalkUnseen::kNoOpening;
     }
     return before.rays.turns + 1 >= GraphCamera::kMaxBends ? WalkUnseen::kTooManyTurns : WalkUnseen::kNoRays;
   }
@@ -241,13 +236,17 @@ class WalkBuilder {
     view.turns = view.turns > 0 ? std::min(view.turns, built.rays.turns + 1) : built.rays.turns + 1;
     const std::vector<glm::dvec3> middle = middleOf(map_.cells[cell]);
     const glm::dvec3 center(map_.cells[cell].center);
-    const int atCenter = view.center ? -1 : walk.camera.frustumOf(center);
     for (const int i : built.frusta) {
       const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
       view.pixels += std::max(pixelsOf(frustumImage(walk.camera, i, middle)), 0.0);
-      if (atCenter == i) {
-        const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
-        view.center = glm::dvec2(h) / h.w;
+      const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
+      if (!view.center && h.w > 0 && frustum.plane.height(center) > 0) {
+        const glm::dvec2 pixel = glm::dvec2(h) / h.w;
+        const int child = walk.camera.childAt(i, pixel);
+        const bool goesOn = child >= 0 && walk.camera.frusta()[static_cast<size_t>(child)].plane.height(center) > 0;
+        if (walk.camera.childAt(frustum.parent, pixel) == i && !goesOn) {
+          view.center = pixel;
+        }
       }
     }
   }
@@ -296,14 +295,9 @@ void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& option
 }  // namespace
 
 const char* textOf(WalkUnseen why) {
-  static constexpr std::array<const char*, 7> kTexts{
-      "it is seen",
-      "no way leads there from the start",
-      "the opening to it does not lie on the border of the cell before it",
-      "the map has it where another cell lies already",
-      "rays turn too often on the way",
-      "no rays come in",
-      "too few pixels are left for it"};
+  static constexpr std::array<const char*, 6> kTexts{"it is seen",      "no way leads there from the start",
+                                                     "it has no floor", "rays turn too often on the way",
+                                                     "no rays come in", "too few pixels are left for it"};
   return kTexts[static_cast<size_t>(why)];
 }
 
@@ -320,18 +314,15 @@ ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehens
                                         int height) {
   checkWalkOptions(map, options);
   const std::vector<WalkStart> starts =
-      options.start ? std::vector<WalkStart>{*options.start} : chooseWalkStarts(map, walkRegionsOf(map), kStarts);
+      options.start ? std::vector<WalkStart>{*options.start} : chooseWalkStarts(map, walkBoxesOf(map), kStarts);
   if (starts.empty()) {
     throw InputError("no cell of the map has floor", kWalkComprehensive, "use another map, or another camera");
   }
   std::optional<ComprehensiveWalk> best;
   for (const WalkStart& start : starts) {
     ComprehensiveWalk walk = WalkBuilder(map, options, start, width, height).best();
-    if (!best || unseenCells(walk) < unseenCells(*best)) {
+    if (!best || lackingIn(walk) < lackingIn(*best)) {
       best = std::move(walk);
-    }
-    if (unseenCells(*best) == 0) {
-      break;
     }
   }
   return *std::move(best);

@@ -2,13 +2,14 @@
 // can be reached from a start in one image, each once, as far as its size allows; and which it does not show, and why.
 //
 // It follows a tour, a tree of cells (walk_tour.h). Its rays come into a cell through an opening, and part there: each
-// opening to a next cell gets a share of them, and the walls between get the rest, which shows the cell itself
-// (walk_fans.h). A cell costs one bend, and one more for each part that its rays cannot reach straight.
-// Frusta are disjoint within regions (walk_region.h); in the walls between regions two may overlap.
+// opening to a next cell gets a strip, and the walls between get the rest, which shows the cell itself (walk_piece.h).
+// Rays end at surfaces, so what stands around a cell is seen however well its box fits, and a place that two strips
+// reach is seen twice.
 //
-// Who gets how many pixels. Of the rays that come into a cell of floor area a, with cells of the area n after it, about
-// the share n / (n + k a) goes on, k being `nearness`; between openings shares are as the area after each to the power
-// `evenness`. Where the middle of a cell has too few pixels, the way there gets more, and the camera is built again.
+// Who gets how many pixels. Of the rays that come into a cell of weight a, with cells of the weight n after it, about
+// the share n / (n + k a) goes on, k being `nearness`; between openings shares are as the weight after each to the
+// power `evenness`. Weights are the floors at first, evened out. The camera is built again and again with weights that
+// give more to cells whose middles have fewer pixels than others, and the one that lacks least is taken.
 #pragma once
 
 #include <cstdint>
@@ -34,15 +35,14 @@ struct WalkComprehensiveOptions {
   double evenness = 0.8;             ///< 0 gives ways equal shares, 1 shares by the floor that they lead to
   double eyeHeight = 1;  ///< of what is seen through openings, in their heights; more sees over walls without a ceiling
   double minPixels = 4;  ///< that the middle of each cell should have
-  int builds = 8;        ///< at most, to give them to all
+  int builds = 16;       ///< of which the best is taken
 };
 
 /// Why a cell is not seen.
 enum class WalkUnseen : uint8_t {
   kNothing,       ///< it is seen
   kNoWay,         ///< no opening leads there from the start
-  kNoOpening,     ///< the opening that leads there does not lie on the border of the cell before it
-  kOverlap,       ///< the map has it where a cell lies already
+  kNoFloor,       ///< its box has no area
   kTooManyTurns,  ///< of rays, more than a graph camera takes
   kNoRays,        ///< none come in: those that reach the cell before it pass its opening by
   kTooFewPixels,  ///< the image is too small for it

@@ -81,7 +81,7 @@ std::optional<WalkStart> walkStartOf(const WalkMap& map, const WalkStartFields& 
     throw InputError("there is no " + nameOfCell(*cell), kWhere,
                      fmt::format("cells are 0 to {}", map.cells.size() - 1));
   }
-  return fields.heading ? WalkStart{*cell, *fields.heading} : chooseWalkSide(map, walkRegionsOf(map), *cell);
+  return fields.heading ? WalkStart{*cell, *fields.heading} : chooseWalkSide(map, walkBoxesOf(map), *cell);
 }
 
 }  // namespace ocelli

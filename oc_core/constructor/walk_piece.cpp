@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
+#include <numbers>
+#include <optional>
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/frustum_image.h"
@@ -13,19 +14,39 @@
 namespace ocelli {
 namespace {
 
-/// An exit whose middle lies more than so many times as far aside of the entry as ahead of it is reached from aside.
-constexpr double kSteep = 1.2;
-constexpr size_t kMaxParts = 8;  // beside each other
+/// Cosine between rays and the way out: rays that would pass an exit more obliquely turn before it. Walls are thick.
+constexpr double kFrontal = 0.7;
+/// How far before an exit rays turn to it, in its widths, and in depths of the region before it.
+constexpr double kTurnWidths = 1;
+constexpr double kTurnDepths = 0.5;
+/// The plane where they turn is tilted towards them by half of the turn, or so much that the exit lies beyond it.
+constexpr double kTurnTilt = 1.6;
+/// Walls between exits that are narrower than this, in widths of the entry, have no strip of their own.
+constexpr double kMinWallStrip = 0.12;
 /// Of the height that rays keep on the way to an exit that is taller than the entry: the rest shows the floor.
 constexpr double kTallerShare = 0.9;
-/// Nearest viewpoints of the first and last fan, in widths of the entry.
-constexpr double kNearest = 0.3;
 /// How far ahead of the entry exits lie at least, for the height of rays, in widths of the entry.
 constexpr double kMinDepth = 0.01;
 /// An exit whose near end lies ahead by less than this share of what its far end does: its rays are level, where they
 /// then meet at least so much of its height.
 constexpr double kOblique = 0.5;
 constexpr double kMinLevelShare = 0.3;
+/// What lies less far ahead than this, in distances aside, lies beside the entry. Rays to it first go so far into the
+/// region, in its depths.
+constexpr double kAhead = 0.4;
+constexpr double kInto = 0.4;
+/// Of the height of what shows of an exit, how wide it is at least, if the exit is: narrower ones stretch what is seen.
+constexpr double kMinMouth = 0.25;
+/// Of lengths at an exit, the least that is wanted.
+constexpr double kMinScale = 0.05;
+/// The least room before an exit, in its widths.
+constexpr double kMinRoom = 0.2;
+/// How far into a region rays to what lies beside the entry go at least, in widths of the entry.
+constexpr double kMinInto = 0.3;
+/// Where the outer rays meet the sides of the region, in its depths.
+constexpr double kSideDepth = 0.6;
+/// Of what a region has of the width for itself, the share of its walls: strips of exits show its floor, too.
+constexpr double kOwnWallShare = 0.5;
 
 size_t turnsOf(const GraphCamera& camera, int i) {
   size_t turns = 0;
@@ -35,256 +56,285 @@ size_t turnsOf(const GraphCamera& camera, int i) {
   return turns;
 }
 
-/// A region, or a part of it, with the entry that its rays come in by.
-class RegionParts {
- public:
-  RegionParts(GraphCamera& camera, const WalkRegion& region, const PieceSharing& sharing, PieceFans& fans)
-      : camera_(camera), region_(region), sharing_(sharing), fans_(fans) {}
+/// A strip of the entry, and what its rays look at: from `begin` at its left to `end` at its right, in the frame of the
+/// entry.
+struct EntryStrip {
+  int exit = -1;  ///< -1 for a wall
+  glm::dvec2 begin{0};
+  glm::dvec2 end{0};
+  bool turns = false;  ///< before the exit
+  double angle = 0;    ///< from the left over the way ahead to the right
+  double share = 0;    ///< of the entry's width
+};
 
-  /// `numbers` are those of the exits in the list of all.
-  void add(const PlanPolygon& border, int frustum, const WalkMouth& entry, std::vector<PieceExit> exits,
-           std::vector<int> numbers, size_t parts) {
-    const EntryFrame frame(entry);
-    const double width = entry.width();
-    PlanPolygon rest = border;
-    struct Beside {
-      PlanPolygon border;
-      std::vector<PieceExit> exits;
-      std::vector<int> numbers;
-    };
-    std::vector<Beside> beside;
-    std::vector<WalkMouth> cuts;
-    for (const bool left : {true, false}) {
-      const std::optional<double> line = parts < kMaxParts ? lineBeside(frame, width, exits, left) : std::nullopt;
-      if (!line) {
-        continue;
-      }
-      const glm::dvec2 on = frame.inPlan({*line, 0});
-      const glm::dvec2 further = frame.inPlan({*line, 1});
-      const glm::dvec2& from = left ? further : on;
-      const glm::dvec2& to = left ? on : further;
-      Beside part{planRightOf(rest, from, to), {}, {}};
-      const auto span = planSpan(part.border, on, further, 1e-6 * region_.size);
-      const PlanPolygon kept = planRightOf(rest, to, from);
-      if (part.border.empty() || kept.empty() || !span || !(span->second - std::max(span->first, 0.0) > 1e-3 * width)) {
-        continue;
-      }
-      PieceExit through;
-      const double first = std::max(span->first, 0.0);
-      through.mouth.left = frame.inPlan({*line, left ? first : span->second});
-      through.mouth.right = frame.inPlan({*line, left ? span->second : first});
-      through.mouth.floor = region_.floorAt(through.mouth.middle());
-      through.mouth.top = through.mouth.floor + std::max(region_.height, entry.height());
-      through.weight = ownWeight(part.border);
-      std::vector<PieceExit> keptExits;
-      std::vector<int> keptNumbers;
-      for (size_t i = 0; i < exits.size(); ++i) {
-        const double x = frame.inFrame(exits[i].mouth.middle()).x;
-        const bool aside = left ? x < *line : x > *line;
-        (aside ? part.exits : keptExits).push_back(exits[i]);
-        (aside ? part.numbers : keptNumbers).push_back(numbers[i]);
-        through.weight += aside ? exits[i].weight : 0;
-      }
-      cuts.push_back(through.mouth);
-      keptExits.push_back(through);
-      keptNumbers.push_back(-1 - static_cast<int>(beside.size()));
-      exits = keptExits;
-      numbers = keptNumbers;
-      rest = kept;
-      beside.push_back(part);
+class RegionPiece {
+ public:
+  RegionPiece(GraphCamera& camera, const WalkRegion& region, const PlanPolygon& border, const WalkMouth& entry,
+              const std::vector<PieceExit>& exits, const PieceSharing& sharing)
+      : camera_(camera),
+        region_(region),
+        border_(border),
+        entry_(entry),
+        frame_(entry),
+        exits_(exits),
+        sharing_(sharing) {
+    fans_.exits.resize(exits.size());
+    mouths_.resize(exits.size());
+    for (const glm::dvec2& corner : border) {
+      least_ = glm::min(least_, frame_.inFrame(corner));
+      most_ = glm::max(most_, frame_.inFrame(corner));
     }
-    for (const auto& [number, rays] : addFans(rest, frustum, entry, exits, numbers, cuts)) {
-      if (number >= 0) {
-        fans_.exits[static_cast<size_t>(number)] = rays;
-      } else if (rays.frustum >= 0) {
-        const Beside& part = beside[static_cast<size_t>(-1 - number)];
-        add(part.border, rays.frustum, rays.mouth, part.exits, part.numbers, parts + 1);
+  }
+
+  PieceFans add(int frustum) {
+    std::vector<EntryStrip> strips = stripsOf();
+    share(strips);
+    narrowMouths(strips);
+    double before = 0;
+    for (const EntryStrip& strip : strips) {
+      const double from = before * entry_.width();
+      before += strip.share;
+      const double to = std::min(before, 1.0) * entry_.width();
+      if (strip.turns) {
+        addTurn(frustum, strip, from, to);
+      } else {
+        const PieceRays rays = addFan(frame_, frustum, entry_, strip, rayTo(from, strip.begin), rayTo(to, strip.end));
+        keep(strip, rays);
       }
     }
+    return fans_;
   }
 
  private:
-  double ownWeight(const PlanPolygon& border) const {
-    return sharing_.ownWeight * planArea(border) / planArea(region_.border);
+  double width() const { return entry_.width(); }
+
+  static FanRay rayTo(double at, const glm::dvec2& point) { return {at, (point.x - at) / std::max(point.y, 1e-9)}; }
+
+  void keep(const EntryStrip& strip, const PieceRays& rays) {
+    if (rays.frustum < 0) {
+      return;
+    }
+    fans_.frusta.push_back(rays.frustum);
+    if (strip.exit >= 0) {
+      fans_.exits[static_cast<size_t>(strip.exit)] = rays;
+    }
   }
 
-  /// Where to part the region for exits to that side that rays do not reach straight; nothing where there are none, or
-  /// where every line cuts an exit.
-  static std::optional<double> lineBeside(const EntryFrame& frame, double width, const std::vector<PieceExit>& exits,
-                                          bool left) {
-    const double mirrored = left ? -1 : 1;  // distances aside of the entry are positive
-    const double jamb = left ? 0 : width;
-    std::vector<std::pair<double, double>> spans;
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const PieceExit& exit : exits) {
-      const glm::dvec2 a = frame.inFrame(exit.mouth.left);
-      const glm::dvec2 b = frame.inFrame(exit.mouth.right);
-      const double one = mirrored * (a.x - jamb);
-      const double other = mirrored * (b.x - jamb);
-      spans.emplace_back(std::min(one, other), std::max(one, other));
-      const double aside = (one + other) / 2;
-      if (aside > kSteep * std::max((a.y + b.y) / 2, 0.0) && aside > 1e-3 * width) {
-        nearest = std::min(nearest, spans.back().first);
+  /// From left to right, with no shares yet.
+  std::vector<EntryStrip> stripsOf() const {
+    std::vector<EntryStrip> ways;
+    for (size_t i = 0; i < exits_.size(); ++i) {
+      const WalkMouth& mouth = exits_[i].mouth;
+      EntryStrip strip{static_cast<int>(i), frame_.inFrame(mouth.left), frame_.inFrame(mouth.right)};
+      const glm::dvec2 middle = (strip.begin + strip.end) / 2.0;
+      const glm::dvec2 way(middle.x - width() / 2, middle.y);
+      const glm::dvec2 out(glm::dot(mouth.ahead(), frame_.right), glm::dot(mouth.ahead(), frame_.ahead));
+      const double nearest = std::min(strip.begin.y, strip.end.y);
+      strip.turns = !(glm::dot(way, out) > kFrontal * glm::length(way)) || !(nearest > kMinDepth * width());
+      strip.angle = angleOf(middle);
+      ways.push_back(strip);
+    }
+    std::stable_sort(ways.begin(), ways.end(),
+                     [](const EntryStrip& a, const EntryStrip& b) { return a.angle < b.angle; });
+    // Walls between those that rays go straight on to.
+    std::vector<EntryStrip> strips;
+    const double deep = std::max(most_.y, kMinDepth * width());
+    glm::dvec2 last(std::min(least_.x, 0.0), kSideDepth * deep);
+    for (const EntryStrip& way : ways) {
+      if (!way.turns) {
+        addWall(strips, last, way.begin);
+        last = way.end;
       }
+      strips.push_back(way);
     }
-    if (!(nearest < std::numeric_limits<double>::infinity())) {
-      return std::nullopt;
+    addWall(strips, last, {std::max(most_.x, width()), kSideDepth * deep});
+    if (std::none_of(strips.begin(), strips.end(), [](const EntryStrip& strip) { return strip.exit < 0; })) {
+      EntryStrip all{-1, {std::min(least_.x, 0.0), deep}, {std::max(most_.x, width()), deep}};
+      strips.push_back(all);
     }
-    nearest = std::max(nearest, 0.0);
-    std::vector<double> lines{0, nearest};
-    for (const auto& [from, to] : spans) {
-      lines.insert(lines.end(), {from, to});
-    }
-    for (const double line : lines) {
-      const double rounding = 1e-6 * width;
-      const bool cuts = std::any_of(spans.begin(), spans.end(), [&](const auto& span) {
-        return span.first < line - rounding && span.second > line + rounding;
-      });
-      if (line >= 0 && line <= nearest && !cuts) {
-        return jamb + mirrored * line;
-      }
-    }
-    return std::nullopt;
+    std::stable_sort(strips.begin(), strips.end(),
+                     [](const EntryStrip& a, const EntryStrip& b) { return a.angle < b.angle; });
+    return strips;
   }
 
-  std::vector<std::pair<int, PieceRays>> addFans(const PlanPolygon& border, int frustum, const WalkMouth& entry,
-                                                 const std::vector<PieceExit>& exits, const std::vector<int>& numbers,
-                                                 const std::vector<WalkMouth>& cuts) {
-    const EntryFrame frame(entry);
-    const double width = entry.width();
-    std::vector<WalkMouth> mouths;
-    for (const PieceExit& exit : exits) {
-      mouths.push_back(exit.mouth);
+  void addWall(std::vector<EntryStrip>& strips, const glm::dvec2& begin, const glm::dvec2& end) const {
+    if (glm::distance(begin, end) > kMinWallStrip * width() && angleOf(begin) < angleOf(end)) {
+      strips.push_back({-1, begin, end, false, angleOf((begin + end) / 2.0)});
     }
-    std::vector<FanAim> aims = aimsOf(frame, width, mouths);
-    share(aims, frame, border, width, exits);
-    const std::vector<FanRay> rays = spreadRays(aims, width);
-    std::vector<std::pair<int, PieceRays>> reached;
-    for (size_t k = 0; k < aims.size(); ++k) {
-      const PieceRays added = addFan(frame, frustum, entry, aims[k], rays[k], rays[k + 1], exits);
-      if (added.frustum >= 0) {
-        fans_.frusta.push_back(added.frustum);
-        for (const WalkMouth& cut : cuts) {
-          limitTo(added.frustum, cut);
-        }
-      }
-      if (aims[k].exit >= 0) {
-        reached.emplace_back(numbers[static_cast<size_t>(aims[k].exit)], added);
-      }
-    }
-    return reached;
   }
 
-  /// Shares of the entry, and how far behind it the outer viewpoints lie.
-  void share(std::vector<FanAim>& aims, const EntryFrame& frame, const PlanPolygon& border, double width,
-             const std::vector<PieceExit>& exits) const {
-    const double own = ownWeight(border);
+  double angleOf(const glm::dvec2& point) const {
+    const double angle = std::atan2(point.y, width() / 2 - point.x);
+    return angle < -std::numbers::pi / 2 ? angle + 2 * std::numbers::pi : angle;
+  }
+
+  /// Of a wide exit, the part in the middle that its strip shows at the scale that is wanted.
+  void narrowMouths(std::vector<EntryStrip>& strips) {
+    for (EntryStrip& strip : strips) {
+      if (strip.exit < 0) {
+        continue;
+      }
+      WalkMouth mouth = exits_[static_cast<size_t>(strip.exit)].mouth;
+      const double wanted = std::max(strip.share * width() / std::max(scale_, kMinScale),
+                                     kMinMouth * std::min(mouth.height(), entry_.height()));
+      const double share = std::min(1.0, wanted / mouth.width());
+      const glm::dvec2 half = (mouth.right - mouth.left) * (share / 2);
+      const glm::dvec2 middle = mouth.middle();
+      mouth.left = middle - half;
+      mouth.right = middle + half;
+      mouths_[static_cast<size_t>(strip.exit)] = mouth;
+      strip.begin = frame_.inFrame(mouth.left);
+      strip.end = frame_.inFrame(mouth.right);
+    }
+  }
+
+  /// The entry's width: to exits by what comes after them, to walls by their lengths.
+  void share(std::vector<EntryStrip>& strips) {
     double after = 0;
     double sum = 0;
-    for (const PieceExit& exit : exits) {
+    for (const PieceExit& exit : exits_) {
       after += exit.weight;
       sum += std::pow(exit.weight, sharing_.evenness);
     }
-    const double scale = after > 0 ? std::sqrt(after / (after + own)) : 0;  // of a length at the exit
+    scale_ = after > 0 ? std::sqrt(after / (after + sharing_.ownWeight)) : 0;
     double walls = 0;
-    for (FanAim& aim : aims) {
-      if (aim.exit >= 0) {
-        const double weight = exits[static_cast<size_t>(aim.exit)].weight;
-        aim.share = scale > 0 ? scale * std::pow(weight, sharing_.evenness) / sum : 0;
-      } else {
-        aim.share = glm::distance(aim.begin, aim.end);
-        walls += aim.share;
-      }
+    double all = 0;
+    for (EntryStrip& strip : strips) {
+      strip.share = strip.exit >= 0
+                        ? scale_ * std::pow(exits_[static_cast<size_t>(strip.exit)].weight, sharing_.evenness) / sum
+                        : glm::distance(strip.begin, strip.end);
+      walls += strip.exit >= 0 ? 0 : strip.share;
     }
-    for (FanAim& aim : aims) {
-      if (aim.exit < 0 && walls > 0) {
-        aim.share *= (1 - scale) / walls;
-      }
+    for (EntryStrip& strip : strips) {
+      strip.share *= strip.exit < 0 ? kOwnWallShare * (1 - scale_) / walls : 1;
+      all += strip.share;
     }
-    glm::dvec2 least(0);
-    glm::dvec2 most(0);
-    for (const glm::dvec2& corner : border) {
-      least = glm::min(least, frame.inFrame(corner));
-      most = glm::max(most, frame.inFrame(corner));
-    }
-    for (const size_t k : {size_t{0}, aims.size() - 1}) {
-      FanAim& aim = aims[k];
-      if (aim.exit >= 0) {
-        const WalkMouth& out = exits[static_cast<size_t>(aim.exit)].mouth;
-        const double ahead = std::max(frame.inFrame(out.middle()).y, 1e-3 * width);
-        aim.distance = std::max(kNearest * width, ahead * scale / (1 - std::min(scale, 0.999)));
-      } else if (aims.size() == 1) {
-        // Over the width of the region at half of its depth.
-        aim.distance = width * (most.y / 2) / std::max(most.x - least.x, 1e-3 * width);
-      } else {
-        // From the exit beside it on to the side of the region, as far ahead as a third of its depth.
-        const double strip = aim.share * width;
-        const double aside = (k == 0 ? -least.x : most.x - width) / std::max(most.y / 3, 1e-3 * width);
-        const glm::dvec2 inner = k == 0 ? aim.end : aim.begin;
-        const double slope = k == 0 ? (inner.x - strip) / inner.y : (width - strip - inner.x) / inner.y;
-        aim.distance = aside + slope > 0 ? strip / (aside + slope) : width;
-      }
-      aim.distance = std::clamp(aim.distance, kNearest * width, 100 * width);
+    for (EntryStrip& strip : strips) {
+      strip.share /= all;
     }
   }
 
-  PieceRays addFan(const EntryFrame& frame, int frustum, const WalkMouth& entry, const FanAim& aim, const FanRay& left,
-                   const FanRay& right, const std::vector<PieceExit>& exits) {
-    const double width = entry.width();
-    const std::optional<glm::dvec2> from = fanViewpoint(left, right, width);
+  /// Where rays turn on the way to an exit, and the direction in which they go on, in the plan.
+  struct Turn {
+    glm::dvec2 at;
+    glm::dvec2 next;
+  };
+
+  std::vector<Turn> turnsTo(const WalkMouth& mouth, double whole) const {
+    const glm::dvec2 out = mouth.ahead();
+    const auto deep = planSpan(border_, mouth.middle(), mouth.middle() - out, 1e-6 * region_.size);
+    const double room = std::max(deep ? deep->second : whole, kMinRoom * whole);
+    const glm::dvec2 before = mouth.middle() - out * std::min(kTurnWidths * whole, kTurnDepths * room);
+    const auto facesIt = [&](const glm::dvec2& from) {
+      return glm::dot(glm::normalize(mouth.middle() - from), out) > kFrontal;
+    };
+    std::vector<Turn> turns;
+    glm::dvec2 from = entry_.middle();
+    const glm::dvec2 goal = frame_.inFrame(facesIt(from) ? mouth.middle() : before);
+    if (!(goal.y >
+          kAhead * std::abs(goal.x - width() / 2))) {  // it lies beside the entry: first rays go into the region
+      from = frame_.inPlan({width() / 2, std::max({kInto * most_.y, goal.y, kMinInto * width()})});
+      turns.push_back({from, glm::normalize((facesIt(from) ? mouth.middle() : before) - from)});
+    }
+    if (!facesIt(from)) {
+      turns.push_back({before, out});
+    }
+    return turns;
+  }
+
+  /// Rays run on in parallel from turn to turn until they look straight through the exit.
+  void addTurn(int frustum, const EntryStrip& strip, double from, double to) {
+    const WalkMouth& mouth = mouths_[static_cast<size_t>(strip.exit)];
+    EntryFrame frame = frame_;
+    WalkMouth entry = entry_;
+    for (const Turn& turn : turnsTo(mouth, exits_[static_cast<size_t>(strip.exit)].mouth.width())) {
+      const glm::dvec2 at = frame.inFrame(turn.at);
+      if (!(at.y > kMinDepth * entry.width())) {
+        return;
+      }
+      const double slope = (at.x - (from + to) / 2) / at.y;
+      const EntryStrip lane{-1, at, at};
+      const PieceRays straight = addFan(frame, frustum, entry, lane, {from, slope}, {to, slope});
+      if (straight.frustum < 0) {
+        return;
+      }
+      fans_.frusta.push_back(straight.frustum);
+      frustum = straight.frustum;
+      const glm::dvec2 way = glm::normalize(frame.right * slope + frame.ahead);
+      const double before = glm::dot(mouth.middle() - turn.at, turn.next);
+      const double tilt = std::min(1.0, kTurnTilt * before / mouth.width());
+      const glm::dvec2 normal = glm::normalize(turn.next + way * tilt);
+      // Where the outer rays cross the line through it.
+      const auto crossing = [&](double side) {
+        const glm::dvec2 begin = frame.inPlan({side, 0});
+        return begin + way * (glm::dot(turn.at - begin, normal) / glm::dot(way, normal));
+      };
+      WalkMouth line{crossing(from), crossing(to), region_.floorAt(turn.at), 0};
+      line.top = line.floor + entry.height();
+      entry = line;
+      frame = EntryFrame(entry);
+      from = 0;
+      to = entry.width();
+    }
+    const EntryStrip through{strip.exit, frame.inFrame(mouth.left), frame.inFrame(mouth.right)};
+    keep(strip, addFan(frame, frustum, entry, through, rayTo(from, through.begin), rayTo(to, through.end)));
+  }
+
+  /// Rays of `frustum` that come in by `entry`, between two of them.
+  PieceRays addFan(const EntryFrame& frame, int frustum, const WalkMouth& entry, const EntryStrip& strip, FanRay left,
+                   FanRay right) {
+    const double wide = entry.width();
+    if (!(right.slope > left.slope)) {  // what it looks at is narrower than the strip: it sees what is beside, too
+      left.slope = right.slope = (left.slope + right.slope) / 2;
+    }
+    const std::optional<glm::dvec2> from = fanViewpoint(left, right, wide);
     if (!from) {
       return {};
     }
     const double beyond = kWalkBeyond * region_.size;
     const auto at = [&](double x, double z, double height) { return spaceOf(frame.inPlan({x, z}), height); };
     const double behind = -from->y;
-    double ahead = std::max((aim.begin.y + aim.end.y) / 2, kMinDepth * width);
+    double ahead = std::max((strip.begin.y + strip.end.y) / 2, kMinDepth * wide);
     // A ray along the top of the entry, and what it meets ahead.
     PieceRays rays;
     double top = entry.top;
-    if (aim.exit >= 0) {
-      // Not between the ends of the aim: the first begins at the entry, and the last ends there.
-      const WalkMouth& out = exits[static_cast<size_t>(aim.exit)].mouth;
+    if (strip.exit >= 0) {
+      const WalkMouth& out = mouths_[static_cast<size_t>(strip.exit)];
       const double one = frame.inFrame(out.left).y;
       const double other = frame.inFrame(out.right).y;
-      const double near = std::max(std::min(one, other), kMinDepth * width);
-      ahead = std::max({one, other, kMinDepth * width});  // the far end: nothing nearer lies above the rays
+      const double near = std::max(std::min(one, other), kMinDepth * wide);
+      const double far = std::max({one, other, kMinDepth * wide});
       rays.mouth = out;
       const double keeps = behind / (behind + near);
       const double most = std::max(entry.height(), kTallerShare * entry.height() / keeps);
       rays.mouth.top = out.floor + std::min(out.height(), most);
-      const bool isOblique = near < kOblique * ahead;
+      const bool isOblique = near < kOblique * far;
       if (isOblique && entry.top > out.floor + kMinLevelShare * out.height()) {
         rays.mouth.top = std::min(rays.mouth.top, entry.top);  // level, so that its near end is seen too
       }
       top = rays.mouth.top;
+      // All of its top is seen: of rays that rise from its near end on, of others from its far end on.
+      ahead = top > entry.top ? near : far;
     } else {
-      top += region_.floorAt(frame.inPlan((aim.begin + aim.end) / 2.0)) - region_.floorAt(entry.middle());
+      top += region_.floorAt(frame.inPlan((strip.begin + strip.end) / 2.0)) - region_.floorAt(entry.middle());
     }
-    const glm::dvec3 viewpoint = at(from->x, from->y, entry.top - (top - entry.top) * behind / ahead);
+    const glm::dvec3 viewpoint = at(from->x, from->y + beyond, entry.top - (top - entry.top) * behind / ahead);
     const glm::dvec3 up(0, entry.height(), 0);
-    const glm::dvec3 a = at(left.at + left.slope * beyond, beyond, entry.floor);
-    const glm::dvec3 b = at(right.at + right.slope * beyond, beyond, entry.floor);
+    const glm::dvec3 a = at(left.at, beyond, entry.floor);
+    const glm::dvec3 b = at(right.at, beyond, entry.floor);
     const Plane plane = Plane::through(at(0, beyond, 0), spaceOf(frame.ahead, 0));
-    rays.frustum = bendWhereOneCan(camera_, frustum, {plane, viewpoint}, nameOfCell(region_.cell),
-                                   frustumImage(camera_, frustum, std::array{a, b, b + up, a + up}));
+    const GraphCamera::Part part = frustumImage(camera_, frustum, std::array{a, b, b + up, a + up});
+    rays.frustum = bendWhereOneCan(camera_, frustum, {plane, viewpoint}, nameOfCell(region_.cell), part);
     if (rays.frustum < 0) {
       return {};
     }
     for (const Plane& limit : region_.limits) {
       limitFrustum(rays.frustum, limit);
     }
-    if (aim.exit >= 0) {
-      limitTo(rays.frustum, rays.mouth);
-    }
     rays.turns = turnsOf(camera_, rays.frustum);
     return rays;
   }
 
-  void limitTo(int i, const WalkMouth& mouth) {
-    const glm::dvec2 out = mouth.ahead();
-    limitFrustum(i, Plane::through(spaceOf(mouth.left + out * (kWalkIntoWalls * region_.size), 0), spaceOf(out, 0)));
-  }
   /// Where the middle of its rays begins within the limit.
   void limitFrustum(int i, const Plane& limit) {
     try {
@@ -296,20 +346,23 @@ class RegionParts {
 
   GraphCamera& camera_;
   const WalkRegion& region_;
+  const PlanPolygon& border_;
+  const WalkMouth& entry_;
+  EntryFrame frame_;
+  const std::vector<PieceExit>& exits_;
   const PieceSharing& sharing_;
-  PieceFans& fans_;
+  PieceFans fans_;
+  std::vector<WalkMouth> mouths_;  ///< of the exits, as much of them as is to be seen
+  double scale_ = 1;               ///< of a length at an exit, in the image, to the same at the entry
+  glm::dvec2 least_{0};            ///< of the border, in the frame of the entry
+  glm::dvec2 most_{0};
 };
 
 }  // namespace
 
 PieceFans addPiece(GraphCamera& camera, const WalkRegion& region, const PlanPolygon& border, int frustum,
                    const WalkMouth& entry, const std::vector<PieceExit>& exits, const PieceSharing& sharing) {
-  PieceFans fans;
-  fans.exits.resize(exits.size());
-  std::vector<int> numbers(exits.size());
-  std::iota(numbers.begin(), numbers.end(), 0);
-  RegionParts(camera, region, sharing, fans).add(border, frustum, entry, exits, numbers, 0);
-  return fans;
+  return RegionPiece(camera, region, border, entry, exits, sharing).add(frustum);
 }
 
 }  // namespace ocelli

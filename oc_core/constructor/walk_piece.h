@@ -1,11 +1,19 @@
-// How all rays that come into a region go on to its exits and its walls, as frusta of a graph camera (walk_fans.h).
+// How all rays that come into a region go on to its exits and its walls, as frusta of a graph camera.
 //
-// Rays do not turn back: for exits beside the opening that rays come in by, or so far aside that they would be seen
-// almost edge on, the region is parted. Rays come into the part beside through the line that parts it, and see from
-// there straight on.
+// The opening that they come in by is shared out in strips, from left to right: one for each exit, and for the walls
+// between those that lie ahead. Each strip has a viewpoint of its own before the opening, so that its rays run from one
+// side of what it looks at to the other; so a strip is as wide as its share says, however far away and however oblique
+// the exit is. Where a strip would pass its exit obliquely, its rays turn once before the exit, and then look straight
+// through it, as those of PPC1 and PPC3 in Figure 4.18; where the exit lies beside the opening, or looks back, twice.
+// Of an exit that is wide the middle alone is entered, so that the image of what comes after is not squeezed.
+//
+// Strips of a region may cross, so it shows some of its floor twice. Rays end at surfaces; limits only keep them within
+// a region's reach (walkBoxesOf()).
 //
 // A fan is level where openings are: a ray along the top of the entry runs to the top of the exit, as far as the exit
 // is no taller. So what lies beyond takes the upper part of the image, and the floor before it the lower.
+//
+// DEVIATION: the text's crossings have right angles, and one exit to a side; these have any number at any angle.
 #pragma once
 
 #include <functional>

@@ -22,6 +22,10 @@ constexpr size_t kMaxBoxParts = 8;  // of a box
 constexpr double kThinWall = 0.5;
 /// Of the width of an opening: what leads to it must be at least as wide.
 constexpr double kMinLink = 0.3;
+/// Cosine between a side of a box and an opening that leads out there.
+constexpr double kOpenSide = 0.7;
+/// How far beyond a box's side without openings rays find its wall, in sizes of the region: boxes may end before it.
+constexpr double kBoxReach = 1;
 
 PlanPolygon planBox(const WalkCell& cell) {
   const glm::dvec2 center = planOf(glm::dvec3(cell.center));
@@ -264,22 +268,6 @@ std::vector<WalkRegion> regionsOf(const WalkMap& map, uint32_t index, std::vecto
   return regions;
 }
 
-/// Whether floors and ceilings leave room for both in one point of the plan.
-bool shareHeights(const WalkRegion& one, const WalkRegion& other) {
-  const auto range = [](const WalkRegion& region) {
-    double least = std::numeric_limits<double>::infinity();
-    double most = -least;
-    for (const glm::dvec2& corner : region.border) {
-      least = std::min(least, region.floorAt(corner));
-      most = std::max(most, region.floorAt(corner));
-    }
-    return std::pair(least, most + region.height);
-  };
-  const auto [floor, top] = range(one);
-  const auto [otherFloor, otherTop] = range(other);
-  return std::min(top, otherTop) - std::max(floor, otherFloor) > 1e-3 * std::min(one.height, other.height);
-}
-
 /// Exits through portals lead to the region of the next cell on whose border the portal lies.
 void connect(std::vector<WalkRegion>& regions) {
   std::map<std::pair<uint32_t, uint32_t>, uint32_t> regionAt;  // by portal and cell
@@ -333,36 +321,42 @@ std::vector<WalkRegion> walkRegionsOf(const WalkMap& map) {
   return regions;
 }
 
-void cutToFit(WalkRegion& region, const WalkMap& map, const std::vector<const WalkRegion*>& others, double allowed) {
-  glm::dvec2 center = planOf(glm::dvec3(map.cells[region.cell].center));
-  if (!region.border.empty() && planOutside(region.border, center) > 0) {  // a second region: its own middle
-    center = std::accumulate(region.border.begin(), region.border.end(), glm::dvec2(0)) /
-             static_cast<double>(region.border.size());
+std::vector<WalkRegion> walkBoxesOf(const WalkMap& map) {
+  std::vector<WalkRegion> regions;
+  for (uint32_t i = 0; i < map.cells.size(); ++i) {
+    WalkRegion region = regionOf(map, i);
+    if (region.size > 0) {
+      region.border = planBox(map.cells[i]);
+      region.ground = region.border;
+    }
+    regions.push_back(region);
   }
-  bool changed = false;
-  for (const WalkRegion* other : others) {
-    if (region.border.empty() || planPenetration(region.border, other->border) <= allowed ||
-        !shareHeights(region, *other)) {
+  for (uint32_t i = 0; i < map.portals.size(); ++i) {
+    const WalkPortal& portal = map.portals[i];
+    if (portal.from == portal.to || portal.from >= regions.size() || portal.to >= regions.size()) {
       continue;
     }
-    PlanPolygon best;
-    for (size_t i = 0; i < other->border.size(); ++i) {
-      // Outside of that side.
-      const PlanPolygon rest =
-          planRightOf(region.border, other->border[(i + 1) % other->border.size()], other->border[i]);
-      if (!rest.empty() && planOutside(rest, center) < 0 && planArea(rest) > planArea(best)) {
-        best = rest;
+    for (const WalkPortal& seen : {portal, portal.reversed()}) {
+      const WalkExit exit = exitOf(i, seen);
+      if (exit.mouth.width() > 0 && exit.mouth.height() > 0) {
+        regions[seen.from].exits.push_back(exit);
       }
     }
-    region.border = best;
-    changed = true;
   }
-  if (region.border.empty()) {
-    region.exits.clear();
-  } else if (changed) {
-    keepExitsOnBorder(region);
-    limitRegion(region);
+  for (WalkRegion& region : regions) {
+    for (size_t i = 0; i < region.border.size(); ++i) {
+      const glm::dvec2& a = region.border[i];
+      const glm::dvec2 along = glm::normalize(region.border[(i + 1) % region.border.size()] - a);
+      const glm::dvec2 out(along.y, -along.x);
+      const bool open = std::any_of(region.exits.begin(), region.exits.end(), [&](const WalkExit& exit) {
+        return glm::dot(exit.mouth.ahead(), out) > kOpenSide;
+      });
+      if (!open) {
+        region.limits.push_back(Plane::through(spaceOf(a + out * (kBoxReach * region.size), 0), spaceOf(out, 0)));
+      }
+    }
   }
+  return regions;
 }
 
 }  // namespace ocelli

@@ -1,5 +1,5 @@
 // The cells of a walk map as rays of cameras see them: convex regions with a floor and a ceiling, and the openings on
-// their borders. Regions are disjoint: where boxes of a map reach into each other, the later ones are cut.
+// their borders.
 //
 // The region of a cell is its box. An opening in a wall beside it is an opening of the box's side as well; where it
 // lies farther away, a second region leads there. So does one where an opening lies within the box, as where a corner
@@ -75,8 +75,8 @@ inline constexpr double kWalkBeyond = 1e-4;
 /// are left out, and such to which no way leads within the cell.
 std::vector<WalkRegion> walkRegionsOf(const WalkMap& map);
 
-/// Cuts the region where it reaches into one of `others` by more than `allowed`, at the side of that which leaves most
-/// of it with its centre. Its border is empty where nothing is left. Exits that no longer lie on the border are gone.
-void cutToFit(WalkRegion& region, const WalkMap& map, const std::vector<const WalkRegion*>& others, double allowed);
+/// The box of each cell as one region, whatever others it reaches into, with all its openings where they are. Limits
+/// are those of sides without openings, by the region's size beyond them, where their walls are found.
+std::vector<WalkRegion> walkBoxesOf(const WalkMap& map);
 
 }  // namespace ocelli

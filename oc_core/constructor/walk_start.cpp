@@ -20,6 +20,8 @@ constexpr double kWithin = 0.02;
 constexpr double kBeside = 0.05;
 /// Cells from which all that can be reached is looked up.
 constexpr size_t kMaxTried = 500;
+/// Rays begin in cells at least so wide, in heights of openings, if there are any: the image is wider than tall.
+constexpr double kWideStart = 1.2;
 
 /// Least and largest distance along a direction.
 std::pair<double, double> extentAlong(const PlanPolygon& border, const glm::dvec2& direction) {
@@ -37,6 +39,28 @@ size_t exitsBeside(const WalkRegion& region, const glm::dvec2& heading) {
   return static_cast<size_t>(std::count_if(region.exits.begin(), region.exits.end(), [&](const WalkExit& exit) {
     return glm::dot(exit.mouth.middle(), heading) < least + kBeside * (most - least);
   }));
+}
+
+/// Of openings.
+double medianHeight(const std::vector<WalkRegion>& regions) {
+  std::vector<double> heights;
+  for (const WalkRegion& region : regions) {
+    for (const WalkExit& exit : region.exits) {
+      heights.push_back(exit.mouth.height());
+    }
+  }
+  if (heights.empty()) {
+    return 0;
+  }
+  const auto middle = heights.begin() + static_cast<std::ptrdiff_t>(heights.size() / 2);
+  std::nth_element(heights.begin(), middle, heights.end());
+  return *middle;
+}
+
+/// Whether rays that come in along a direction have room beside each other.
+bool isWide(const WalkRegion& region, const glm::dvec2& heading, double tall) {
+  const auto [least, most] = extentAlong(region.border, {-heading.y, heading.x});
+  return most - least >= kWideStart * tall;
 }
 
 struct Reach {
@@ -89,11 +113,13 @@ WalkBeginning beginWalk(const WalkRegion& region, const WalkStart& start, double
 WalkStart chooseWalkSide(const WalkMap& map, const std::vector<WalkRegion>& regions, uint32_t cell) {
   const glm::dvec3 axis(map.cells[cell].axis);
   const glm::dvec3 right(map.cells[cell].right());
-  WalkStart best;
-  auto least = std::pair(std::numeric_limits<size_t>::max(), 0.0);
+  WalkStart best{cell, axis};
+  auto least = std::tuple(true, std::numeric_limits<size_t>::max(), 0.0);
+  const double tall = medianHeight(regions);
   for (const glm::dvec3& heading : {axis, -axis, right, -right}) {
     const auto [from, to] = extentAlong(regions[cell].border, planOf(heading));
-    const auto cost = std::pair(exitsBeside(regions[cell], planOf(heading)), from - to);
+    const auto cost = std::tuple(!isWide(regions[cell], planOf(heading), tall),
+                                 exitsBeside(regions[cell], planOf(heading)), from - to);
     if (cost < least) {
       least = cost;
       best = {cell, heading};
@@ -125,18 +151,21 @@ std::vector<WalkStart> chooseWalkStarts(const WalkMap& map, const std::vector<Wa
   }
   using Cost = std::tuple<bool, size_t, size_t>;
   std::vector<std::pair<Cost, WalkStart>> starts;
+  const double tall = medianHeight(regions);
   for (const uint32_t cell : tried) {
     const Reach& reach = reaches[cell];
     if (regions[cell].border.empty() || reach.floor < (1 - 1e-9) * largest) {
       continue;
     }
     const WalkStart side = chooseWalkSide(map, regions, cell);
-    starts.emplace_back(Cost{exitsBeside(regions[cell], planOf(side.heading)) > 0, reach.most, reach.sum}, side);
+    starts.emplace_back(Cost{!isWide(regions[cell], planOf(side.heading), tall), reach.most, reach.sum}, side);
   }
   std::stable_sort(starts.begin(), starts.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<WalkStart> best;
   for (size_t i = 0; i < std::min(most, starts.size()); ++i) {
-    best.push_back(starts[i].second);
+    if (std::get<0>(starts[i].first) == std::get<0>(starts[0].first)) {
+      best.push_back(starts[i].second);
+    }
   }
   return best;
 }

@@ -44,11 +44,11 @@ struct ExploreFrame {
 
   WalkerView walker;
   PinholeCamera pinhole;          ///< of the walker, as large as the picture
-  MultiperspectiveCamera camera;  ///< of the picture, or of its upper part where there is one behind
+  MultiperspectiveCamera camera;  ///< of the picture, or of its right part where there is one behind
   /// The same pointer as in other frames: their `camera` is the same. Null: it may differ.
   std::shared_ptr<const void> still;
-  /// The display surface of section 4.3.1.4: the image of this camera lies below, turned by 180 degrees. Both are as
-  /// wide as the picture, and together as tall.
+  /// The display surface of section 4.3.1.4: the image of this camera stands at the left. Both are as tall as the
+  /// picture, and together as wide.
   std::optional<MultiperspectiveCamera> behind;
   std::vector<SplitLine> splits;  ///< pixels of the whole picture, those behind with it
   double deployed = 0;            ///< 0: the picture is the pinhole's; 1: the camera is as its constructor makes it

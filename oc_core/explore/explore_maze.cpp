@@ -1,5 +1,5 @@
-// Shows all ways that leave the crossing or room ahead, and, below, behind (section 4.3.1.4). A click on a way, or a
-// turn to its side before the crossing, goes into it in four steps.
+// Shows all ways that leave the crossing or room ahead, and, at the left, behind (section 4.3.1.4). A click on a way,
+// or a turn to its side before the crossing, goes into it in four steps.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 #include <utility>
 
+#include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/walk_turn.h"
 #include "oc_core/explore/explore_message.h"
@@ -24,6 +25,15 @@ constexpr double kStepSeconds = 1.2;  // of each of the four steps of a turn
 constexpr double kPinholeAhead = 3;
 constexpr double kTurnWish = 0.9;    // of the full speed of turning, from which on one wants to turn at the crossing
 constexpr double kTurnWithin = 2.5;  // sizes of the crossing, from its middle, from where one may
+
+constexpr double kMinFov = 10;  // degrees, of the image behind
+
+/// Of the image behind, which slides in from the left: while it is narrow it shows no more than 90 degrees from top to
+/// bottom.
+double fovBehind(double fovHorizontal, const glm::ivec2& size) {
+  const double widest = degreesFromRadians(2 * std::atan(static_cast<double>(size.x) / size.y));
+  return std::clamp(widest, kMinFov, fovHorizontal);
+}
 
 enum class MazeOption : size_t { kLeft, kAhead, kRight, kCrossingShare, kFovWay, kBehind };
 
@@ -119,6 +129,7 @@ class LiveMaze final : public LiveConstructor {
     options.crossingShare = shows(MazeOption::kCrossingShare);
     options.fovWayDegrees = shows(MazeOption::kFovWay);
     options.fovHorizontalDegrees = moment.walkerOptions.fovHorizontal;
+    options.lowered = moment.deployed;
     return options;
   }
 
@@ -141,6 +152,7 @@ class LiveMaze final : public LiveConstructor {
     LiveCamera live{std::move(ahead.camera)};
     if (moment.behindSize) {
       options.backward = true;
+      options.fovHorizontalDegrees = fovBehind(options.fovHorizontalDegrees, *moment.behindSize);
       live.behind = made(options, *moment.behindSize, moment).camera;
     }
     ways_ = std::move(ahead.ways);
@@ -156,9 +168,10 @@ class LiveMaze final : public LiveConstructor {
     return live;
   }
 
-  LiveCamera turning(const WalkCameraOptions& options, const glm::ivec2& size, const LiveMoment& moment) const {
+  LiveCamera turning(WalkCameraOptions options, const glm::ivec2& size, const LiveMoment& moment) const {
     LiveCamera live{walkTurningCameras(*space_, *turn_, options, size.x, size.y).first.camera};
     if (moment.behindSize) {
+      options.fovHorizontalDegrees = fovBehind(options.fovHorizontalDegrees, *moment.behindSize);
       live.behind =
           walkTurningCameras(*space_, *turn_, options, moment.behindSize->x, moment.behindSize->y).second.camera;
     }
@@ -222,20 +235,21 @@ class LiveMaze final : public LiveConstructor {
 
 LiveConstructorRow liveMaze() {
   const WalkCameraOptions usual;
-  return {"maze",
-          "shows all ways that leave the crossing or room ahead, and those behind below",
-          "a way to turn into, in four steps",
-          {{"left", "To the left", "parts", 0, 4, 1, "share of the rays at a crossing"},
-           {"ahead", "Ahead", "parts", 0, 4, 1, "share of the rays at a crossing"},
-           {"right", "To the right", "parts", 0, 4, 1, "share of the rays at a crossing"},
-           {"crossing_share", "Crossing", "of the width", 0.3, 0.95, usual.crossingShare,
-            "how much of the image's width the crossing takes, however far it is"},
-           {"fov_way", "Width of ways", "degrees", 15, 90, usual.fovWayDegrees,
-            "field of view at the beginning of the ways that leave the crossing"},
-           {"behind", "Image behind", "", 0, 1, 1, "whether what is behind shows below", 1, {"off", "on"}, false}},
-          true,
-          [](const ExploreScene&) { return std::make_unique<LiveMaze>(); },
-          [](const ExploreScene&) { return true; }};
+  return {
+      "maze",
+      "shows all ways that leave the crossing or room ahead, and at the left those behind",
+      "a way to turn into, in four steps",
+      {{"left", "To the left", "parts", 0, 4, 1, "share of the rays at a crossing"},
+       {"ahead", "Ahead", "parts", 0, 4, 1, "share of the rays at a crossing"},
+       {"right", "To the right", "parts", 0, 4, 1, "share of the rays at a crossing"},
+       {"crossing_share", "Crossing", "of the width", 0.3, 0.95, usual.crossingShare,
+        "how much of the image's width the crossing takes, however far it is"},
+       {"fov_way", "Width of ways", "degrees", 15, 90, usual.fovWayDegrees,
+        "field of view at the beginning of the ways that leave the crossing"},
+       {"behind", "Image behind", "", 0, 1, 1, "whether what is behind shows at the left", 1, {"off", "on"}, false}},
+      true,
+      [](const ExploreScene&) { return std::make_unique<LiveMaze>(); },
+      [](const ExploreScene&) { return true; }};
 }
 
 }  // namespace ocelli

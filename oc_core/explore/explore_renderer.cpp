@@ -49,8 +49,7 @@ const ByteTable& byteTable() {
   return table;
 }
 
-void copyFitted(const Image<Rgb8>& image, int height, Image<Rgb8>& picture) {
-  const FittedImage fit = fitted(image.width(), image.height(), picture.width(), height);
+void copyFitted(const Image<Rgb8>& image, const FittedImage& fit, Image<Rgb8>& picture) {
   const int left = static_cast<int>(std::lround(fit.left));
   const int right = static_cast<int>(std::lround(fit.left + image.width() * fit.scale));
   const int top = static_cast<int>(std::lround(fit.top));
@@ -147,15 +146,13 @@ Image<Rgb8> ExploreRenderer::imageOf(const ExploreFrame& frame) {
 ExplorePicture ExploreRenderer::draw(const ExploreFrame& frame, bool pinholeBeside) {
   const int width = frame.pinhole.width();
   const int height = frame.pinhole.height();
-  const int behindHeight = frame.behind ? heightOf(*frame.behind) : 0;
   Image<Rgb8> picture = imageOf(frame);
-  if (behindHeight > 0 || picture.width() != width || picture.height() != height) {
+  if (frame.behind || picture.width() != width || picture.height() != height) {
     const Image<Rgb8> ahead = std::move(picture);
     picture = Image<Rgb8>(width, height, kBesideColor);
-    copyFitted(ahead, height - behindHeight, picture);
+    copyFitted(ahead, fittedAhead(frame), picture);
     if (frame.behind) {
-      const Image<Rgb8> behind = draw(*frame.behind);
-      std::reverse_copy(behind.begin(), behind.end(), picture.end() - static_cast<std::ptrdiff_t>(behind.size()));
+      copyFitted(draw(*frame.behind), FittedImage{}, picture);
     }
   }
   drawSplits(frame.splits, picture);

@@ -18,12 +18,8 @@ constexpr int kSidePieces = 4;    // rays along each side of the image for an ou
 /// Pixels of the picture from those of the camera's image.
 struct Placed {
   FittedImage fit;
-  bool turned = false;  ///< by 180 degrees, at the bottom of the picture
-  glm::dvec2 picture{0};
 
-  glm::dvec2 at(const glm::dvec2& pixel) const {
-    return turned ? picture - pixel : glm::dvec2(fit.left, fit.top) + pixel * fit.scale;
-  }
+  glm::dvec2 at(const glm::dvec2& pixel) const { return glm::dvec2(fit.left, fit.top) + pixel * fit.scale; }
 };
 
 bool turns(const GraphCamera& camera, const GraphCamera::Frustum& frustum) {
@@ -128,22 +124,20 @@ FittedImage fitted(int width, int height, int pictureWidth, int pictureHeight) {
   return {(pictureWidth - width * scale) / 2, (pictureHeight - height * scale) / 2, scale};
 }
 
-namespace {
-
-/// Of the camera ahead.
 FittedImage fittedAhead(const ExploreFrame& frame) {
-  const int height = frame.pinhole.height() - (frame.behind ? heightOf(*frame.behind) : 0);
-  return fitted(widthOf(frame.camera), heightOf(frame.camera), frame.pinhole.width(), height);
+  const int behind = frame.behind ? widthOf(*frame.behind) : 0;
+  FittedImage fit =
+      fitted(widthOf(frame.camera), heightOf(frame.camera), frame.pinhole.width() - behind, frame.pinhole.height());
+  fit.left += behind;
+  return fit;
 }
-
-}  // namespace
 
 std::vector<ExploreOutline> outlinesOf(const ExploreFrame& frame) {
   std::vector<ExploreOutline> outlines;
-  const Placed ahead{fittedAhead(frame), false, {}};
+  const Placed ahead{fittedAhead(frame)};
   std::visit([&](const auto& camera) { addOutlines(camera, ahead, 0, outlines); }, frame.camera);
   if (frame.behind) {
-    const Placed behind{{}, true, {frame.pinhole.width(), frame.pinhole.height()}};
+    const Placed behind{};
     std::visit([&](const auto& camera) { addOutlines(camera, behind, partCount(frame.camera), outlines); },
                *frame.behind);
   }
@@ -173,9 +167,8 @@ PictureSpot spotOf(const ExploreFrame& frame, const glm::dvec2& pixel) {
   if (within(frame.camera, ahead)) {
     return {&frame.camera, glm::vec2(ahead)};
   }
-  const glm::dvec2 behind = glm::dvec2(frame.pinhole.width(), frame.pinhole.height()) - pixel;
-  if (frame.behind && within(*frame.behind, behind)) {
-    return {&*frame.behind, glm::vec2(behind)};
+  if (frame.behind && within(*frame.behind, pixel)) {
+    return {&*frame.behind, glm::vec2(pixel)};
   }
   return {};
 }

@@ -20,6 +20,8 @@ struct FittedImage {
   double scale = 1;  ///< pixels of the picture in one of the image
 };
 FittedImage fitted(int width, int height, int pictureWidth, int pictureHeight);
+/// That of the camera ahead, beside the image behind where there is one.
+FittedImage fittedAhead(const ExploreFrame& frame);
 
 int widthOf(const MultiperspectiveCamera& camera);
 int heightOf(const MultiperspectiveCamera& camera);

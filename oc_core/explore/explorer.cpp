@@ -15,7 +15,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMinBehind = 1;             // pixels
+/// Of the picture's height: narrower images of what is behind would be wider than half a turn from top to bottom.
+constexpr double kMinBehind = 0.005;
 constexpr double kSlowedDeployed = 0.25;  // from which on the head turns as slowly as it has to
 /// Of the range of an option, a second: how fast a steady option follows what was set.
 constexpr double kOptionShareASecond = 0.5;
@@ -153,14 +154,14 @@ void Explorer::followOptions(double seconds) {
 }
 
 LiveMoment Explorer::momentFor(const PinholeCamera& view, double seconds) const {
-  const int behind = state_->height - view.height();
+  const int behind = state_->width - view.width();
   return {scene_,
           view,
           walker_.view(),
           walker_.options(),
           seconds,
           eased(state_->deployed),
-          behind > 0 ? std::optional(glm::ivec2(state_->width, behind)) : std::nullopt};
+          behind > 0 ? std::optional(glm::ivec2(behind, state_->height)) : std::nullopt};
 }
 
 void Explorer::move(const WalkInput& input, double seconds) {
@@ -248,13 +249,13 @@ void Explorer::startDissolve() {
 
 void Explorer::makeFrame(double seconds) {
   State& state = *state_;
-  const auto viewOf = [&](int height) {
-    return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, state.width, height);
+  const auto viewOf = [&](int width) {
+    return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, width, state.height);
   };
   LiveConstructor& constructor = *state.live.constructor;
-  const int wanted = constructor.showsBehind() ? static_cast<int>(state.height / 2 * eased(state.deployed)) : 0;
-  const PinholeCamera whole = viewOf(state.height);
-  const PinholeCamera view = viewOf(state.height - (wanted >= kMinBehind ? wanted : 0));
+  const int wanted = constructor.showsBehind() ? static_cast<int>(state.width / 2 * eased(state.deployed)) : 0;
+  const PinholeCamera whole = viewOf(state.width);
+  const PinholeCamera view = viewOf(state.width - (wanted > kMinBehind * state.height ? wanted : 0));
 
   frame_.walker = walker_.view();
   frame_.pinhole = whole;
@@ -275,8 +276,11 @@ void Explorer::makeFrame(double seconds) {
         frame_.still = std::move(made.still);
         frame_.behind = std::move(made.behind);
         frame_.splits = std::move(made.splits);
-        for (const SplitLine& line : frame_.behind ? made.splitsBehind : std::vector<SplitLine>{}) {
-          frame_.splits.push_back({state.width - line.u, state.height - line.bottom, state.height - line.top});
+        if (frame_.behind) {
+          for (SplitLine& line : frame_.splits) {
+            line.u += widthOf(*frame_.behind);
+          }
+          frame_.splits.insert(frame_.splits.end(), made.splitsBehind.begin(), made.splitsBehind.end());
         }
       }
     }

@@ -101,7 +101,7 @@ class LiveConstructor {
   virtual bool show(const MultiperspectiveCamera& /*camera*/, const std::string& /*name*/) { return false; }
   /// What is picked, as a box around it, for the plan; nothing for none.
   virtual std::optional<Box> picked() const { return {}; }
-  /// Shows the image behind below that ahead.
+  /// Shows the image behind to the left of that ahead.
   virtual bool showsBehind() const { return false; }
 
   /// `index` of the row's options.

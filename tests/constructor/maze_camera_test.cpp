@@ -163,17 +163,18 @@ TEST(MazeTurn, beginsAsTheCameraOfTheWalk) {
   EXPECT_EQ(ahead.frusta().back().part, walking.frusta().back().part);
 }
 
-TEST(MazeDisplay, turnsWhatIsBehindAndDrawsSplitLines) {
+TEST(MazeDisplay, showsWhatIsBehindAtTheLeftAndDrawsSplitLines) {
   const GraphCamera camera = makeMazeCamera(street(), walker(11), {}, 600, 400);
   const GraphCamera plain(PinholeCamera(View{}, 600, 400));
   Image<glm::vec3> behind(600, 400, glm::vec3(0));
   behind(10, 20) = glm::vec3(1);
   const Image<glm::vec3> image = layOut(camera, Image<glm::vec3>(600, 400, glm::vec3(1)), plain, behind);
-  EXPECT_EQ(image.height(), 800);
-  EXPECT_EQ(image(589, 779), glm::vec3(1));
+  EXPECT_EQ(image.width(), 1200);
+  EXPECT_EQ(image.height(), 400);
+  EXPECT_EQ(image(10, 20), glm::vec3(1));
   const SplitLine line = splitLines(camera)[0];
-  EXPECT_LT(image(static_cast<int>(line.u), 200).x, 1);
-  EXPECT_EQ(image(static_cast<int>(line.u) + 5, 200).x, 1);
+  EXPECT_LT(image(600 + static_cast<int>(line.u), 200).x, 1);
+  EXPECT_EQ(image(600 + static_cast<int>(line.u) + 5, 200).x, 1);
   EXPECT_TRUE(splitLines(plain).empty());
 }
 

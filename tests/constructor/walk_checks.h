@@ -1,8 +1,13 @@
 // What tests of cameras of walk maps measure alike.
 #pragma once
 
+#include <algorithm>
+#include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <map>
+#include <set>
 #include <string>
 
 #include "oc_core/camera/graph_overlap.h"
@@ -31,6 +36,32 @@ inline size_t overlapCount(const GraphCamera& camera, const Mesh& mesh) {
                 each.point.z);
   }
   return overlaps.size();
+}
+
+/// Of the surface that an image shows, in squares of a metre over 4, the share that pixels of two frusta show: rays of
+/// parts that cross. What stands behind walls is no part of it.
+inline double shownTwiceShare(const GraphCamera& camera, const Mesh& mesh) {
+  constexpr float kSquares = 4;
+  const FragmentImage image = rasterize(camera, mesh);
+  std::map<std::array<long, 4>, std::set<int>> frusta;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (!image(x, y).covered()) {
+        continue;
+      }
+      int frustum = GraphCamera::kRoot;
+      for (int child = frustum; child >= 0; child = camera.childAt(frustum, {x + 0.5, y + 0.5})) {
+        frustum = child;
+      }
+      const glm::vec3 at = positionOf(image(x, y), mesh) * kSquares;
+      frusta[{image(x, y).triangle, std::lround(at.x), std::lround(at.y), std::lround(at.z)}].insert(frustum);
+    }
+  }
+  const auto twice =
+      std::count_if(frusta.begin(), frusta.end(), [](const auto& each) { return each.second.size() > 1; });
+  std::printf("%.1f %% of what is seen is shown twice\n",
+              100.0 * static_cast<double>(twice) / static_cast<double>(frusta.size()));
+  return static_cast<double>(twice) / static_cast<double>(frusta.size());
 }
 
 /// Of pixels, those in which rasteriser and ray caster differ.

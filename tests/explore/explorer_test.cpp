@@ -9,6 +9,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/explore/explore_renderer.h"
+#include "oc_core/explore/explore_shapes.h"
 #include "oc_core/walkable/walk_options.h"
 #include "tests/explore/explore_scenes.h"
 
@@ -384,6 +385,23 @@ TEST(ExploreScene, guessesMetresAsTheSearchForWaysDoes) {
     position *= 0.01f;
   }
   EXPECT_NEAR(ExploreScene(tiny).metre(), 0.01, 1e-6);  // 20 m long, as it was
+}
+
+// Section 4.3.1.4: "in front (right panel) and behind (left panel) the user".
+TEST(Explorer, theMazeCameraShowsWhatIsBehindAtTheLeft) {
+  SceneOptions unfitted;
+  unfitted.fit = false;
+  ExploreScene scene(loadGuidedScene("builtin:maze,seed=5", unfitted));
+  Explorer explorer(scene, {.width = 320, .height = 180});
+  explorer.choose("maze");
+  rest(explorer);
+  const ExploreFrame& frame = explorer.frame();
+  ASSERT_TRUE(frame.behind);
+  EXPECT_EQ(widthOf(*frame.behind), 160);
+  EXPECT_EQ(heightOf(*frame.behind), 180);
+  EXPECT_EQ(widthOf(frame.camera), 160);
+  EXPECT_EQ(spotOf(frame, {10, 90}).camera, &*frame.behind);
+  EXPECT_EQ(spotOf(frame, {310, 90}).camera, &frame.camera);
 }
 
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.
