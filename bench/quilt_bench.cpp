@@ -34,6 +34,7 @@ struct QuiltBenchChoice {
   std::string display = "portrait";
   std::vector<int> images{1, 2};
   std::vector<double> samplings{1};
+  std::vector<std::string> constructions{"raster", "rays"};
   int runs = 3;
   int threads = 0;
   bool skipsRenders = false;
@@ -135,8 +136,8 @@ void measure(const QuiltBenchChoice& choice) {
     const double structure = milliseconds([&] { rays = std::make_unique<RayScene>(world); });
     const RayRenderer renderer(world, *rays);
     for (const int images : choice.images) {
-      for (const SceneRenderer* by :
-           {static_cast<const SceneRenderer*>(nullptr), static_cast<const SceneRenderer*>(&renderer)}) {
+      for (const std::string& construction : choice.constructions) {
+        const SceneRenderer* by = construction == "rays" ? &renderer : nullptr;
         QuiltImageOptions options;
         options.images = images;
         options.sampling = sampling;
@@ -190,6 +191,9 @@ int main(int argumentCount, char** arguments) {
   program.add_option("--display", choice.display, "Name or file")->capture_default_str();
   program.add_option("--images", choice.images, "1, 2, or both")->delimiter(',');
   program.add_option("--sampling", choice.samplings, "Samples for each pixel along rows")->delimiter(',');
+  program.add_option("--construction", choice.constructions, "How images are drawn: raster, rays, or both")
+      ->delimiter(',')
+      ->check(CLI::IsMember({"raster", "rays"}));
   program.add_option("--runs", choice.runs, "Runs a figure")->check(CLI::Range(1, 1000))->capture_default_str();
   program.add_option("--threads", choice.threads, "0 stands for all cores")->check(CLI::Range(0, 1024));
   program.add_flag("--no-renders", choice.skipsRenders, "Leave out the time of rendering every view");

@@ -19,7 +19,7 @@ namespace {
 
 using Clock = std::chrono::steady_clock;
 
-double secondsSince(Clock::time_point start) {
+double secondsAfter(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
@@ -38,8 +38,8 @@ bool waitUntil(PictureDevice& device, double seconds) {
   constexpr double kStep = 0.1;
   const Clock::time_point start = Clock::now();
   bool open = true;
-  while (open && !InterruptGuard::interrupted() && secondsSince(start) < seconds) {
-    open = device.wait(std::min(kStep, seconds - secondsSince(start)));
+  while (open && !InterruptGuard::interrupted() && secondsAfter(start) < seconds) {
+    open = device.wait(std::min(kStep, seconds - secondsAfter(start)));
   }
   return open && !InterruptGuard::interrupted();
 }
@@ -52,7 +52,7 @@ void play(PictureDevice& device, SceneMotion& motion, const PresentChoice& choic
   size_t frames = 0;
   const InterruptGuard guard;
   for (bool open = true; open && !InterruptGuard::interrupted();) {
-    const double passed = secondsSince(start);
+    const double passed = secondsAfter(start);
     double at = passed * choice.speed;
     if ((choice.seconds && passed >= *choice.seconds) || (!choice.loop && at >= length)) {
       break;
@@ -64,7 +64,7 @@ void play(PictureDevice& device, SceneMotion& motion, const PresentChoice& choic
     ++frames;
     open = device.wait(0);
   }
-  context.note(fmt::format("showed {} quilts in {:.1f} s", frames, secondsSince(start)));
+  context.note(fmt::format("showed {} quilts in {:.1f} s", frames, secondsAfter(start)));
 }
 
 }  // namespace

@@ -42,7 +42,7 @@ struct QuiltCommandChoice {
   std::string json;
 };
 
-void checkChoice(const QuiltCommandChoice& choice) {
+void checkQuiltChoice(const QuiltCommandChoice& choice) {
   if (!choice.panel.empty() && choice.quilt.calibration.empty()) {
     throw InputError("the panel's own order takes the calibration of the display", "--panel",
                      "add --calibration FILE.json");
@@ -178,7 +178,7 @@ void makeVideo(const QuiltCommandChoice& choice, const QuiltViews& views, const 
 }
 
 void runQuilt(const QuiltCommandChoice& choice, const CommandContext& context) {
-  checkChoice(choice);
+  checkQuiltChoice(choice);
   depthSideNamed(choice.depthSide, "--depth-side");
   const QuiltViews views = quiltViewsOf(choice.quilt, context);
   if (isVideo(choice.output)) {
@@ -226,7 +226,7 @@ void addQuiltCommand(CLI::App& program, const CommandContext& context) {
       "  ocelli quilt builtin:statues --display portrait -o statues.png\n"
       "  ocelli quilt bunny.obj --display my-display.json --calibration visual.json --panel panel.png -o bunny.png\n"
       "  ocelli quilt builtin:statues --display 16 --evaluate --json figures.json -o statues.png\n"
-      "  ocelli quilt builtin:walkers --display go --seconds 2 -o walkers.mp4",
+      "  ocelli quilt builtin:waving --display go --seconds 2 -o waving.mp4",
       [choice, context] { runQuilt(*choice, context); });
 }
 
