@@ -98,15 +98,11 @@ Json evaluated(const QuiltCommandChoice& choice, const QuiltViews& views, const 
   return rows;
 }
 
-void noteGaps(const QuiltChoice& quilt, const QuiltViews& views, const QuiltPicture& picture,
-              const CommandContext& context) {
-  constexpr double kMany = 0.02;
-  if (quilt.isImage() && picture.filledRatio(views) > kMany) {
-    context.note(
-        fmt::format("warning: {:.1f} % of the pixels show nothing: where the scene is there, the image was "
-                    "made for fewer viewpoints than the cone of {:g} degrees has",
-                    100 * picture.filledRatio(views), views.display().coneDegrees));
-  }
+/// A file does not say where its empty rays went: what lies behind the scene is not told from what was not seen.
+std::string gapsText(const QuiltChoice& quilt, const QuiltViews& views, const QuiltPicture& picture) {
+  const double percent = 100 * picture.filledRatio(views);
+  return quilt.isImage() ? fmt::format("{:.2f} % of the pixels show nothing, or what the image has not seen", percent)
+                         : fmt::format("{:.2f} % of the pixels filled in", percent);
 }
 
 void makePicture(const QuiltCommandChoice& choice, const QuiltSource& source, const QuiltViews& views,
@@ -126,9 +122,8 @@ void makePicture(const QuiltCommandChoice& choice, const QuiltSource& source, co
   Json figures{
       {"display", views.display().name}, {"views", views.count()},       {"cone_degrees", views.display().coneDegrees},
       {"by", source.description()},      {"milliseconds", time.count()}, {"filled", picture.filledRatio(views)}};
-  context.note(fmt::format("wrote {}: {} by {} in {:.0f} ms; {:.2f} % of the pixels filled in", output, sizeText(views),
-                           source.description(), time.count(), 100 * picture.filledRatio(views)));
-  noteGaps(choice.quilt, views, picture, context);
+  context.note(fmt::format("wrote {}: {} by {} in {:.0f} ms; {}", output, sizeText(views), source.description(),
+                           time.count(), gapsText(choice.quilt, views, picture)));
   if (!choice.panel.empty()) {
     const PanelCalibration panel = readCalibration(choice.quilt.calibration);
     writePng(choice.panel, panelPicture(picture.color, views.display(), panel));

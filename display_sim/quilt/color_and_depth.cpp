@@ -91,7 +91,7 @@ ReferenceImage depthImageOf(const ColorAndDepth& pair, const QuiltViews& views) 
 
 QuiltPicture quiltFromDepthImage(const QuiltViews& views, const ReferenceImage& middle, QuiltDepths depths) {
   const QuiltLines lines{
-      sampleLines(middle, straightRays()), views.stretch(), 0, views.count(), middle.sampleCount(), middle.width()};
+      sampleLines(middle, {straightRays()}), views.stretch(), 0, views.count(), middle.sampleCount(), middle.width()};
   return quiltFromLines(views, {lines}, depths);
 }
 

@@ -76,11 +76,21 @@ class RowPlacement {
   std::vector<LineMap> maps_;
 };
 
-FarPosition farPositionsOf(const EpipolarCamera& camera) {
-  return [&camera](int column, int row) -> std::optional<float> {
+/// Of a camera whose lines are parallel: y is 1/z.
+FarEndOf farEndsOf(const EpipolarCamera& camera) {
+  return [&camera](int column, int row) -> std::optional<FarEnd> {
     const std::optional<EpipolarCamera::PlaneRay> ray = camera.planeRay(row, column + 0.5);
-    return ray ? std::optional(static_cast<float>(camera.lines().position(row, ray->xFar))) : std::nullopt;
+    if (!ray) {
+      return std::nullopt;
+    }
+    return FarEnd{static_cast<float>(camera.lines().position(row, ray->xFar)), static_cast<float>(ray->yEnd)};
   };
+}
+
+/// Whether all of the scene is before a pinhole: then the window of its image was made to show all that the views see.
+bool isBefore(const PinholeCamera& base, const Box& scene) {
+  return std::ranges::all_of(
+      cornersOf(scene), [&](const glm::vec3& corner) { return base.cameraFromWorld(corner).z >= base.view().zNear; });
 }
 
 size_t middleOf(const QuiltViews& views) {
@@ -97,11 +107,14 @@ std::vector<QuiltLines> quiltLines(const QuiltViews& views, const Mesh& scene, c
   const PinholeCamera middle = views.middle(stretch, width);
   const glm::vec3 left = views.eyeIn(stretch, 0);
   const glm::vec3 right = views.eyeIn(stretch, views.count() - 1);
+  const RayTarget* rays = renderer != nullptr ? renderer->rays() : nullptr;
+  const Box box = rays != nullptr ? rays->bounds() : boundsOf(scene);
   std::vector<QuiltLines> images;
   const auto add = [&](const ViewSegment& segment, int firstView, int endView) {
     const EocConstruction built = constructEoc(middle, segment, scene, options.eoc, renderer);
-    images.push_back({sampleLines(built.image, farPositionsOf(built.camera)), stretch, firstView, endView,
-                      built.image.sampleCount(), built.image.width()});
+    const EmptyRays empty{farEndsOf(built.camera), isBefore(built.camera.base(), box)};
+    images.push_back(
+        {sampleLines(built.image, empty), stretch, firstView, endView, built.image.sampleCount(), built.image.width()});
   };
   if (options.images == 1) {
     add({left, right}, 0, views.count());
@@ -120,7 +133,7 @@ std::optional<QuiltLines> quiltLinesOf(const QuiltViews& views, const ReferenceI
   }
   const bool isPinhole = image.rows == ImageRows::kAligned && image.pinholeSize.x == 0 &&
                          std::ranges::all_of(image.displacement, [](const glm::vec2& d) { return d == glm::vec2(0); });
-  QuiltLines lines{sampleLines(image, isPinhole ? straightRays() : FarPosition()),
+  QuiltLines lines{sampleLines(image, EmptyRays{isPinhole ? straightRays() : FarEndOf()}),
                    1,
                    0,
                    views.count(),

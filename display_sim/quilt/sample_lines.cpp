@@ -12,6 +12,7 @@ namespace {
 
 /// Beyond all samples by so much.
 constexpr float kEmptyShare = 0.999f;
+constexpr float kFarAside = 1e6f;  ///< pixels
 
 /// What stands at a pixel of a row: a sample, or where its empty ray ends (t is 0), or nothing.
 struct LinePixel {
@@ -30,9 +31,14 @@ float leastInverseZ(const ReferenceImage& image) {
 
 class LineMaker {
  public:
-  LineMaker(const ReferenceImage& image, const FarPosition& farPosition, const ImageMeshOptions& options, float focal,
-            float emptyInverseZ)
-      : image_(image), farPosition_(farPosition), options_(options), focal_(focal), emptyInverseZ_(emptyInverseZ) {}
+  LineMaker(const ReferenceImage& image, const EmptyRays& empty, const ImageMeshOptions& options,
+            const PinholeCamera& base, float emptyInverseZ)
+      : image_(image),
+        empty_(empty),
+        options_(options),
+        focal_(base.focalPixels()),
+        baseWidth_(static_cast<float>(base.width())),
+        emptyInverseZ_(emptyInverseZ) {}
 
   SampleLine line(int row) {
     findPixels(row);
@@ -41,6 +47,9 @@ class LineMaker {
       joins_[i] = joinsNext(i);
     }
     SampleLine line;
+    if (empty_.beyondBorders) {
+      addEmpty(line, -kFarAside, 0);
+    }
     for (size_t i = 0; i < pixels_.size(); ++i) {
       const bool begins = i == 0 || joins_[i - 1] == 0;
       const bool ends = joins_[i] == 0;
@@ -55,6 +64,9 @@ class LineMaker {
         addEnd(line, i, 1, color, false);
       }
     }
+    if (empty_.beyondBorders) {
+      addEmpty(line, baseWidth_, baseWidth_ + kFarAside);
+    }
     return line;
   }
 
@@ -64,10 +76,16 @@ class LineMaker {
     for (int x = 0; x < image_.width(); ++x) {
       if (image_.holds(x, row)) {
         pixels_.push_back({image_.undistorted(x, row), x, false});
-      } else if (const std::optional<float> u = farPosition_ ? farPosition_(x, row) : std::nullopt) {
-        pixels_.push_back({{*u, static_cast<float>(row) + 0.5f, 0}, x, true});
+      } else if (const std::optional<FarEnd> end = empty_.farEnd ? empty_.farEnd(x, row) : std::nullopt;
+                 end && end->inverseZ <= emptyInverseZ_) {
+        pixels_.push_back({{end->u, static_cast<float>(row) + 0.5f, 0}, x, true});
       }
     }
+  }
+
+  void addEmpty(SampleLine& line, float from, float to) const {
+    add(line, {from, emptyInverseZ_}, glm::vec3(0), true);
+    add(line, {to, emptyInverseZ_}, glm::vec3(0), false);
   }
 
   float inverseZOf(size_t i) const { return pixels_[i].isEmpty ? emptyInverseZ_ : 1 / pixels_[i].place.t; }
@@ -107,9 +125,10 @@ class LineMaker {
   }
 
   const ReferenceImage& image_;
-  const FarPosition& farPosition_;
+  const EmptyRays& empty_;
   const ImageMeshOptions& options_;
   float focal_;
+  float baseWidth_;
   float emptyInverseZ_;
   std::vector<LinePixel> pixels_;
   std::vector<uint8_t> joins_;
@@ -117,12 +136,12 @@ class LineMaker {
 
 }  // namespace
 
-SampleLines sampleLines(const ReferenceImage& image, const FarPosition& farPosition, const ImageMeshOptions& options) {
+SampleLines sampleLines(const ReferenceImage& image, const EmptyRays& empty, const ImageMeshOptions& options) {
   OC_CHECK(!image.isPlaced(), "the rows of this image are no lines of a pinhole");
   SampleLines lines{image.reference(), std::vector<SampleLine>(static_cast<size_t>(image.height())),
-                    kEmptyShare * leastInverseZ(image), farPosition != nullptr};
+                    kEmptyShare * leastInverseZ(image), empty.farEnd != nullptr};
   parallelFor(lines.rows.size(), 8, [&](size_t begin, size_t end) {
-    LineMaker maker(image, farPosition, options, lines.base.focalPixels(), lines.emptyInverseZ);
+    LineMaker maker(image, empty, options, lines.base, lines.emptyInverseZ);
     for (size_t row = begin; row < end; ++row) {
       lines.rows[row] = maker.line(static_cast<int>(row));
     }
@@ -130,8 +149,8 @@ SampleLines sampleLines(const ReferenceImage& image, const FarPosition& farPosit
   return lines;
 }
 
-FarPosition straightRays() {
-  return [](int column, int) { return std::optional(static_cast<float>(column) + 0.5f); };
+FarEndOf straightRays() {
+  return [](int column, int) { return std::optional(FarEnd{static_cast<float>(column) + 0.5f, 0}); };
 }
 
 }  // namespace ocelli

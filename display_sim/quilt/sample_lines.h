@@ -34,15 +34,24 @@ struct SampleLines {
   bool knowsEmpty = false;  ///< whether there are such points
 };
 
-/// Where the ray of an empty pixel ends in the base image, pixels along u; nothing where it has no ray.
-using FarPosition = std::function<std::optional<float>(int column, int row)>;
+/// The far end of the ray of an empty pixel.
+struct FarEnd {
+  float u = 0;         ///< where the base pinhole sees it, pixels
+  float inverseZ = 0;  ///< where it ends: 0 for one that goes on
+};
+/// Nothing where a pixel has no ray.
+using FarEndOf = std::function<std::optional<FarEnd>(int column, int row)>;
+
+/// What is known of where an image has no sample.
+struct EmptyRays {
+  FarEndOf farEnd{};           ///< empty: nothing is known
+  bool beyondBorders = false;  ///< whether nothing is to the left and right of the image either
+};
 
 /// Of a pinhole's image.
-FarPosition straightRays();
+FarEndOf straightRays();
 
-/// Without `farPosition` nothing is known of empty pixels. The image displaces a pinhole's; its rows are those of the
-/// pinhole.
-SampleLines sampleLines(const ReferenceImage& image, const FarPosition& farPosition,
-                        const ImageMeshOptions& options = {});
+/// The image displaces a pinhole's; its rows are those of the pinhole.
+SampleLines sampleLines(const ReferenceImage& image, const EmptyRays& empty, const ImageMeshOptions& options = {});
 
 }  // namespace ocelli
