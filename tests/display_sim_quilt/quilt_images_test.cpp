@@ -24,15 +24,45 @@ Mesh sceneFor(const QuiltViews& views, const std::string& name, double sampling 
   return scene;
 }
 
+/// Both show a sample of the same colour, or none: what was filled in does not count.
+bool isAlike(const QuiltPicture& a, size_t i, const QuiltPicture& b, size_t k, int levels) {
+  if (a.inverseZ[i] == 0 || b.inverseZ[k] == 0) {
+    return a.inverseZ[i] == b.inverseZ[k];
+  }
+  bool alike = true;
+  for (int c = 0; c < 3; ++c) {
+    alike = alike && std::abs(a.color[i][c] - b.color[k][c]) <= levels;
+  }
+  return alike;
+}
+
 /// Share of the pixels whose colours differ by more than `levels` in a channel, or of which only one shows anything.
 double differing(const QuiltPicture& a, const QuiltPicture& b, int levels) {
   size_t count = 0;
   for (size_t i = 0; i < a.color.size(); ++i) {
-    bool differs = (a.inverseZ[i] > 0) != (b.inverseZ[i] > 0);
-    for (int c = 0; c < 3 && !differs; ++c) {
-      differs = std::abs(a.color[i][c] - b.color[i][c]) > levels;
+    count += isAlike(a, i, b, i, levels) ? 0 : 1;
+  }
+  return static_cast<double>(count) / static_cast<double>(a.color.size());
+}
+
+/// Share of the pixels of `a` that are like none of the 3x3 pixels around them in the same tile of `b`.
+double unlikeAround(const QuiltViews& views, const QuiltPicture& a, const QuiltPicture& b, int levels) {
+  const glm::ivec2 size(views.display().tileWidth(), views.display().tileHeight());
+  size_t count = 0;
+  for (int view = 0; view < views.count(); ++view) {
+    const glm::ivec2 origin = views.tileOrigin(view);
+    for (int y = 0; y < size.y; ++y) {
+      for (int x = 0; x < size.x; ++x) {
+        bool found = false;
+        for (int v = std::max(y - 1, 0); v <= std::min(y + 1, size.y - 1) && !found; ++v) {
+          for (int u = std::max(x - 1, 0); u <= std::min(x + 1, size.x - 1) && !found; ++u) {
+            found = isAlike(a, a.color.index(origin.x + x, origin.y + y), b, b.color.index(origin.x + u, origin.y + v),
+                            levels);
+          }
+        }
+        count += found ? 0 : 1;
+      }
     }
-    count += differs ? 1 : 0;
   }
   return static_cast<double>(count) / static_cast<double>(a.color.size());
 }
@@ -64,8 +94,8 @@ QuiltPicture byMeshes(const QuiltViews& views, const Mesh& scene, int images) {
 
 class QuiltFromLines : public testing::TestWithParam<const char*> {};
 
-// The same surfaces by rows and by triangles. They differ where a surface ends: the mesh closes it by the samples of
-// two rows, and a line by its own.
+// The same surfaces by rows and by triangles. They differ by a pixel where a surface ends: the mesh closes it by the
+// samples of two rows, and a line by its own. A sample that is alone in its row may be joined across rows in the mesh.
 TEST_P(QuiltFromLines, areTheViewsOfTheMesh) {
   const QuiltViews views(kSmall, View{});
   const Mesh scene = sceneFor(views, GetParam());
@@ -74,7 +104,8 @@ TEST_P(QuiltFromLines, areTheViewsOfTheMesh) {
     options.images = images;
     const QuiltPicture lines = quiltFromLines(views, quiltLines(views, scene, options), QuiltDepths::kKept);
     const QuiltPicture mesh = byMeshes(views, scene, images);
-    EXPECT_LT(differing(lines, mesh, 2), 0.01) << images;
+    EXPECT_LT(unlikeAround(views, lines, mesh, 2), 0.002) << images;
+    EXPECT_LT(unlikeAround(views, mesh, lines, 2), 0.002) << images;
   }
 }
 
@@ -89,8 +120,7 @@ TEST_P(QuiltFromLines, missesFarLessThanColorAndDepth) {
   EXPECT_EQ(errors[2].meanFlip(), 0);
   EXPECT_GT(errors[1].strict, 0u);
   EXPECT_LT(errors[0].strictRatio(), errors[1].strictRatio() / 3);
-  EXPECT_GT(errors[1].thick, 0u);
-  EXPECT_LT(errors[0].thickRatio(), errors[1].thickRatio() / 5);
+  EXPECT_LE(errors[0].thick * 5, errors[1].thick);  // the fence has no thick holes at this size
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, QuiltFromLines, testing::Values("builtin:fence,gap=24", "builtin:statues"));
