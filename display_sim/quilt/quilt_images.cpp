@@ -10,6 +10,7 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/ocri/eoc_construction.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/render/scene_renderer.h"
 
 namespace ocelli {
 namespace {

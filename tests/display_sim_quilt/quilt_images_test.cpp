@@ -94,11 +94,36 @@ QuiltPicture byMeshes(const QuiltViews& views, const Mesh& scene, int images) {
 
 class QuiltFromLines : public testing::TestWithParam<const char*> {};
 
+/// The samples of `a` that `b` lacks, by the measure of coverage.h: 3x3 pixels, 1.5 footprints.
+double lacking(const QuiltViews& views, const QuiltPicture& a, const QuiltPicture& b) {
+  MissingSamples missing;
+  for (int view = 0; view < views.count(); ++view) {
+    missing += countMissing(
+        compareFrames(views.camera(view), tileFrame(views, a, view).points, tileFrame(views, b, view).points));
+  }
+  EXPECT_GT(missing.truth, 0u);
+  return missing.strictRatio();
+}
+
 // The same surfaces by rows and by triangles. They differ by a pixel where a surface ends: the mesh closes it by the
-// samples of two rows, and a line by its own. A sample that is alone in its row may be joined across rows in the mesh.
+// samples of two rows, and a line by its own; two of a thousand samples lie where that leaves no neighbour.
 TEST_P(QuiltFromLines, areTheViewsOfTheMesh) {
   const QuiltViews views(kSmall, View{});
   const Mesh scene = sceneFor(views, GetParam());
+  for (const int images : {1, 2}) {
+    QuiltImageOptions options;
+    options.images = images;
+    const QuiltPicture lines = quiltFromLines(views, quiltLines(views, scene, options), QuiltDepths::kKept);
+    const QuiltPicture mesh = byMeshes(views, scene, images);
+    EXPECT_LT(lacking(views, lines, mesh), 0.002) << images;
+    EXPECT_LT(lacking(views, mesh, lines), 0.002) << images;
+  }
+}
+
+// On surfaces without a texture: where a texel is as large as a pixel, which of two samples a pixel shows is rounding.
+TEST(QuiltImages, colorsAreThoseOfTheMesh) {
+  const QuiltViews views(kSmall, View{});
+  const Mesh scene = sceneFor(views, "builtin:teapot");
   for (const int images : {1, 2}) {
     QuiltImageOptions options;
     options.images = images;
@@ -121,6 +146,30 @@ TEST_P(QuiltFromLines, missesFarLessThanColorAndDepth) {
   EXPECT_GT(errors[1].strict, 0u);
   EXPECT_LT(errors[0].strictRatio(), errors[1].strictRatio() / 3);
   EXPECT_LE(errors[0].thick * 5, errors[1].thick);  // the fence has no thick holes at this size
+}
+
+// What the scene does not cover stays black, also beyond the borders of the image: nothing is filled in there. Within a
+// pixel of the scene it may differ.
+TEST_P(QuiltFromLines, showNothingBesideTheScene) {
+  const QuiltViews views(kSmall, View{});
+  const Mesh scene = sceneFor(views, GetParam());
+  const QuiltPicture truth = quiltByRender(views, scene, QuiltDepths::kKept);
+  for (const int images : {1, 2}) {
+    QuiltImageOptions options;
+    options.images = images;
+    const QuiltPicture quilt = quiltFromLines(views, quiltLines(views, scene, options));
+    size_t wrong = 0;
+    for (int y = 1; y + 1 < quilt.color.height(); ++y) {
+      for (int x = 1; x + 1 < quilt.color.width(); ++x) {
+        bool isBeside = quilt.color(x, y) != Rgb8(0);
+        for (int k = 0; k < 9 && isBeside; ++k) {
+          isBeside = truth.inverseZ(x - 1 + k % 3, y - 1 + k / 3) == 0;
+        }
+        wrong += isBeside ? 1 : 0;
+      }
+    }
+    EXPECT_LT(static_cast<double>(wrong), 0.001 * static_cast<double>(quilt.color.size())) << images;
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(Scenes, QuiltFromLines, testing::Values("builtin:fence,gap=24", "builtin:statues"));
