@@ -70,6 +70,7 @@ void addDeviceCommand(CLI::App& program, const CommandContext& context);
 void addDitherCommand(CLI::App& program, const CommandContext& context);
 void addDoctorCommand(CLI::App& program, const CommandContext& context);
 void addDemoCommand(CLI::App& program, const CommandContext& context);
+void addQuiltCommand(CLI::App& program, const CommandContext& context);
 void addRemoteCommand(CLI::App& program, const CommandContext& context);
 void addRenderCommand(CLI::App& program, const CommandContext& context);
 void addResampleCommand(CLI::App& program, const CommandContext& context);

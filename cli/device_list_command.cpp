@@ -8,6 +8,9 @@
 #include "cli/device_command.h"
 #include "display_driver/devices/device_kinds.h"
 #include "oc_core/base/json_fields.h"
+#ifdef OCELLI_WITH_OPENGL
+#include "display_driver/picture_device/picture_devices.h"
+#endif
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"
 #endif
@@ -49,6 +52,11 @@ Json jsonOfKinds() {
   for (const DeviceKind& kind : deviceKinds()) {
     kinds.push_back({{"device", kind.usage()}, {"help", kind.help}});
   }
+#ifdef OCELLI_WITH_OPENGL
+  for (const PictureDeviceKind& kind : pictureDeviceKinds()) {
+    kinds.push_back({{"device", kind.usage()}, {"help", kind.help}});
+  }
+#endif
   return kinds;
 }
 
@@ -57,6 +65,11 @@ std::string listText(const UsbDisplays& usb) {
   for (const DeviceKind& kind : deviceKinds()) {
     text += fmt::format("{:<18} {}\n", kind.usage(), kind.help);
   }
+#ifdef OCELLI_WITH_OPENGL
+  for (const PictureDeviceKind& kind : pictureDeviceKinds()) {
+    text += fmt::format("{}\n{:<18} {}\n", kind.usage(), "", kind.help);
+  }
+#endif
   text += "\n";
   for (const Json& display : usb.displays) {
     text += fmt::format("{:<18} {}, {}\n", display["device"].get<std::string>(), display["name"].get<std::string>(),

@@ -9,6 +9,9 @@
 #include "display_driver/devices/device_kinds.h"
 #include "display_driver/pacing/eye_feed.h"
 #include "oc_core/base/error.h"
+#ifdef OCELLI_WITH_OPENGL
+#include "display_driver/picture_device/picture_devices.h"
+#endif
 
 namespace ocelli {
 namespace {
@@ -33,6 +36,11 @@ std::string deviceHelp() {
   for (const DeviceKind& kind : deviceKinds()) {
     help += "\n  " + kind.usage() + ": " + kind.help;
   }
+#ifdef OCELLI_WITH_OPENGL
+  for (const PictureDeviceKind& kind : pictureDeviceKinds()) {
+    help += "\n  " + kind.usage() + ": " + kind.help;
+  }
+#endif
   return help;
 }
 

@@ -44,6 +44,10 @@
 #include "oc_core/volume/transfer_presets.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
+#ifdef OCELLI_WITH_OPENGL
+#include "cli/present_quilt.h"
+#include "display_driver/picture_device/picture_devices.h"
+#endif
 
 namespace ocelli {
 namespace {
@@ -444,6 +448,12 @@ void addSource(Presented& presented, const PresentChoice& choice, const DisplayP
 }
 
 void run(const PresentChoice& choice, const CommandContext& context) {
+#ifdef OCELLI_WITH_OPENGL
+  if (isPictureDevice(choice.device)) {
+    presentQuilt(choice, context);
+    return;
+  }
+#endif
   checkPresentChoice(choice);
   checkSecondOutput(choice.record, "--record", choice.scene.source);
   if (choice.isDeviceLog()) {
@@ -495,7 +505,8 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli present builtin:teapot --device sim --seconds 5 --watch seen.mp4\n"
                  "  ocelli present turning.svol --device usb --loop\n"
                  "  ocelli present bunny.obj --device null --follow --turn 30 --seconds 10 --timeline misses.csv\n"
-                 "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc",
+                 "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc\n"
+                 "  ocelli present builtin:statues --device quilt:portrait,monitor=1,calibration=visual.json",
                  [choice, context] { run(*choice, context); });
 }
 

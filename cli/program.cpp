@@ -33,6 +33,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addOcriCommand(program, context);
   addResampleCommand(program, context);
   addRemoteCommand(program, context);
+  addQuiltCommand(program, context);
   addSliceCommand(program, context);
   addObserveCommand(program, context);
   addVolumeCommand(program, context);

@@ -10,6 +10,8 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/parallel.h"
+#include "oc_core/ocri/depth_edges.h"
+#include "oc_core/ocri/eoc_construction.h"
 #include "oc_core/render/rasterize_spans.h"
 #include "oc_core/render/scene_renderer.h"
 #include "oc_core/scene/winding_number.h"
@@ -411,7 +413,7 @@ ReferenceImage buildEocImage(const EpipolarCamera& camera, const Mesh& mesh, con
   return eocImage(scene.draw(camera, baseImage), camera, mesh);
 }
 
-ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
+EocConstruction constructEoc(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
                              const EocOptions& options, const SceneRenderer* renderer) {
   if (raysOf(renderer) == nullptr) {
     requireOutsideEnds(segment, mesh);
@@ -420,9 +422,15 @@ ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& 
   const PinholeCamera base = baseAround(reference, segment, scene.outerPoints());
   const EpipolarLines lines(base, segment.right);
   const FragmentImage baseImage = scene.lines(base, lines);
-  const EpipolarCamera camera = cameraFrom(base, segment.right, lines, baseImage, scene, options);
+  EpipolarCamera camera = cameraFrom(base, segment.right, lines, baseImage, scene, options);
   const FragmentImage fragments = options.trim ? scene.drawTrimmed(camera, baseImage) : scene.draw(camera, baseImage);
-  return eocImage(fragments, camera, mesh);
+  ReferenceImage image = eocImage(fragments, camera, mesh);
+  return {std::move(camera), std::move(image)};
+}
+
+ReferenceImage buildEocImage(const PinholeCamera& reference, const ViewSegment& segment, const Mesh& mesh,
+                             const EocOptions& options, const SceneRenderer* renderer) {
+  return constructEoc(reference, segment, mesh, options, renderer).image;
 }
 
 }  // namespace ocelli

@@ -1,5 +1,7 @@
 #include "oc_core/render/scene_renderer.h"
 
+#include <span>
+
 #include "oc_core/render/displacement_reach.h"
 #include "oc_core/render/rasterize_spans.h"
 
@@ -23,6 +25,27 @@ void takeDepths(FragmentImage& fragments, const PinholeCamera& camera, const Mes
     }
   });
 }
+
+namespace {
+
+/// The columns of an epipolar camera whose rays are those of base pixels that see nothing: 1.
+Image<uint8_t> emptyColumns(const EpipolarCamera& camera, const FragmentImage& baseImage) {
+  Image<uint8_t> empty(camera.width(), camera.height(), uint8_t{0});
+  for (int row = 0; row < camera.height(); ++row) {
+    const std::span<const EpipolarCamera::Disocclusion> disocclusions = camera.disocclusions(row);
+    size_t edge = 0;
+    int shift = 0;
+    for (int j = 0; j < camera.lines().length(row); ++j) {
+      while (edge < disocclusions.size() && disocclusions[edge].position <= j) {
+        shift = disocclusions[edge++].shift;
+      }
+      empty(j + shift, row) = baseImage(j, row).covered() ? 0 : 1;
+    }
+  }
+  return empty;
+}
+
+}  // namespace
 
 FragmentImage RayRenderer::draw(const PinholeCamera& camera) const {
   return raycast(camera, mesh_, rays_);
@@ -52,7 +75,16 @@ FragmentImage RayRenderer::drawLines(const PinholeCamera& base, const EpipolarLi
 }
 
 FragmentImage RayRenderer::draw(const EpipolarCamera& camera, const FragmentImage& baseImage) const {
-  return raycast(camera, mesh_, rays_, baseFragments(camera, baseImage));
+  const FragmentImage known = baseFragments(camera, baseImage);
+  // Where the base sees nothing, its ray meets nothing.
+  const Image<uint8_t> empty = emptyColumns(camera, baseImage);
+  FragmentImage fragments = castRays(camera.width(), camera.height(), rays_, [&](const glm::vec2& pixel) {
+    const glm::ivec2 at(pixel);
+    return known(at.x, at.y).covered() || empty(at.x, at.y) != 0 ? RayPath{} : camera.rayPath(pixel);
+  });
+  takeProjected(
+      fragments, known, [&](const glm::vec3& point) { return camera.project(point); }, mesh_);
+  return fragments;
 }
 
 std::optional<FragmentImage> RayRenderer::drawAlong(const CameraRays& rays) const {
