@@ -66,14 +66,14 @@ def rays_of(width, height, ray):
 
 def push_broom(u, v):
     """Flies over the scene from left to right and looks down along a line across its way, 40 degrees forward."""
-    tilt, across = math.radians(40), math.radians(60) * (v - 0.5)
-    return ((2 * u - 1) * 1.1 - 0.55, 0.9, 0), (math.cos(across) * math.sin(tilt), -math.cos(across) * math.cos(tilt), math.sin(across))
+    tilt, across = math.radians(40), math.radians(46) * (v - 0.5)
+    return ((2 * u - 1) * 0.86 - 0.87, 0.9, 0), (math.cos(across) * math.sin(tilt), -math.cos(across) * math.cos(tilt), math.sin(across))
 
 
 def around(u, v):
     """Looks at the axis of the scene from all sides at once: a column is a side, a row is a height."""
     angle = 2 * math.pi * (u - 0.5)
-    return (3 * math.sin(angle), 0.8 * (1 - 2 * v), 3 * math.cos(angle)), (-math.sin(angle), 0, -math.cos(angle))
+    return (3 * math.sin(angle), 1 - 2 * v, 3 * math.cos(angle)), (-math.sin(angle), 0, -math.cos(angle))
 
 
 def fisheye(u, v):
@@ -91,7 +91,7 @@ def main(folder):
     folder = pathlib.Path(folder)
     folder.mkdir(parents=True, exist_ok=True)
     write_ray_map(folder / "push_broom.exr", *rays_of(720, 360, push_broom), name="push-broom", far=10)
-    write_ray_map(folder / "around.exr", *rays_of(720, 300, around), name="around", far=10, wraps_around=True)
+    write_ray_map(folder / "around.exr", *rays_of(720, 280, around), name="around", far=10, wraps_around=True)
     write_ray_map(folder / "fisheye.exr", *rays_of(360, 360, fisheye), name="fisheye", frame="view", far=10)
 
 

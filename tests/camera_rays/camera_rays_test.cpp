@@ -76,11 +76,7 @@ TEST(CameraRays, aMapOfAMapIsTheSame) {
 /// No view says where its rays begin, so an object around the eye of the reference view is none of its business.
 TEST(RayMapImage, rayMapsInTheWorldHaveNoEye) {
   Mesh mesh = boxBeforeWall();
-  Mesh around = makeBox(glm::vec3(0.2f));
-  for (glm::vec3& position : around.positions) {
-    position += View{}.eye;
-  }
-  append(mesh, around);
+  append(mesh, makeBox(glm::vec3(0.2f)), glm::translate(glm::mat4(1), View{}.eye));
   EXPECT_THROW(buildReferenceImages(cameraChoice("di"), smallCamera(), mesh), InputError) << "its eye is in the box";
   EXPECT_GT(imageOf(std::make_shared<const RayMap>(pushBroomMap({40, 30})), mesh).sampleCount(), 100u);
 }
