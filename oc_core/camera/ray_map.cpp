@@ -97,11 +97,19 @@ RayMap RayMap::ofCamera(const glm::ivec2& size, const std::function<RayPath(cons
       Row& row = rows[y];
       for (int x = 0; x < size.x; ++x) {
         const RayPath path = ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-        row.counts.push_back(path.size());
+        const size_t first = row.points.size();
         for (size_t i = 0; i < path.size(); ++i) {
-          row.points.push_back(path[i]);
-          row.parameters.push_back(path.t(i));
+          // Bends that are closer than parameters are rounded are one.
+          if (i == 0 || path.t(i) > row.parameters.back()) {
+            row.points.push_back(path[i]);
+            row.parameters.push_back(path.t(i));
+          }
         }
+        if (row.points.size() == first + 1) {
+          row.points.pop_back();
+          row.parameters.pop_back();
+        }
+        row.counts.push_back(row.points.size() - first);
       }
       report(progress, "rays", static_cast<double>(++done) / static_cast<double>(rows.size()));
     }

@@ -41,6 +41,16 @@ void solveQuads(const RayMap& map, const glm::ivec2& lower, const glm::ivec2& up
   }
 }
 
+/// Of a pixel of an image of that size; nothing beyond its borders.
+std::optional<QuadPosition> quadPositionIn(const RayMap& map, const glm::ivec2& size, const glm::vec2& pixel) {
+  if (!(pixel.x >= 0 && pixel.x <= static_cast<float>(size.x) && pixel.y >= 0 &&
+        pixel.y <= static_cast<float>(size.y))) {
+    return std::nullopt;
+  }
+  const glm::dvec2 mapSize(map.width(), map.height());
+  return quadPosition(map, glm::min(glm::dvec2(pixel) * (mapSize / glm::dvec2(size)), mapSize));
+}
+
 }  // namespace
 
 /// Made when it is first asked for: most cameras of maps only give rays.
@@ -96,8 +106,7 @@ std::optional<ImagePoint> RayMapCamera::projectSlowly(const glm::vec3& worldPoin
 }
 
 std::optional<glm::vec3> RayMapCamera::unproject(const ImagePoint& q) const {
-  const glm::dvec2 scale = glm::dvec2(map_->width(), map_->height()) / glm::dvec2(size_);
-  const std::optional<QuadPosition> at = quadPosition(*map_, glm::dvec2(q.u, q.v) * scale);
+  const std::optional<QuadPosition> at = quadPositionIn(*map_, size_, {q.u, q.v});
   if (!at || !std::isfinite(q.t)) {
     return std::nullopt;
   }
@@ -117,8 +126,7 @@ std::optional<glm::vec3> RayMapCamera::unproject(const ImagePoint& q) const {
 }
 
 RayPath RayMapCamera::rayPath(const glm::vec2& pixel) const {
-  const glm::dvec2 scale = glm::dvec2(map_->width(), map_->height()) / glm::dvec2(size_);
-  const std::optional<QuadPosition> at = quadPosition(*map_, glm::dvec2(pixel) * scale);
+  const std::optional<QuadPosition> at = quadPositionIn(*map_, size_, pixel);
   if (!at) {
     return {};
   }

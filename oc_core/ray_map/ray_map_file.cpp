@@ -94,7 +94,7 @@ Description readDescription(const std::optional<std::string>& text, const std::s
   fields.choice("type", {kType});
   fields.integer("format", kFormat, kFormat);
   RayMapNotes& notes = description.notes;
-  notes.name = fields.shortText("name", 200, stem);
+  notes.name = fields.text("name", stem);
   notes.frame = fields.choiceOf("frame", kRayFrames, RayFrame::kWorld);
   notes.wrapsAround = fields.boolean("wraps_around", false);
   if (fields.has("view")) {
@@ -187,7 +187,8 @@ class PolylineReader {
       ++lengths_[i];
       parts_.back().push_back(segments[i]);
       StoredSegment& segment = parts_.back().back();
-      if (!(segment.length > 0) || !std::isfinite(segment.length)) {
+      // With parameters of its own a segment may be shorter than coordinates are rounded by.
+      if (!(saysT ? segment.length >= 0 : segment.length > 0) || !std::isfinite(segment.length)) {
         refuse(i, number, fmt::format("has the length {}", segment.length));
       }
       if (saysT && !(segment.tEnd > segment.tBegin)) {

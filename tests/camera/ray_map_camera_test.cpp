@@ -76,6 +76,17 @@ TEST(RayMapCamera, anImageOfAnotherSizeStretchesTheRays) {
   }
 }
 
+TEST(RayMapCamera, stretchedImagesReachTheirBorders) {
+  const auto map = std::make_shared<const RayMap>(mapOfCamera(smallCamera()));
+  for (int side = 1; side < 400; ++side) {
+    const RayMapCamera camera(map, {side, side});
+    const auto end = static_cast<float>(side);
+    EXPECT_FALSE(camera.rayPath({end, end}).empty()) << side;
+    EXPECT_FALSE(camera.rayPath({0, 0}).empty()) << side;
+    EXPECT_TRUE(camera.rayPath({end * 1.001f, 0}).empty()) << side;
+  }
+}
+
 TEST(RayMapCamera, besidePixelsWithoutRaysTheNearestPixelCounts) {
   const RayMapCamera fisheye = cameraOf(fisheyeMap(40));
   EXPECT_TRUE(fisheye.rayPath({0.5f, 0.5f}).empty()) << "a corner";

@@ -72,6 +72,28 @@ TEST(RayMap, refusesPolylinesThatAreNoRays) {
   EXPECT_THAT(error({0, 105}, std::vector<glm::vec3>(105), std::vector<float>(105)), HasSubstr("from 2 to 104"));
 }
 
+/// Bends that are nearer to each other than parameters are rounded have one parameter.
+TEST(RayMap, bendsAtOneParameterAreOne) {
+  const RayMap map = RayMap::ofCamera(
+      {2, 1},
+      [](const glm::vec2& pixel) {
+        RayPath path;
+        path.add({0, 0, 0}, 1);
+        path.add({0, 0, 1}, pixel.x < 1 ? 2 : 1);
+        path.add({0, 1, 1}, pixel.x < 1 ? 2 : 1);
+        if (pixel.x < 1) {
+          path.add({0, 2, 1}, 3);
+        }
+        return path;
+      },
+      {}, "test");
+  const RayPath path = map.ray(0, 0).path();
+  ASSERT_EQ(path.size(), 3u);
+  EXPECT_EQ(path[1], glm::vec3(0, 0, 1));
+  EXPECT_EQ(path.t(2), 3);
+  EXPECT_TRUE(map.ray(1, 0).empty()) << "a point is no ray";
+}
+
 TEST(RayMap, ofAViewStandsWhereItIsPlaced) {
   RayMapNotes notes;
   notes.frame = RayFrame::kView;

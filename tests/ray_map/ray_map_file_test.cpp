@@ -68,6 +68,12 @@ TEST(RayMapFile, notesComeBack) {
   EXPECT_TRUE(holdsRays(file));
 }
 
+/// Points may be nearer to each other than coordinates are rounded, while t goes on.
+TEST(RayMapFile, segmentsWithoutALengthComeBack) {
+  const RayMap map = RayMap::ofPolylines({1, 1}, {3}, {{5, 0, 0}, {5, 0, 0}, {5, 1, 0}}, {1, 2, 3}, {}, "test");
+  expectSameRays(rayMapFromBytes(rayMapBytes(map), "map.exr"), map);
+}
+
 // ---- files of other programs
 
 /// What another program has of each pixel.
