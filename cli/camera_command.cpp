@@ -8,6 +8,7 @@
 
 #include "cli/camera_compare.h"
 #include "cli/camera_draw_command.h"
+#include "cli/camera_rays_command.h"
 #include "cli/command.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
@@ -28,6 +29,7 @@
 #include "oc_core/multiperspective/plan_image.h"
 #include "oc_core/multiperspective/rate_figure.h"
 #include "oc_core/ocri/representation_kind.h"
+#include "oc_core/ray_map/ray_map_file.h"
 
 namespace ocelli {
 namespace {
@@ -51,7 +53,14 @@ void addCameraInScene(CLI::App& command, CameraInScene& choice, const CommandCon
 
 PinholeCamera referenceOf(const CameraInScene& choice) {
   const ImageSize size = cameraImageSize(choice.camera, choice.size, kCameraImageSize);
-  return {readViewOption(choice.view), size.width, size.height};
+  return {cameraView(choice.camera, choice.view), size.width, size.height};
+}
+
+/// That of the file of a ray map, where it stands.
+RayMapCamera rayMapCameraOf(const CameraInScene& choice) {
+  const PinholeCamera reference = referenceOf(choice);
+  return {std::make_shared<const RayMap>(readRayMap(choice.camera).placedAt(reference.view())),
+          {reference.width(), reference.height()}};
 }
 
 MultiperspectiveCamera construct(const CameraInScene& choice, const GuidedScene& scene) {
@@ -142,7 +151,7 @@ std::string shownCameras() {
 /// Of a camera that builds reference images: where it has how many samples, over what it sees.
 void showRates(const ShowChoice& choice, const CommandContext& context) {
   const std::string& name = choice.camera.camera;
-  if (!name.ends_with(".json") && !findRepresentation(name)) {
+  if (!namesCamera(name)) {
     throw InputError("there is no camera \"" + name + "\"", "--camera", "use " + shownCameras());
   }
   const CameraChoice camera = cameraChoice(name);
@@ -167,7 +176,8 @@ void showRates(const ShowChoice& choice, const CommandContext& context) {
 
 void show(const ShowChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
-  if (!namesConstructor(choice.camera.camera)) {
+  const bool isRayMap = namesRayMap(choice.camera.camera);
+  if (!isRayMap && !namesConstructor(choice.camera.camera)) {
     return showRates(choice, context);
   }
   if (choice.cut && !(std::abs(*choice.cut) <= 1e6f)) {
@@ -175,10 +185,10 @@ void show(const ShowChoice& choice, const CommandContext& context) {
   }
   const GuidedScene scene =
       loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, context.progress());
-  const MultiperspectiveCamera camera = construct(choice.camera, scene);
-  const CameraPlan plan = planOf(
-      camera, scene.mesh,
-      {.side = sideFromText(choice.from), .cut = choice.cut, .rays = choice.rays, .groundPixels = choice.pixels});
+  const PlanOptions options{
+      .side = sideFromText(choice.from), .cut = choice.cut, .rays = choice.rays, .groundPixels = choice.pixels};
+  const CameraPlan plan = isRayMap ? planOf(rayMapCameraOf(choice.camera), scene.mesh, options)
+                                   : planOf(construct(choice.camera, scene), scene.mesh, options);
   writePlan(choice.output, plan,
             {.title = choice.camera.camera + " in " + choice.camera.scene.source, .planPixels = choice.pixels});
   context.note(
@@ -259,6 +269,16 @@ std::string textOf(const nlohmann::ordered_json& info) {
 
 void info(const InfoChoice& choice, const CommandContext& context) {
   checkSecondOutput(choice.output, "-o", "");
+  const bool namesRays = namesRayMap(choice.camera.scene.source);
+  if (namesRays || namesRayMap(choice.camera.camera)) {
+    if (!choice.output.empty()) {
+      throw InputError("a ray map is no list of operations or turns", "-o", "leave it out");
+    }
+    return printRayMapInfo(namesRays ? choice.camera.scene.source : choice.camera.camera, choice.json, context);
+  }
+  if (choice.camera.camera.empty()) {
+    throw InputError("no camera is given", "--camera", "give one of `ocelli camera list`, or name a ray map, RAYS.exr");
+  }
   const GuidedScene scene =
       loadGuidedScene(choice.camera.scene.source, choice.camera.scene.options, context.progress());
   const MultiperspectiveCamera camera = construct(choice.camera, scene);
@@ -275,11 +295,14 @@ void addCameraInfo(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand("info", "Tell what a camera consists of, and write it out by hand");
   const auto choice = std::make_shared<InfoChoice>();
   addCameraInScene(command, choice->camera, context);
+  command.get_option("--camera")->required(false);  // a ray map stands where the scene does
   command.add_flag("--json", choice->json, "Print it as JSON");
   addSecondOutputOption(command, "-o,--output", choice->output,
                         "Where the camera goes as a list of operations or turns, which `--camera` takes", {".json"});
-  context.finish(command, "  ocelli camera info builtin:maze --camera comprehensive -o frusta.json",
-                 [choice, context] { info(*choice, context); });
+  context.finish(
+      command,
+      "  ocelli camera info builtin:maze --camera comprehensive -o frusta.json\n  ocelli camera info rays.exr --json",
+      [choice, context] { info(*choice, context); });
 }
 
 struct EditChoice {
@@ -354,14 +377,15 @@ void addEdit(CLI::App& camera, const CommandContext& context) {
 }  // namespace
 
 void addCameraCommand(CLI::App& program, const CommandContext& context) {
-  CLI::App& camera =
-      *program.add_subcommand("camera", "List cameras and their options; show, compare, describe, edit and draw them");
+  CLI::App& camera = *program.add_subcommand(
+      "camera", "List cameras and their options; show, compare, describe, edit and draw them, and write their rays");
   camera.require_subcommand(1);
   addCameraList(camera, context);
   addShow(camera, context);
   addCameraInfo(camera, context);
   addEdit(camera, context);
   addCameraDraw(camera, context);
+  addCameraRays(camera, context);
   addCameraCompare(camera, context);
 }
 

@@ -21,6 +21,7 @@
 #include "oc_core/evaluation/evaluation_page.h"
 #include "oc_core/evaluation/evaluation_table.h"
 #include "oc_core/evaluation/evaluation_work.h"
+#include "oc_core/ray_map/ray_map_file.h"
 #include "oc_core/volume_ocri/volume_first_hits.h"
 
 namespace ocelli {
@@ -62,7 +63,8 @@ std::vector<AskedCamera> askedCameras(const std::vector<std::string>& names, con
   std::vector<AskedCamera> cameras;
   for (const std::string& name : names) {
     // What a file says may change between two runs.
-    const std::string identity = name.ends_with(".json") ? name + " " + textHash(readFile(name)) : name;
+    const std::string identity =
+        name.ends_with(".json") || namesRayMap(name) ? name + " " + textHash(readFile(name)) : name;
     cameras.push_back({cameraChoice(name, cell), identity});
   }
   return cameras;

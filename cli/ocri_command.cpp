@@ -226,7 +226,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         }
         requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
         const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
-        const std::vector<View> views = viewsOf(choice->viewers);
+        const std::vector<View> views = viewsFor(choice->camera, choice->viewers);
         if (takesVolume(choice->scene)) {
           const ReferenceImages images = imagesOfVolume(*choice, views, size, context);
           if (writes) {

@@ -96,7 +96,7 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   checkSecondOutput(choice.identity, "--identity", choice.output);
   const ImageSize size = cameraImageSize(choice.camera, choice.size, kRenderSize);
-  const PinholeCamera reference(readViewOption(choice.view), size.width, size.height);
+  const PinholeCamera reference(cameraView(choice.camera, choice.view), size.width, size.height);
   if (takesVolume(choice.scene)) {
     refuseForVolumes(choice.antialias != "none", "--antialias", "has no antialiasing", "draw it in a larger --size");
     refuseForVolumes(!choice.identity.empty(), "--identity", "has no objects", "leave it out");

@@ -5,15 +5,19 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/number_check.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/printable_text.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/ocri/camera_choice.h"
+#include "oc_core/ray_map/ray_map_file.h"
 
 namespace ocelli {
 namespace {
 
-const std::string kCameraHelp = "Camera, or a JSON file with its options (`ocelli camera list NAME` tells them):";
-constexpr const char* kCameraType = "NAME|FILE.json";
+const std::string kCameraHelp =
+    "Camera, a JSON file with its options (`ocelli camera list NAME` tells them), or a ray map:";
+constexpr const char* kCameraType = "NAME|FILE.json|RAYS.exr";
+constexpr const char* kConstructorType = "NAME|FILE.json";
 
 template <class Named>
 std::string listOf(const std::vector<Named>& cameras) {
@@ -24,16 +28,13 @@ std::string listOf(const std::vector<Named>& cameras) {
   return lines;
 }
 
-}  // namespace
+constexpr const char* kSceneHelp =
+    "A scene file (PLY, OBJ, STL, glTF, ...), a volume (NRRD, MetaImage, VTI, NIfTI, or a folder of DICOM slices) or "
+    "builtin:NAME[,key=value...]";
 
-void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
+/// How the scene is read, whatever names it.
+void addReadingOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
   choice.options.warn = [context](const std::string& warning) { context.note("warning: " + printableText(warning)); };
-  command
-      .add_option(
-          "SCENE", choice.source,
-          "A scene file (PLY, OBJ, STL, glTF, ...), a volume (NRRD, MetaImage, VTI, NIfTI, or a folder of DICOM "
-          "slices) or builtin:NAME[,key=value...]")
-      ->required();
   command.add_flag_callback(
       "--no-fit", [&choice] { choice.options.fit = false; }, "Leave the scene where it is, not in the unit sphere");
   command
@@ -75,6 +76,18 @@ void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContex
       ->type_name("NUMBER|UID");
 }
 
+}  // namespace
+
+void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
+  command.add_option("SCENE", choice.source, kSceneHelp)->required();
+  addReadingOptions(command, choice, context);
+}
+
+void addSceneOption(CLI::App& command, SceneChoice& choice, const CommandContext& context) {
+  command.add_option("--scene", choice.source, kSceneHelp)->type_name("SCENE");
+  addReadingOptions(command, choice, context);
+}
+
 void addMotionOptions(CLI::App& command, SceneChoice& choice) {
   MotionOptions& motion = choice.options.motion;
   command
@@ -108,7 +121,7 @@ void addCameraOption(CLI::App& command, std::string& camera) {
 
 void addConstructorOption(CLI::App& command, std::string& camera) {
   command.add_option("--camera", camera, kCameraHelp + listOf(cameraConstructors()))
-      ->type_name(kCameraType)
+      ->type_name(kConstructorType)
       ->required();
 }
 
@@ -133,6 +146,10 @@ ImageSize cameraImageSize(const std::string& camera, const std::string& size, co
   if (!size.empty()) {
     return imageSizeFromText(size, "--size");
   }
+  if (namesRayMap(camera)) {
+    const glm::ivec2 ofMap = readRayMapHeader(camera).size;
+    return {ofMap.x, ofMap.y};
+  }
   const std::optional<glm::ivec2> ofFile = sizeInFile(camera);
   return ofFile ? ImageSize{ofFile->x, ofFile->y} : otherwise;
 }
@@ -153,6 +170,21 @@ void addViewOption(CLI::App& command, std::string& path) {
 
 View readViewOption(const std::string& path) {
   return path.empty() ? View{} : readView(path);
+}
+
+View cameraView(const std::string& camera, const std::string& path) {
+  if (!namesRayMap(camera)) {
+    return readViewOption(path);
+  }
+  const RayMapNotes notes = readRayMapHeader(camera).notes;
+  if (path.empty()) {
+    return notes.view.value_or(View{});
+  }
+  if (notes.frame == RayFrame::kWorld) {
+    throw InputError("the rays of " + camera + " stand in the world already", "--view",
+                     "leave it out; maps whose \"frame\" is \"view\" are placed at one (docs/ray_maps.md)");
+  }
+  return readView(path);
 }
 
 }  // namespace ocelli

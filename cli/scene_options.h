@@ -26,12 +26,15 @@ struct SceneChoice {
 /// a note of `frame`.
 void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context);
 
+/// The same without the argument: the scene is the option --scene, which may be missing.
+void addSceneOption(CLI::App& command, SceneChoice& choice, const CommandContext& context);
+
 /// Adds what there is to say of a SCENE that moves: --time, --animation, --rate and --between.
 void addMotionOptions(CLI::App& command, SceneChoice& choice);
 
-/// Adds --camera NAME|FILE.json, for the cameras that build reference images.
+/// Adds --camera NAME|FILE.json|RAYS.exr, for the cameras that build reference images.
 void addCameraOption(CLI::App& command, std::string& camera);
-/// The same for constructors of graph and curved ray cameras; it is required.
+/// The same for constructors of graph and curved ray cameras; it is required. No ray maps.
 void addConstructorOption(CLI::App& command, std::string& camera);
 /// The same for both.
 void addAnyCameraOption(CLI::App& command, std::string& camera);
@@ -50,5 +53,8 @@ void addMetreOption(CLI::App& command, std::optional<double>& metre);
 void addViewOption(CLI::App& command, std::string& path);
 /// The view of the file, or the default one where no --view was given. Throws InputError.
 View readViewOption(const std::string& path);
+/// The same for a camera, which is the file of a ray map perhaps: that says the view where no --view was given, and
+/// takes none where it stands in the world already.
+View cameraView(const std::string& camera, const std::string& path);
 
 }  // namespace ocelli

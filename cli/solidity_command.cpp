@@ -20,6 +20,7 @@
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/representation.h"
 #include "oc_core/ocri/union_mesh.h"
+#include "oc_core/ray_map/ray_map_file.h"
 
 namespace ocelli {
 namespace {
@@ -51,7 +52,7 @@ struct Shown {
 };
 
 Shown shownFromText(const std::string& text, const ViewCell& cell) {
-  if (text.ends_with(".exr")) {
+  if (text.ends_with(".exr") && !holdsRays(text)) {
     return {fs::path(text).stem().string(), std::nullopt, readReferenceImages(text)};
   }
   const CameraChoice camera = cameraChoice(text, cell);

@@ -60,7 +60,7 @@ ViewerOptions viewerOptions(const ViewChoice& choice) {
     refuseVolumeOptions(choice.volume);
   }
   options.camera = cameraChoice(cameraOfPanes(choice, options.volumeRays));
-  options.reference = readViewOption(choice.view);
+  options.reference = cameraView(choice.cameraGiven ? choice.camera : "", choice.view);
   options.width = size.width;
   options.height = size.height;
   options.profile = choice.profile;

@@ -7,6 +7,7 @@
 #include "cli/scene_options.h"
 #include "oc_core/base/error.h"
 #include "oc_core/ocri/viewers.h"
+#include "oc_core/ray_map/ray_map_file.h"
 
 namespace ocelli {
 
@@ -41,6 +42,16 @@ std::vector<View> viewsOf(const ViewersChoice& choice) {
   }
   const View first = readViewOption(choice.views.empty() ? "" : choice.views.front());
   return viewsAround(first, std::max(choice.count, 1));
+}
+
+std::vector<View> viewsFor(const std::string& camera, const ViewersChoice& choice) {
+  if (!namesRayMap(camera)) {
+    return viewsOf(choice);
+  }
+  if (choice.views.size() > 1 || choice.count > 1) {
+    throw InputError("a ray map is the camera of one viewer", "--camera " + camera, "leave out --viewers");
+  }
+  return {cameraView(camera, choice.views.empty() ? "" : choice.views.front())};
 }
 
 }  // namespace ocelli

@@ -24,5 +24,7 @@ void addViewersOptions(CLI::App& command, ViewersChoice& choice);
 /// A view for each viewer: those of the files, or one turned about the axis; the default view where none is given.
 /// Throws InputError.
 std::vector<View> viewsOf(const ViewersChoice& choice);
+/// The same for a camera: that of a ray map is one viewer's (cameraView()).
+std::vector<View> viewsFor(const std::string& camera, const ViewersChoice& choice);
 
 }  // namespace ocelli

@@ -128,14 +128,8 @@ class WalkCameraBuilder {
   }
 
   WaysView viewOfWays(uint32_t region, double deployed) const {
-    return {options_.split,
-            options_.fovWayDegrees,
-            deployed,
-            eye_,
-            eyeHeight(region),
-            options_.chosenPortal,
-            options_.chosenShare,
-            options_.chosenOpen};
+    return {options_.split,        options_.fovWayDegrees, deployed,           eye_, eyeHeight(region),
+            options_.chosenPortal, options_.chosenShare,   options_.chosenOpen};
   }
 
   /// How much less of the ways is deployed near an opening of a room, or beside a tunnel. It grows with the square of

@@ -67,7 +67,7 @@ Imf::FrameBuffer frameBufferOf(const ExrPart& part) {
 
 }  // namespace
 
-std::string exrBytes(const std::vector<ExrPart>& parts) {
+std::string exrBytes(const std::vector<ExrPart>& parts, const std::function<void(size_t part)>& fill) {
   OC_CHECK(!parts.empty(), "an EXR file holds an image at least");
   Imath::Box2i window({0, 0}, {0, 0});
   for (const ExrPart& part : parts) {
@@ -81,6 +81,9 @@ std::string exrBytes(const std::vector<ExrPart>& parts) {
   {
     Imf::MultiPartOutputFile file(stream, headers.data(), static_cast<int>(headers.size()));
     for (size_t i = 0; i < parts.size(); ++i) {
+      if (fill) {
+        fill(i);
+      }
       Imf::OutputPart part(file, static_cast<int>(i));
       part.setFrameBuffer(frameBufferOf(parts[i]));
       part.writePixels(parts[i].height);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ inline constexpr const char* kExrDescription = "ocelli";
 
 /// One file of so many images, one at least, with names of their own; they share one display window. Lossless
 /// compression. Aborts where there is no image, or one without pixels: that is a bug of the caller. Throws what OpenEXR
-/// throws (an std::exception) where two parts have one name.
-std::string exrBytes(const std::vector<ExrPart>& parts);
+/// throws (an std::exception) where two parts have one name. `fill` is called before each part is written: parts may
+/// share the memory that it fills, so that a file of many parts takes that of one.
+std::string exrBytes(const std::vector<ExrPart>& parts, const std::function<void(size_t part)>& fill = {});
 
 }  // namespace ocelli

@@ -69,7 +69,7 @@ class Planner {
     addParts();
     addRays();
     frame();
-    const float at = options_.cut.value_or(camera_.root().eye()[axisOf(options_.side)]);
+    const float at = options_.cut.value_or(partViewpoints(camera_).front()[axisOf(options_.side)]);
     plan_.section = sectionOf(mesh_, options_.side, at);
     if (options_.groundPixels > 0) {
       plan_.ground = planGround(mesh_, options_.side, plan_.lower, plan_.upper, at, options_.groundPixels);
@@ -178,13 +178,22 @@ class Planner {
   CameraPlan plan_;
 };
 
-}  // namespace
-
-CameraPlan planOf(const MultiperspectiveCamera& camera, const Mesh& mesh, const PlanOptions& options) {
+template <class Camera>
+CameraPlan planOfOne(const Camera& camera, const Mesh& mesh, const PlanOptions& options) {
   if (mesh.triangles.empty()) {
     throw InputError("the scene has no triangle", "plan", "choose another scene");
   }
-  return std::visit([&](const auto& each) { return Planner(each, mesh, options).make(); }, camera);
+  return Planner(camera, mesh, options).make();
+}
+
+}  // namespace
+
+CameraPlan planOf(const MultiperspectiveCamera& camera, const Mesh& mesh, const PlanOptions& options) {
+  return std::visit([&](const auto& each) { return planOfOne(each, mesh, options); }, camera);
+}
+
+CameraPlan planOf(const RayMapCamera& camera, const Mesh& mesh, const PlanOptions& options) {
+  return planOfOne(camera, mesh, options);
 }
 
 }  // namespace ocelli

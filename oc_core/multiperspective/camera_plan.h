@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/camera/ray_map_camera.h"
 #include "oc_core/constructor/multiperspective_camera.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/multiperspective/plan_section.h"
@@ -49,5 +50,7 @@ struct CameraPlan {
 /// Of each column of the image, the ray to the farthest surface is drawn, or where none meets one the longest. Throws
 /// InputError for an empty scene.
 CameraPlan planOf(const MultiperspectiveCamera& camera, const Mesh& mesh, const PlanOptions& options = {});
+/// The same of a ray map, which is one part. Without a cut it is cut in the middle of where its rays begin.
+CameraPlan planOf(const RayMapCamera& camera, const Mesh& mesh, const PlanOptions& options = {});
 
 }  // namespace ocelli

@@ -101,4 +101,23 @@ std::vector<glm::vec3> partViewpoints(const CurvedRayCamera& camera) {
   return viewpoints;
 }
 
+std::vector<RayPiece> rayPieces(const RayMapCamera& camera, const glm::vec2& pixel) {
+  const RayPath path = camera.rayPath(pixel);
+  return path.empty() ? std::vector<RayPiece>{}
+                      : std::vector<RayPiece>{{0, std::vector<glm::vec3>(path.begin(), path.end())}};
+}
+
+std::vector<glm::vec2> cornerPixels(const RayMapCamera&) {
+  return {};
+}
+
+std::vector<std::string> partNames(const RayMapCamera& camera) {
+  return {camera.map().notes().name};
+}
+
+std::vector<glm::vec3> partViewpoints(const RayMapCamera& camera) {
+  const RayMapFacts facts = factsOf(camera.map());
+  return {(facts.lower + facts.upper) * 0.5f};
+}
+
 }  // namespace ocelli

@@ -6,7 +6,9 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/ocri/nothing_seen.h"
+#include "oc_core/ocri/ray_map_kind.h"
 #include "oc_core/ocri/representation_kind.h"
+#include "oc_core/ray_map/ray_map_file.h"
 #include "oc_core/render/target_renderer.h"
 #include "oc_core/scene/winding_number.h"
 
@@ -24,8 +26,9 @@ std::string listOfNames() {
 CameraChoice namedCamera(const std::string& name, const ViewCell& cell, const std::string& where) {
   const std::optional<NamedRepresentation> found = findRepresentation(name);
   if (!found) {
-    throw InputError("there is no camera \"" + name + "\"", where,
-                     "use " + listOfNames() + ", or a JSON file with a \"camera\" field");
+    throw InputError(
+        "there is no camera \"" + name + "\"", where,
+        "use " + listOfNames() + ", a JSON file with a \"camera\" field, or the file of a ray map, RAYS.exr");
   }
   CameraChoice choice;
   choice.kind = found->kind;
@@ -93,6 +96,13 @@ ReferenceImages imagesOf(const RepresentationInputs& inputs) {
   return imagesOf(inputs, inputs.choice.kind->images);
 }
 
+/// The eye of the view, of cameras that see from there.
+void requireEyeOutside(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh) {
+  if (choice.kind->seesFromReference) {
+    requireOutside(mesh, reference.eye(), "view");
+  }
+}
+
 /// The ends of the segments of epipolar cameras; those that rasterise check them on their own.
 void requireOutsideSegments(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh) {
   if (choice.kind->segments) {
@@ -122,7 +132,14 @@ std::vector<CameraName> cameraNames() {
   return names;
 }
 
+bool namesCamera(const std::string& nameOrFile) {
+  return nameOrFile.ends_with(".json") || namesRayMap(nameOrFile) || findRepresentation(nameOrFile);
+}
+
 CameraChoice cameraChoice(const std::string& nameOrFile, const ViewCell& cell) {
+  if (namesRayMap(nameOrFile)) {
+    return rayMapChoice(std::make_shared<const RayMap>(readRayMap(nameOrFile)));
+  }
   if (!nameOrFile.ends_with(".json")) {
     return namedCamera(nameOrFile, cell, "--camera");
   }
@@ -168,7 +185,7 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
                                                 rays != nullptr ? RayStructure::kStands : RayStructure::kNone)),
       .triangles = mesh.triangles.size()};
   if (rays == nullptr || !done.byRays) {
-    requireOutside(mesh, reference.eye(), "view");
+    requireEyeOutside(choice, reference, mesh);
   }
   std::optional<RayScene> built;
   if (done.byRays && rays == nullptr) {
@@ -191,7 +208,7 @@ ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCa
 
 ReferenceImages buildReferenceImages(const CameraChoice& choice, const PinholeCamera& reference, const Mesh& mesh,
                                      const Progress& progress, const SceneRenderer& renderer) {
-  requireOutside(mesh, reference.eye(), "view");
+  requireEyeOutside(choice, reference, mesh);
   return imagesOf({choice, reference, mesh, progress, &renderer});
 }
 
@@ -211,7 +228,7 @@ MovingImages::~MovingImages() = default;
 
 ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& mesh, const RayScene* rays,
                                    const Progress& progress) {
-  requireOutside(mesh, reference.eye(), "view");
+  requireEyeOutside(choice_, reference, mesh);
   std::optional<RayRenderer> renderer;
   if (rays != nullptr) {
     requireOutsideSegments(choice_, reference, mesh);
@@ -230,7 +247,7 @@ ReferenceImages MovingImages::next(const PinholeCamera& reference, const Mesh& m
 
 ReferenceImage drawReferenceImage(Technique technique, const CameraChoice& choice, const PinholeCamera& reference,
                                   const Mesh& mesh, const Progress& progress) {
-  requireOutside(mesh, reference.eye(), "view");
+  requireEyeOutside(choice, reference, mesh);
   if (!choice.kind->draw) {
     throw InputError("\"" + choice.name + "\" is drawn in one way only", "--method", "use raster");
   }

@@ -1,5 +1,5 @@
-// From what a user writes after `--camera` to a reference image: a name, or a JSON file with a name and options
-// (camera.schema.json).
+// From what a user writes after `--camera` to a reference image: a name, a JSON file with a name and options
+// (camera.schema.json), or the file of a ray map (oc_core/ray_map).
 #pragma once
 
 #include <functional>
@@ -22,6 +22,7 @@ namespace ocelli {
 class JsonFields;
 class TargetRenderer;
 struct RepresentationKind;
+class RayMap;
 class ImageSequence;
 
 /// A representation with its options; the depth image of the reference view by default.
@@ -41,6 +42,8 @@ struct CameraChoice {
   /// Options that registered representations have of their own, by name; 0 where `prepare` of the row sets no other
   /// default.
   std::map<std::string, float> ownOptions;
+  /// Of a ray map (ray_map_kind.h) its rays.
+  std::shared_ptr<const RayMap> rayMap;
 
   /// Whether there are reference images; otherwise only buildRepresentation() makes it.
   bool hasImages() const;
@@ -55,6 +58,9 @@ struct CameraName {
 
 /// The names that cameraChoice() knows now.
 std::vector<CameraName> cameraNames();
+
+/// Whether that is a name that cameraChoice() knows, or one of a file that it reads.
+bool namesCamera(const std::string& nameOrFile);
 
 /// A camera that is built for a view cell takes this one (all but the cell camera its size alone), unless its file
 /// sets another. Throws InputError for an unknown name, and for a file that is wrong.

@@ -16,6 +16,18 @@
 
 namespace ocelli {
 
+/// Whether the last column of a camera's image is next to the first, where the camera itself says so.
+template <Camera C>
+bool cameraWrapsAround(const C& camera) {
+  if constexpr (requires { camera.wrapsAround(); }) {
+    return camera.wrapsAround();
+  } else if constexpr (requires { C::kWrapsAround; }) {
+    return C::kWrapsAround;
+  } else {
+    return false;
+  }
+}
+
 /// The map of a camera, whose functions keep it.
 template <Camera C>
 CameraMap mapOf(C camera) {
@@ -23,7 +35,8 @@ CameraMap mapOf(C camera) {
   return {[shared](const glm::vec2& pixel) { return shared->rayPath(pixel); },
           [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); },
           {shared->width(), shared->height()},
-          rayHullOf(shared)};
+          rayHullOf(shared),
+          cameraWrapsAround(*shared)};
 }
 
 /// How every camera can be drawn: along its rays, by the renderer, where it casts some.
@@ -56,8 +69,10 @@ RepresentationKind castRepresentation(const char* name, const char* description,
                 }
                 return cast(in);
               },
-          .maps = [makeCamera](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
-            return {mapOf(makeCamera(in))};
+          .maps = [makeCamera, wrapsAround](const Inputs& in, const ReferenceImages&) -> std::vector<CameraMap> {
+            CameraMap map = mapOf(makeCamera(in));
+            map.wrapsAround = wrapsAround;
+            return {std::move(map)};
           },
           .castsRays = true};
 }

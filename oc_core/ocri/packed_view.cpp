@@ -43,7 +43,9 @@ Mesh meshForView(const PackedScene& scene, const CameraChoice& choice, const Pin
 }
 
 void requireViewpointsOutside(const PackedScene& scene, const CameraChoice& choice, const PinholeCamera& reference) {
-  requireOutside(scene, reference.eye(), "view");
+  if (choice.kind->seesFromReference) {
+    requireOutside(scene, reference.eye(), "view");
+  }
   if (choice.kind->segments) {
     for (const glm::vec3& direction : choice.kind->segments(choice)) {
       const ViewSegment segment = segmentAround(reference.view(), direction, choice.cellSideRadii);

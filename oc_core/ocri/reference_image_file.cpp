@@ -1,23 +1,14 @@
 #include "oc_core/ocri/reference_image_file.h"
 
-#include <ImfChannelList.h>
-#include <ImfFrameBuffer.h>
-#include <ImfHeader.h>
-#include <ImfIO.h>
-#include <ImfInputPart.h>
-#include <ImfMultiPartInputFile.h>
-#include <ImfStringAttribute.h>
-#include <ImfVersion.h>
 #include <fmt/format.h>
 
 #include <array>
 #include <cmath>
-#include <cstring>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
-#include "oc_core/image/exr_writer.h"
+#include "oc_core/image/exr_reader.h"
 #include "oc_core/ocri/layered_depth_image.h"
 
 namespace ocelli {
@@ -27,58 +18,7 @@ constexpr int kFormat = 1;
 constexpr int kMaxPixelsASide = PinholeCamera::kMaxPixelsASide;
 constexpr int64_t kMaxPixels = PinholeCamera::kMaxPixels;
 constexpr size_t kMaxParts = 64;
-constexpr int64_t kMaxCompression = 1032;  ///< the most that deflate can do
 constexpr const char* kNext = "build it again with `ocelli ocri build`";
-
-/// An OpenEXR stream from bytes in memory.
-class BytesIn : public Imf::IStream {
- public:
-  explicit BytesIn(std::string_view bytes) : IStream("memory"), bytes_(bytes) {}
-  bool read(char c[], int n) override {
-    if (n < 0 || position_ > bytes_.size() || static_cast<size_t>(n) > bytes_.size() - position_) {
-      throw std::runtime_error("it ends too early");
-    }
-    std::memcpy(c, bytes_.data() + position_, static_cast<size_t>(n));
-    position_ += static_cast<size_t>(n);
-    return position_ < bytes_.size();
-  }
-  uint64_t tellg() override { return position_; }
-  void seekg(uint64_t position) override { position_ = position; }
-
- private:
-  std::string_view bytes_;
-  size_t position_ = 0;
-};
-
-/// The headers alone: they are judged before OpenEXR makes buffers for the images that they promise.
-std::vector<Imf::Header> headersOf(std::string_view bytes) {
-  const auto byte = [&](size_t i) { return static_cast<uint32_t>(static_cast<unsigned char>(bytes[i])); };
-  const auto word = [&](size_t i) { return byte(i) | byte(i + 1) << 8 | byte(i + 2) << 16 | byte(i + 3) << 24; };
-  constexpr size_t kMagicAndVersion = 8;
-  if (bytes.size() < kMagicAndVersion || word(0) != static_cast<uint32_t>(Imf::MAGIC)) {
-    throw std::runtime_error("it does not start like one");
-  }
-  BytesIn stream(bytes);
-  stream.seekg(kMagicAndVersion);
-  auto version = static_cast<int>(word(4));
-  std::vector<Imf::Header> headers;
-  const auto readOne = [&] {
-    Imf::Header header;
-    header.readFrom(stream, version);
-    headers.push_back(header);
-  };
-  readOne();
-  if (Imf::isMultiPart(version)) {
-    const auto atEnd = [&] { return stream.tellg() >= bytes.size() || bytes[stream.tellg()] == '\0'; };
-    while (!atEnd()) {
-      if (headers.size() == kMaxParts) {
-        throw std::runtime_error("it has more than " + std::to_string(kMaxParts) + " parts");
-      }
-      readOne();
-    }
-  }
-  return headers;
-}
 
 std::vector<ExrChannel> channelsOf(const ReferenceImage& image) {
   const glm::vec3* color = image.color.data();
@@ -101,17 +41,6 @@ std::vector<ExrChannel> channelsOf(const ReferenceImage& image) {
                                      {"offset.v", &displacement->y, sizeof(*displacement)}});
   }
   return channels;
-}
-
-/// To read into.
-Imf::FrameBuffer frameBufferOf(ReferenceImage& image) {
-  Imf::FrameBuffer buffer;
-  for (const ExrChannel& channel : channelsOf(image)) {
-    auto* base = const_cast<char*>(static_cast<const char*>(channel.first));
-    buffer.insert(channel.name,
-                  Imf::Slice(Imf::FLOAT, base, channel.stride, channel.stride * static_cast<size_t>(image.width())));
-  }
-  return buffer;
 }
 
 struct RowsName {
@@ -171,6 +100,10 @@ ImageRows readRows(JsonFields& fields) {
 bool readAttribute(const std::string& text, const std::string& where, ReferenceImage& image) {
   const std::string attribute = where + ", attribute \"ocelli\"";
   const nlohmann::json json = parseJson(text, attribute);
+  if (json.is_object() && json.contains("type")) {
+    throw InputError("this is a ray map, which holds rays and no samples", where,
+                     "give it to --camera, which builds a reference image of a scene along its rays");
+  }
   JsonFields fields(json, attribute);
   fields.integer("format", kFormat, kFormat);
   image.camera = fields.text("camera");
@@ -220,32 +153,30 @@ void allocate(ReferenceImage& image, int width, int height, bool placed) {
 }
 
 /// Camera, view and an image of the right size, from a header that fits a reference image of `fileBytes` bytes.
-void readHeader(const Imf::Header& header, size_t fileBytes, const std::string& where, ReferenceImage& image) {
-  const Imath::Box2i& window = header.dataWindow();
-  const int64_t width = int64_t{window.max.x} - window.min.x + 1;
-  const int64_t height = int64_t{window.max.y} - window.min.y + 1;
-  if (window.min.x != 0 || window.min.y != 0 || width < 1 || height < 1 || width > kMaxPixelsASide ||
+void readHeader(const ExrPartHeader& header, size_t fileBytes, const std::string& where, ReferenceImage& image) {
+  const int64_t width = header.width;
+  const int64_t height = header.height;
+  if (header.left != 0 || header.top != 0 || width < 1 || height < 1 || width > kMaxPixelsASide ||
       height > kMaxPixelsASide || width * height > kMaxPixels) {
     throw InputError("its data window is not that of a reference image of at most 2^26 pixels", where, kNext);
   }
-  const auto* attribute = header.findTypedAttribute<Imf::StringAttribute>(kExrDescription);
-  if (attribute == nullptr) {
+  if (!header.description) {
     throw InputError("it has no \"ocelli\" attribute, so it is no reference image", where, kNext);
   }
-  const bool placed = readAttribute(attribute->value(), where, image);
+  const bool placed = readAttribute(*header.description, where, image);
   // One pixel of it names the channels.
   allocate(image, 1, 1, placed);
   const std::vector<ExrChannel> channels = channelsOf(image);
   for (const ExrChannel& channel : channels) {
-    const Imf::Channel* stored = header.channels().findChannel(channel.name);
-    if (stored == nullptr || stored->type != Imf::FLOAT || stored->xSampling != 1 || stored->ySampling != 1) {
+    const ExrChannelHeader* stored = header.find(channel.name);
+    if (stored == nullptr || !stored->isFloat || !stored->fullSize) {
       throw InputError("channel " + std::string(channel.name) + " is missing or no full-size 32-bit float", where,
                        kNext);
     }
   }
   // No more memory than the file can fill.
   if (width * height * static_cast<int64_t>(channels.size() * sizeof(float)) >
-      kMaxCompression * static_cast<int64_t>(fileBytes)) {
+      kMaxExrCompression * static_cast<int64_t>(fileBytes)) {
     throw InputError(
         "it is too short for the " + std::to_string(width) + "x" + std::to_string(height) + " samples of its header",
         where, kNext);
@@ -300,9 +231,9 @@ void writeReferenceImages(const std::filesystem::path& path, const ReferenceImag
 ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::string& where) {
   ReferenceImages images;
   try {
-    const std::vector<Imf::Header> headers = headersOf(bytes);
+    const std::vector<ExrPartHeader> headers = exrHeaders(bytes, kMaxParts);
     int64_t pixels = 0;
-    for (const Imf::Header& header : headers) {
+    for (const ExrPartHeader& header : headers) {
       images.emplace_back();
       readHeader(header, bytes.size(), partName(where, images.size() - 1, headers.size()), images.back());
       pixels += static_cast<int64_t>(images.back().t.size());
@@ -310,12 +241,9 @@ ReferenceImages referenceImagesFromBytes(std::string_view bytes, const std::stri
         throw InputError("its images have more than 2^26 pixels in all", where, kNext);
       }
     }
-    BytesIn stream(bytes);
-    Imf::MultiPartInputFile file(stream);
+    ExrReader reader(bytes);
     for (size_t i = 0; i < images.size(); ++i) {
-      Imf::InputPart part(file, static_cast<int>(i));
-      part.setFrameBuffer(frameBufferOf(images[i]));
-      part.readPixels(0, images[i].height() - 1);
+      reader.read(i, headers[i], channelsOf(images[i]));
     }
   } catch (const InputError&) {
     throw;

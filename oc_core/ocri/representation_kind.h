@@ -47,8 +47,9 @@ struct ViewedPart {
 struct CameraMap {
   RayFunction ray;
   Projection project;
-  glm::ivec2 size{0};  ///< of its image; 0 where a row from outside does not tell it
-  RayHull hull = {};   ///< where its rays run; empty where that is not known
+  glm::ivec2 size{0};        ///< of its image; 0 where a row from outside does not tell it
+  RayHull hull = {};         ///< where its rays run; empty where that is not known
+  bool wrapsAround = false;  ///< the last column of its image is next to the first
 };
 
 /// One map for each of the images that buildReferenceImages() makes of this choice: as cameraRays(), which are their
@@ -113,6 +114,8 @@ struct RepresentationKind {
   bool ofViewAlone = false;
   /// Why OpenGL cannot draw it; empty where it can.
   const char* needsCpu = "";
+  /// Whether its rays begin around the eye of the reference view, which must not lie inside an object then.
+  bool seesFromReference = true;
 };
 
 /// The rows, in the order of the list that users see: the built-in ones, then those that were registered. A row stays

@@ -33,7 +33,7 @@ void takeProjected(FragmentImage& fragments, const FragmentImage& known,
     for (size_t i = begin; i < end; ++i) {
       if (known[i].covered()) {
         fragments[i] = known[i];
-      } else if (fragments[i].covered()) {
+      } else if (fragments[i].covered() && project) {
         const std::optional<ImagePoint> q = project(positionOf(fragments[i], mesh));
         if (q) {
           fragments[i].t = q->t;

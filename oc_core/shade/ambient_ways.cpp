@@ -252,7 +252,7 @@ void checkAmbientWay(const std::string& way) {
     throw InputError("\"" + name + "\" is no graph camera", "--by " + way,
                      "use the name of a constructor of `ocelli camera list`, or its file");
   }
-  if (!name.ends_with(".json") && !findRepresentation(name)) {
+  if (!namesCamera(name)) {
     throw InputError("there is no \"" + name + "\" that tells what hides light", "--by", kAmbientWays);
   }
   if (!cameraChoice(name).hasImages()) {

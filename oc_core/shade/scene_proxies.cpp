@@ -381,7 +381,7 @@ void checkPerspective(const SpecularWayName& way) {
 }
 
 CameraChoice choiceOf(const std::string& name, const ViewCell& cell) {
-  if (!name.ends_with(".json") && !findRepresentation(name)) {
+  if (!namesCamera(name)) {
     throw InputError("there is no \"" + name + "\" for rays to hit", "--by",
                      "use traced, environment, or a camera of `ocelli camera list`");
   }

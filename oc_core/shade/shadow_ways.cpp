@@ -139,7 +139,7 @@ std::optional<int> raysOfName(const std::string& name) {
 }
 
 CameraChoice cameraOfName(const std::string& name, const ViewCell& cell) {
-  if (!name.ends_with(".json") && !findRepresentation(name)) {
+  if (!namesCamera(name)) {
     throw InputError("there is no way \"" + name + "\" to soft shadows", "--by", kKnownWays);
   }
   const CameraChoice choice = cameraChoice(name, cell);

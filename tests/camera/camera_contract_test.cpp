@@ -17,6 +17,7 @@
 #include "tests/camera/test_cell_cameras.h"
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
+#include "tests/camera/test_ray_maps.h"
 #include "tests/ocri/test_scenes.h"
 
 namespace ocelli {
@@ -299,6 +300,24 @@ struct Cylinder : AllAround {
   static CylinderCamera make() { return CylinderCamera(smallCamera()); }
 };
 
+/// The rays of another camera at its pixel centres, as a ray map.
+template <class Source>
+struct RayMapOf : Source {
+  // Near the eye the ray's own near end is rounded as much as the point is.
+  static constexpr double kErrorGrowth = 2;
+  static const auto& original() {
+    static const auto camera = Source::make();
+    return camera;
+  }
+  static RayMapCamera make() {
+    return test::cameraOf(test::mapOfCamera(original(), {.view = Source::viewOf(original())}));
+  }
+  static const View& viewOf(const RayMapCamera& camera) { return *camera.map().notes().view; }
+  static float depthAtEnd(const RayMapCamera&, const glm::vec3& point) { return Source::depthAtEnd(original(), point); }
+  static float depthOf(const RayMapCamera&, const glm::vec3& point, const glm::vec2& pixel) {
+    return Source::depthOf(original(), point, pixel);
+  }
+};
 template <class Source>
 class CameraContract : public ::testing::Test {
  protected:
@@ -338,7 +357,7 @@ class CameraContract : public ::testing::Test {
 
 using AllCameras = ::testing::Types<Pinhole, SmoothDdoc, SceneDdoc, Spoc, SteppingSpoc, ReversePinhole, LinearGpc,
                                     QuadraticGpc, CubicGpc, EocAcross, EocForward, Graph, LimitedGraph, CurvedRays,
-                                    BezierRays, Panorama, Cylinder, Cell>;
+                                    BezierRays, Panorama, Cylinder, Cell, RayMapOf<Pinhole>, RayMapOf<Panorama>>;
 TYPED_TEST_SUITE(CameraContract, AllCameras);
 
 /// What holds besides for cameras that look through the window of a pinhole, and bend or displace its rays.
