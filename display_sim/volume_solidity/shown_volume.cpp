@@ -122,8 +122,8 @@ SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const 
     const VolumeRenderer renderer(seenScene(), {.depthOpacity = *options.seenOpacity});
     sight = std::make_shared<VolumeSight>(renderer, options.eyes, samples_->profile().height, progress);
   }
-  // Eyes look at what a cell shows: of one that a face cuts, whose middle may lie beside the volume, at a place half a
-  // cell within.
+  // Eyes look at the middle of a cell, where its light stands, and at what it shows: of one that a face cuts, whose
+  // middle may lie beside the volume, at a place half a cell within.
   const glm::dmat4 worldFromIndex = scene_.worldFromIndex;
   const glm::dmat4 indexFromWorld = glm::inverse(worldFromIndex);
   const glm::dvec3 size(scene_.volume->grid().size);
@@ -142,7 +142,8 @@ SweptSamples::Part ShownVolume::partOf(const ShownVolumeOptions& options, const 
     for (const ClipPlane& clip : clips) {
       share *= cell.shareOf(clip);
     }
-    if (share == 0 || (sight != nullptr && !sight->sees(within(center, cellSide), cellSide))) {
+    if (share == 0 ||
+        (sight != nullptr && !(sight->sees(center, cellSide) && sight->sees(within(center, cellSide), cellSide)))) {
       return 0.0;
     }
     return mask == nullptr ? share : share * cell.shareOf(*mask);
