@@ -186,6 +186,15 @@ const std::vector<PortalCurve>& portalCurves() {
         .edgeFadeDegrees = 4,
         .evenness = 0,
         .handOver = 0.5}},
+      {"calm",
+       "as \"beyond\", but evenly and farther away, so that images change less from step to step",
+       {.portals = {},
+        .straightWithin = 0.1,
+        .bentBeyond = 3,
+        .straightDegrees = 10,
+        .bentDegrees = 65,
+        .evenness = 1,
+        .handOver = 0.75}},
   };
   return curves;
 }

@@ -9,7 +9,8 @@
 // in as it is. From behind a wall likewise: what a wall hides, it hides of bent rays too, as they bend behind it.
 //
 // How far they turn from where is a curve (portalCurves()): "beyond" shows every portal in view that is farther away
-// than where it collapses, "band" those in a band of distances and angles alone.
+// than where it collapses, "band" those in a band of distances and angles alone, "calm" turns rays evenly and while an
+// opening is still small in the image, so that no step moves what is shown by more than the pinhole's steps do.
 //
 // Where portals are one before the other the nearer one has the rays. It holds them from a given presence on; below
 // that the farther one takes over, so that it comes into being while the nearer one lets go.
@@ -33,15 +34,15 @@ class JsonFields;
 /// of portalCurves().
 struct PortalOptions {
   std::vector<Portal> portals;  ///< where empty, those of the scene, or else the openings of its maze
-  double straightWithin = 0.1;  ///< nearer than that rays go straight through
+  double straightWithin = 0.5;  ///< nearer than that rays go straight through
   double bentBeyond = 3;        ///< from there on nearness does not matter
   double farthest = 1e6;  ///< rays go straight through portals that are farther away; from 3/4 of it they bend less
-  double straightDegrees = 10;   ///< rays go straight where the eye faces the portal
+  double straightDegrees = 25;   ///< rays go straight where the eye faces the portal
   double bentDegrees = 65;       ///< from there on facing it does not matter
   double edgeDegrees = 89.9;     ///< rays go straight again where the portal is nearly edge on
   double edgeFadeDegrees = 0.4;  ///< so much before that they are bent
-  double evenness = 1;           ///< of nearness and facing: 0 eases in and out, 1 is as slow as it can be anywhere
-  double handOver = 0.75;        ///< the presence from which on a portal has the rays, and those behind it do not
+  double evenness = 0;           ///< of nearness and facing: 0 eases in and out, 1 is as slow as it can be anywhere
+  double handOver = 0.3;         ///< the presence from which on a portal has the rays, and those behind it do not
 };
 
 /// How much a portal bends rays from where, by a name.
