@@ -68,7 +68,8 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
 
 // The bounds catch what becomes worse: they are what was measured, less some percent. Recall and precision of cities:
 // floor 99.1 % and 90.1 %, rooms 67.2 % and 95.8 %, openings 64.1 % and 69.4 %. Of houses: floor 92.9 % and 99.7 %,
-// rooms 99.4 % and 93.8 %, openings 100 % and 93.0 %, seen 55.1 %. The aim is that all cells are seen; docs/results.md, "Where one can walk", tells what is missing.
+// rooms 99.4 % and 93.8 %, openings 100 % and 93.0 %, seen 55.1 %. The aim is that all cells are seen; docs/results.md,
+// "Where one can walk", tells what is missing.
 
 TEST(WalkAcceptance, FindsCities) {
   if (!canFindWalkable()) {
