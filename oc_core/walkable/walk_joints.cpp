@@ -55,6 +55,21 @@ std::vector<float> floorsOf(const WalkField& field, const WalkPieces& pieces) {
   return floors;
 }
 
+/// Whether a piece mostly lies under a ceiling that is lower than twice the agent's height, as inside of a house.
+std::vector<uint8_t> areInside(const JointSearch& search, const WalkPieces& pieces) {
+  std::vector<size_t> covered(pieces.count, 0);
+  for (size_t i = 0; i < pieces.of.size(); ++i) {
+    const WalkSquare& square = search.field.squares[i];
+    covered[pieces.of[i]] += square.ceiling - square.floor < 2 * search.agentHeight ? 1 : 0;
+  }
+  const std::vector<size_t> sizes = pieces.sizes();
+  std::vector<uint8_t> isInside(pieces.count, 0);
+  for (uint32_t piece = 0; piece < pieces.count; ++piece) {
+    isInside[piece] = 2 * covered[piece] > sizes[piece];
+  }
+  return isInside;
+}
+
 /// What joints depend on, of one layout.
 class Joints {
  public:
@@ -63,7 +78,8 @@ class Joints {
         layout_(layout),
         lines_(pieceLines(search, layout.pieces, groups)),
         isCrossing_(crossingsAmong(lines_, layout)),
-        floors_(floorsOf(search.field, layout.pieces)) {}
+        floors_(floorsOf(search.field, layout.pieces)),
+        isInside_(areInside(search, layout.pieces)) {}
 
   const std::vector<uint8_t>& isCrossing() const { return isCrossing_; }
 
@@ -140,7 +156,8 @@ class Joints {
     const WalkShape& b = layout_.shapes[line.b];
     const bool areWays = a.isOfWays && b.isOfWays;
     const bool isBesideTunnel = (a.isTunnel && !isAtEnd(line, a)) || (b.isTunnel && !isAtEnd(line, b));
-    return !line.hasLintel && std::abs(floors_[line.a] - floors_[line.b]) <= kSameLevel * search_.agentHeight &&
+    return !line.hasLintel && isInside_[line.a] == isInside_[line.b] &&
+           std::abs(floors_[line.a] - floors_[line.b]) <= kSameLevel * search_.agentHeight &&
            !(areWays && !isBesideTunnel && (isCrossing_[line.a] != 0 || isCrossing_[line.b] != 0));
   }
 
@@ -149,6 +166,7 @@ class Joints {
   std::vector<PieceLine> lines_;
   std::vector<uint8_t> isCrossing_;
   std::vector<float> floors_;  ///< of each piece
+  std::vector<uint8_t> isInside_;
 };
 
 }  // namespace

@@ -59,8 +59,8 @@ std::vector<PieceBorder> straightJoints(const JointSearch& search, const WalkLay
 /// is a joint, however narrow. So is the longest border of a pocket: a piece smaller than a square as wide as the agent
 /// is high, and open for a third of its border, such as what is between a tree and a wall.
 ///
-/// There is none under a lintel, none at the ends of stairs, and none where streets or corridors come to a crossing or
-/// a turn.
+/// There is none under a lintel, none between what is inside of a house and what is outside, none at the ends of
+/// stairs, and none where streets or corridors come to a crossing or a turn.
 std::vector<PieceBorder> jointBorders(const JointSearch& search, const WalkLayout& layout);
 
 }  // namespace ocelli
