@@ -65,7 +65,7 @@ class LineMaker {
       }
     }
     if (empty_.beyondBorders) {
-      addEmpty(line, baseWidth_, baseWidth_ + kFarAside);
+      addEmpty(line, lastSurfaceAtBorder().value_or(baseWidth_), baseWidth_ + kFarAside);
     }
     return line;
   }
@@ -81,6 +81,19 @@ class LineMaker {
         pixels_.push_back({{end->u, static_cast<float>(row) + 0.5f, 0}, x, true});
       }
     }
+  }
+
+  /// Where the surface begins that reaches the right border: the image ends where the scene does, so the base has no
+  /// edge there, and what lies behind that surface is taken for empty too.
+  std::optional<float> lastSurfaceAtBorder() const {
+    if (pixels_.empty() || pixels_.back().isEmpty || pixels_.back().place.u < baseWidth_ - 1) {
+      return std::nullopt;
+    }
+    size_t i = pixels_.size() - 1;
+    while (i > 0 && joins_[i - 1] != 0) {
+      --i;
+    }
+    return pixels_[i].place.u;
   }
 
   void addEmpty(SampleLine& line, float from, float to) const {
