@@ -65,7 +65,7 @@ class LineMaker {
       }
     }
     if (empty_.beyondBorders) {
-      addEmpty(line, lastSurfaceAtBorder().value_or(baseWidth_), baseWidth_ + kFarAside);
+      addEmpty(line, lastSurface().value_or(baseWidth_), baseWidth_ + kFarAside);
     }
     return line;
   }
@@ -83,13 +83,17 @@ class LineMaker {
     }
   }
 
-  /// Where the surface begins that reaches the right border: the image ends where the scene does, so the base has no
-  /// edge there, and what lies behind that surface is taken for empty too.
-  std::optional<float> lastSurfaceAtBorder() const {
-    if (pixels_.empty() || pixels_.back().isEmpty || pixels_.back().place.u < baseWidth_ - 1) {
+  /// Where the last surface of the row begins. Beyond it there is nothing, and nothing behind it on the side that comes
+  /// into view: columns that would hold it are taken out where they hold nothing (EocOptions::trim).
+  std::optional<float> lastSurface() const {
+    size_t i = pixels_.size();
+    while (i > 0 && pixels_[i - 1].isEmpty) {
+      --i;
+    }
+    if (i == 0) {
       return std::nullopt;
     }
-    size_t i = pixels_.size() - 1;
+    --i;
     while (i > 0 && joins_[i - 1] != 0) {
       --i;
     }
