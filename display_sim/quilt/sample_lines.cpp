@@ -65,7 +65,7 @@ class LineMaker {
       }
     }
     if (empty_.beyondBorders) {
-      addEmpty(line, baseWidth_, baseWidth_ + kFarAside);
+      addEmpty(line, lastSurface().value_or(baseWidth_), baseWidth_ + kFarAside);
     }
     return line;
   }
@@ -81,6 +81,23 @@ class LineMaker {
         pixels_.push_back({{end->u, static_cast<float>(row) + 0.5f, 0}, x, true});
       }
     }
+  }
+
+  /// Where the last surface of the row begins. Beyond it there is nothing, and nothing behind it on the side that comes
+  /// into view: columns that would hold it are taken out where they hold nothing (EocOptions::trim).
+  std::optional<float> lastSurface() const {
+    size_t i = pixels_.size();
+    while (i > 0 && pixels_[i - 1].isEmpty) {
+      --i;
+    }
+    if (i == 0) {
+      return std::nullopt;
+    }
+    --i;
+    while (i > 0 && joins_[i - 1] != 0) {
+      --i;
+    }
+    return pixels_[i].place.u;
   }
 
   void addEmpty(SampleLine& line, float from, float to) const {
