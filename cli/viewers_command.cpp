@@ -38,7 +38,7 @@ void run(const ViewersCommandChoice& choice, const CommandContext& context) {
     throw InputError("\"" + camera.name + "\" is a mesh, the same for every viewer", "--camera",
                      "choose a camera that has a reference image");
   }
-  const std::vector<View> views = viewsOf(choice.viewers);
+  const std::vector<View> views = viewsFor(choice.camera, choice.viewers);
   const bool toStandardOutput = choice.json == "-";
   if (!choice.json.empty() && !toStandardOutput) {
     checkWritable(choice.json);

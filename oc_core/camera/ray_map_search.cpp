@@ -14,8 +14,11 @@ namespace {
 
 constexpr size_t kMaxCorners = 17;
 constexpr size_t kLookedAt = 1 << 16;  ///< parameters that corners are chosen from
-/// Of lengths and coordinates: bounds are worked out in double precision, and kept in single.
+/// Of lengths and coordinates: bounds are worked out in double precision, and kept in single. As far beyond the ends of
+/// rays a point may be (RayMapQuad::solve()).
 constexpr double kRoundUp = 1e-6;
+/// Of radii, which are a few pixels: solve() goes less beyond the border of a quad.
+constexpr double kMargin = 1e-3;
 
 /// The point at a parameter; the nearer end for parameters beyond an end.
 glm::dvec3 clampedPoint(const RayMapRay& ray, double t) {
@@ -138,7 +141,7 @@ void RayMapSearch::boundBlock(const RayMap& map, const glm::ivec2& block) {
     for (const RayMapRay& ray : rays) {
       radius = std::max(radius, glm::distance(glm::dvec3(centre), clampedPoint(ray, t)));
     }
-    balls[k] = {centre, static_cast<float>(radius * factor * (1 + kRoundUp))};
+    balls[k] = {centre, static_cast<float>(radius * factor * (1 + kMargin))};
   }
   for (size_t k = 0; k + 1 < corners(); ++k) {
     const auto t0 = static_cast<double>(parameters_[k]);
@@ -152,7 +155,7 @@ void RayMapSearch::boundBlock(const RayMap& map, const glm::ivec2& block) {
         }
       }
     }
-    deviations_[node * (corners() - 1) + k] = static_cast<float>(deviation * factor * (1 + kRoundUp));
+    deviations_[node * (corners() - 1) + k] = static_cast<float>(deviation * factor * (1 + kMargin));
   }
 }
 
@@ -202,14 +205,14 @@ bool RayMapSearch::mayHold(size_t node, const glm::dvec3& point) const {
     const glm::dvec3 from(balls[k].centre);
     const glm::dvec3 way = glm::dvec3(balls[k + 1].centre) - from;
     const glm::dvec3 aside = point - from;
-    const double rounding = kRoundUp * (1 + glm::length(point) + glm::length(from) + glm::length(way));
+    const double rounding = kRoundUp * (1 + glm::length(point));
     const double radius = static_cast<double>(balls[k].radius) + deviations_[node * (corners() - 1) + k] + rounding;
     const double growth = static_cast<double>(balls[k + 1].radius) - balls[k].radius;
     // Whether |aside - s way| is within radius + s growth for an s from 0 to 1: at an end, or where the difference of
     // their squares is least.
     const auto within = [&](double s) { return glm::length(aside - way * s) <= radius + growth * s; };
     const double a = glm::dot(way, way) - growth * growth;
-    if (within(0) || within(1) ||
+    if (within(0) || within(1 + kRoundUp) ||
         (a > 0 && within(std::clamp((glm::dot(aside, way) + radius * growth) / a, 0.0, 1.0)))) {
       return true;
     }

@@ -112,11 +112,11 @@ TEST_F(RayMapCommand, isACameraForOtherCommands) {
   const std::string camera = kBoxes + "--camera " + path("di.exr");
   run("ocri build " + camera + " -o " + path("image.exr"));
   run("ocri mesh " + path("image.exr") + " -o " + path("image.ply"));
-  run("render " + camera + " --antialias msaa-4 --method raycast -o " + path("smooth.png"));
+  run("render " + camera + " --antialias uniform-4 -o " + path("smooth.png"));
   run("camera show " + camera + " -o " + path("plan.svg"));
   EXPECT_THAT(fileBytes(folder_ / "plan.svg"), HasSubstr("</svg>"));
   run("evaluate " + kBoxes + "--cameras di," + (folder_ / "di.exr").string() +
-      " --size 60x40 --interior-views 1 --edge-views 0 --runs 1 --offset-directions 0 --json " + path("found.json"));
+      " --size 60x40 --interior 1 --edge-views 0 --runs 1 --json " + path("found.json"));
   const auto found = nlohmann::json::parse(fileBytes(folder_ / "found.json"));
   EXPECT_THAT(found.dump(), HasSubstr("\"di\""));
   run("render builtin:volume,name=phantom --camera " + path("di.exr") + " -o " + path("volume.png"));
