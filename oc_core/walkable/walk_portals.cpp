@@ -96,8 +96,12 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
   for (auto& [line, edges] : lines) {
     std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (size_t begin = 0; begin < edges.size();) {
+      // What is wider than the agent, as the wall below a window, parts it; walls are out by a square on each side.
+      const int widest = least + 2;
+      int blocked = edges[begin].second.isWalkable ? 0 : 1;
       size_t end = begin + 1;
-      while (end < edges.size() && edges[end].first == edges[end - 1].first + 1) {
+      while (end < edges.size() && edges[end].first == edges[end - 1].first + 1 && blocked <= widest) {
+        blocked = edges[end].second.isWalkable ? 0 : blocked + 1;
         ++end;
       }
       std::vector<PortalEdge> run;
