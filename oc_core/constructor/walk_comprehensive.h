@@ -4,7 +4,7 @@
 // It follows a tour, a tree of cells (walk_tour.h). Its rays come into a cell through an opening, and part there: each
 // opening to a next cell gets a strip, and the walls between get the rest, which shows the cell itself (walk_piece.h).
 // Rays end at surfaces, so what stands around a cell is seen however well its box fits, and a place that two strips
-// reach is seen twice.
+// reach is seen twice; project() gives one of both, and its t.
 //
 // Who gets how many pixels. Of the rays that come into a cell of weight a, with cells of the weight n after it, about
 // the share n / (n + k a) goes on, k being `nearness`; between openings shares are as the weight after each to the
