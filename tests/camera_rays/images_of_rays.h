@@ -50,7 +50,8 @@ inline Differences compare(const ReferenceImage& got, const FragmentImage& want,
   return differences;
 }
 
-/// Of the pixels of an image: 4 of 9600, at edges, of the path camera are the most that differ; of most cameras none do.
+/// Of the pixels of an image: 4 of 9600, at edges, of the path camera are the most that differ; of most cameras none
+/// do.
 inline constexpr double kMaxDifferingShare = 0.001;
 
 inline void expectSame(const ReferenceImage& got, const FragmentImage& want, const Mesh& mesh,
