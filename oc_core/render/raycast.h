@@ -76,6 +76,7 @@ struct CameraRays {
   int width = 0;
   int height = 0;
   std::function<RayPath(const glm::vec2& pixel)> ray;
+  /// Empty for cameras that see whatever their rays meet, at the parameter where they do.
   std::function<std::optional<ImagePoint>(const glm::vec3& worldPoint)> project;
 };
 
@@ -87,7 +88,7 @@ CameraRays raysOfCamera(const C& camera) {
 }
 
 /// Gives fragments that were cast the t of their point's image, and takes out those that have none; where `known`
-/// covers a pixel, its fragment is taken as it is.
+/// covers a pixel, its fragment is taken as it is. Where `project` is empty, they stay as they were cast.
 void takeProjected(FragmentImage& fragments, const FragmentImage& known,
                    const std::function<std::optional<ImagePoint>(const glm::vec3&)>& project, const Mesh& mesh);
 

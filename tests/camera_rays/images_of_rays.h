@@ -4,7 +4,6 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <iostream>
 #include <memory>
 #include <string>
 
@@ -51,15 +50,15 @@ inline Differences compare(const ReferenceImage& got, const FragmentImage& want,
   return differences;
 }
 
-/// Of the pixels of an image.
-inline constexpr double kMaxDifferingShare = 0.002;
+/// Of the pixels of an image: 4 of 9600, at edges, of the path camera are the most that differ; of most cameras none
+/// do.
+inline constexpr double kMaxDifferingShare = 0.001;
 
 inline void expectSame(const ReferenceImage& got, const FragmentImage& want, const Mesh& mesh,
                        const std::string& name) {
   ASSERT_EQ(got.width(), want.width()) << name;
   ASSERT_EQ(got.height(), want.height()) << name;
   const Differences differences = compare(got, want, mesh);
-  std::cout << name << ": " << differences.differing << " of " << differences.covered << " samples differ\n";
   EXPECT_GT(differences.covered, 20u) << name;
   EXPECT_LE(static_cast<double>(differences.differing),
             kMaxDifferingShare * static_cast<double>(want.width()) * want.height())
