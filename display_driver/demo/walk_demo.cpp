@@ -22,6 +22,7 @@ constexpr std::array kImages{
 };
 
 constexpr double kFrame = 1.0 / 30;
+constexpr int kFramesIn = 70;    // of walking into the maze, where ways lead on before and behind
 constexpr int kMaxFrames = 600;  // until a camera has deployed: a few seconds' worth are enough
 
 }  // namespace
@@ -33,6 +34,9 @@ DemoScene runWalkDemo(const std::string& title, const std::string& source, const
   sceneOptions.fit = false;
   ExploreScene world(loadGuidedScene(source, sceneOptions, progress));
   Explorer explorer(world, {.width = options.width, .height = options.height, .waitForWays = true});
+  for (int frame = 0; frame < kFramesIn; ++frame) {
+    explorer.advance({.forward = 1}, kFrame);
+  }
   ExploreRenderer renderer(world);
   DemoScene scene;
   scene.title = title;

@@ -74,8 +74,8 @@ TEST_P(WalkScenes, areSeenInOneImage) {
   std::printf("%s: %zu cells, %zu connected, %zu seen\n", name.c_str(), walk.cells.size(), connected, seen);
   EXPECT_GE(static_cast<double>(seen), GetParam().cells * static_cast<double>(connected));
   test::keepImage(walk.camera, scene.mesh, "comprehensive_" + name.substr(8));
-  // Rays of strips cross, but no more than half of what is seen is shown twice.
-  EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), 0.5);
+  // Rays of strips cross: 17 % at most of what is seen is shown twice.
+  EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), 0.25);
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, WalkScenes,
