@@ -56,7 +56,7 @@ std::vector<PortalEdge> passable(const WalkField& field, const std::vector<Porta
     const bool alongX = edge.side % 2 == 1;
     at.insert({{edge.side, alongX ? begin[1] : begin[0], alongX ? begin[0] : begin[1]}, edge});
   }
-  const int widest = agent + 2;  // walls are out by a square on each side
+  const int widest = agent;
   const auto reaches = [&](std::array<int, 3> place, int step) {
     for (int n = 0; n <= widest; ++n) {
       const auto found = at.find(place);
