@@ -47,8 +47,8 @@ std::array<std::array<int, 2>, 2> endsOf(const WalkSquare& square, int side) {
   return {{{x, z}, {alongX ? x + 1 : x, alongX ? z : z + 1}}};
 }
 
-/// Keeps the edges that one can walk through, and those between two of them on one line where an obstacle is
-/// narrower than the agent, of `agent` squares: what is wider, as the wall below a window, parts an opening.
+/// Keeps the edges that one can walk through, and those between two of them on one line where an obstacle is hardly
+/// wider than the agent, of `agent` squares: what is wider, as the wall below a window, parts an opening.
 std::vector<PortalEdge> passable(const WalkField& field, const std::vector<PortalEdge>& edges, int agent) {
   std::map<std::array<int, 3>, PortalEdge> at;  // by side, by where it is across, and along
   for (const PortalEdge& edge : edges) {
@@ -56,7 +56,7 @@ std::vector<PortalEdge> passable(const WalkField& field, const std::vector<Porta
     const bool alongX = edge.side % 2 == 1;
     at.insert({{edge.side, alongX ? begin[1] : begin[0], alongX ? begin[0] : begin[1]}, edge});
   }
-  const int widest = agent - 1;
+  const int widest = agent + 2;  // walls are out by a square on each side
   const auto reaches = [&](std::array<int, 3> place, int step) {
     for (int n = 0; n <= widest; ++n) {
       const auto found = at.find(place);
