@@ -47,6 +47,38 @@ std::array<std::array<int, 2>, 2> endsOf(const WalkSquare& square, int side) {
   return {{{x, z}, {alongX ? x + 1 : x, alongX ? z : z + 1}}};
 }
 
+/// Keeps the edges that one can walk through, and those between two of them on one line where an obstacle is hardly
+/// wider than the agent, of `agent` squares: what is wider, as the wall below a window, parts an opening.
+std::vector<PortalEdge> passable(const WalkField& field, const std::vector<PortalEdge>& edges, int agent) {
+  std::map<std::array<int, 3>, PortalEdge> at;  // by side, by where it is across, and along
+  for (const PortalEdge& edge : edges) {
+    const std::array<int, 2> begin = endsOf(field.squares[edge.square], edge.side)[0];
+    const bool alongX = edge.side % 2 == 1;
+    at.insert({{edge.side, alongX ? begin[1] : begin[0], alongX ? begin[0] : begin[1]}, edge});
+  }
+  const int widest = agent + 2;  // walls are out by a square on each side
+  const auto reaches = [&](std::array<int, 3> place, int step) {
+    for (int n = 0; n <= widest; ++n) {
+      const auto found = at.find(place);
+      if (found == at.end()) {
+        return widest + 1;
+      }
+      if (found->second.isWalkable) {
+        return n;
+      }
+      place[2] += step;
+    }
+    return widest + 1;
+  };
+  std::vector<PortalEdge> kept;
+  for (const auto& [place, edge] : at) {
+    if (edge.isWalkable || reaches(place, -1) + reaches(place, 1) - 1 <= widest) {
+      kept.push_back(edge);
+    }
+  }
+  return kept;
+}
+
 /// Groups of edges of one pair of pieces that hang together, in order of their first edges.
 std::vector<std::vector<PortalEdge>> openingsIn(const WalkField& field, const std::vector<PortalEdge>& edges) {
   DisjointSets sets(edges.size());
@@ -96,12 +128,8 @@ std::vector<std::vector<PortalEdge>> straightOpenings(const WalkField& field, co
   for (auto& [line, edges] : lines) {
     std::stable_sort(edges.begin(), edges.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
     for (size_t begin = 0; begin < edges.size();) {
-      // What is wider than the agent, as the wall below a window, parts it; walls are out by a square on each side.
-      const int widest = least + 2;
-      int blocked = edges[begin].second.isWalkable ? 0 : 1;
       size_t end = begin + 1;
-      while (end < edges.size() && edges[end].first == edges[end - 1].first + 1 && blocked <= widest) {
-        blocked = edges[end].second.isWalkable ? 0 : blocked + 1;
+      while (end < edges.size() && edges[end].first == edges[end - 1].first + 1) {
         ++end;
       }
       std::vector<PortalEdge> run;
@@ -199,8 +227,8 @@ std::vector<WalkPortal> portalsOf(const WalkField& field, const WalkLayout& layo
     while (end < edges.size() && edges[end].from == edges[begin].from && edges[end].to == edges[begin].to) {
       ++end;
     }
-    const std::vector<PortalEdge> pair(edges.begin() + static_cast<long>(begin),
-                                       edges.begin() + static_cast<long>(end));
+    const std::vector<PortalEdge> pair = passable(
+        field, {edges.begin() + static_cast<long>(begin), edges.begin() + static_cast<long>(end)}, 2 * radius + 1);
     for (const std::vector<PortalEdge>& opening : openingsIn(field, pair)) {
       for (const std::vector<PortalEdge>& straight : straightOpenings(field, opening, 2 * radius + 1)) {
         WalkPortal portal = portalOf(field, straight, cells);

@@ -64,6 +64,9 @@ WalkRing ringAt(const PiecePlan& plan, const WalkBox& box, double u, double cell
   ring.left = reach(-1);
   ring.right = reach(1);
   ring.ceiling = ceiling != kNoCeiling ? ceiling : top > 0 ? top : height;
+  if (!(ring.left + ring.right > 0)) {  // the axis is not over the floor here: the tunnel is as its box
+    ring.left = ring.right = static_cast<float>(box.halfWidth);
+  }
   return ring;
 }
 
