@@ -14,8 +14,9 @@ namespace ocelli {
 namespace {
 
 constexpr auto kSectors = static_cast<size_t>(360 / kRoseSectorDegrees);
-constexpr double kArcStep = 3;          // degrees, of polylines that stand for arcs
-constexpr double kLabelRoom = 24;       // points around the circle
+constexpr double kArcStep = 3;  // degrees, of polylines that stand for arcs
+// Points around the circle, for the widest label in the wide fonts that some machines have alone.
+constexpr double kLabelRoom = 27;
 constexpr double kIntervalAway = 1.06;  // of the arc of the interval, radii
 constexpr double kHeadLength = 6;       // of the arrow, points
 
