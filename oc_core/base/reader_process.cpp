@@ -50,12 +50,13 @@ std::string moreSeconds(const ReaderProgram& reader) {
   return std::string(reader.convert) + ", or set " + reader.secondsVariable + " to more seconds";
 }
 
-/// Where this code was loaded from: the running program, or a library that a program such as Python has loaded.
-fs::path ownFile() {
+/// The library that this code is a part of, where a program such as Python has loaded one. Empty for what is part of
+/// the program itself, whose name may be relative: what lies in the working directory is not to be run.
+fs::path ownLibrary() {
   Dl_info info{};
-  return dladdr(reinterpret_cast<const void*>(&ownFile), &info) != 0 && info.dli_fname != nullptr
-             ? fs::absolute(info.dli_fname)
-             : fs::path();
+  const bool isKnown = dladdr(reinterpret_cast<const void*>(&ownLibrary), &info) != 0 && info.dli_fname != nullptr;
+  const fs::path file = isKnown ? fs::path(info.dli_fname) : fs::path();
+  return file.is_absolute() ? file : fs::path();
 }
 
 /// Whether only those who could change the running program anyway can have put this one there.
@@ -146,7 +147,7 @@ fs::path findReaderProgram(const ReaderProgram& reader) {
     return given;
   }
   std::error_code ignored;
-  for (fs::path folder : {fs::read_symlink("/proc/self/exe", ignored), ownFile()}) {
+  for (fs::path folder : {fs::read_symlink("/proc/self/exe", ignored), ownLibrary()}) {
     while (folder.has_relative_path()) {
       folder = folder.parent_path();
       const fs::path program = folder / "libexec" / "ocelli" / reader.name;

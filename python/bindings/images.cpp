@@ -4,6 +4,8 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <limits>
+
 #include "oc_core/image/color.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/ocri/reference_image_file.h"
@@ -23,6 +25,20 @@ auto viewed(Image<Pixel> ReferenceImage::*image) {
     const Image<Pixel>& pixels = self.cast<const ReferenceImage&>().*image;
     return pixels.empty() ? py::object(py::none()) : viewOf(pixels, self);
   };
+}
+
+/// The world point of each sample; NaN where there is none.
+Image<glm::vec3> pointsOf(const ReferenceImage& image) {
+  Image<glm::vec3> points(image.width(), image.height(), glm::vec3(std::numeric_limits<float>::quiet_NaN()));
+  const PinholeCamera pinhole = image.reference();
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      if (const auto point = image.pointOf(x, y, pinhole)) {
+        points(x, y) = *point;
+      }
+    }
+  }
+  return points;
 }
 
 size_t indexOf(const ReferenceImages& images, py::ssize_t index) {
@@ -48,15 +64,10 @@ void bindReferenceImage(py::module_& module) {
       .def_property_readonly("sample_count", &ReferenceImage::sampleCount)
       .def("points",
            [](const ReferenceImage& image) {
-             Image<glm::vec3> points(image.width(), image.height(), glm::vec3(std::numeric_limits<float>::quiet_NaN()));
-             const PinholeCamera pinhole = image.reference();
-             for (int y = 0; y < image.height(); ++y) {
-               for (int x = 0; x < image.width(); ++x) {
-                 if (const auto point = image.pointOf(x, y, pinhole)) {
-                   points(x, y) = *point;
-                 }
-               }
-             }
+             Image<glm::vec3> points = [&] {
+               const py::gil_scoped_release released;
+               return pointsOf(image);
+             }();
              return arrayOf(std::move(points));
            })
       .def(
