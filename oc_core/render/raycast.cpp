@@ -1,5 +1,7 @@
 #include "oc_core/render/raycast.h"
 
+#include <cmath>
+
 #include "oc_core/render/pixel_tiles.h"
 
 namespace ocelli {
@@ -27,6 +29,19 @@ FragmentImage castRays(int width, int height, const RayScene& scene,
   });
 }
 
+namespace {
+
+/// Or so near to it that rounding may have moved it. Of a point that an image shows several times, as where the frusta
+/// of a graph camera overlap, project() gives one: elsewhere the parameter of the ray stands.
+bool isInPixel(const ImagePoint& q, size_t pixel, int width) {
+  constexpr float kReach = 0.75f;  // from its centre: half a pixel, and what rays and projections differ by
+  const auto across = static_cast<size_t>(width);
+  return std::abs(q.u - (static_cast<float>(pixel % across) + 0.5f)) < kReach &&
+         std::abs(q.v - (static_cast<float>(pixel / across) + 0.5f)) < kReach;
+}
+
+}  // namespace
+
 void takeProjected(FragmentImage& fragments, const FragmentImage& known,
                    const std::function<std::optional<ImagePoint>(const glm::vec3&)>& project, const Mesh& mesh) {
   parallelFor(fragments.size(), 1 << 12, [&](size_t begin, size_t end) {
@@ -35,10 +50,10 @@ void takeProjected(FragmentImage& fragments, const FragmentImage& known,
         fragments[i] = known[i];
       } else if (fragments[i].covered() && project) {
         const std::optional<ImagePoint> q = project(positionOf(fragments[i], mesh));
-        if (q) {
-          fragments[i].t = q->t;
-        } else {
+        if (!q) {
           fragments[i] = {};
+        } else if (isInPixel(*q, i, fragments.width())) {
+          fragments[i].t = q->t;
         }
       }
     }

@@ -87,8 +87,9 @@ CameraRays raysOfCamera(const C& camera) {
           [&camera](const glm::vec3& worldPoint) { return camera.project(worldPoint); }};
 }
 
-/// Gives fragments that were cast the t of their point's image, and takes out those that have none; where `known`
-/// covers a pixel, its fragment is taken as it is. Where `project` is empty, they stay as they were cast.
+/// Gives fragments that were cast the t of their point's image, where that lies in their pixel, and takes out those
+/// whose point has no image; where `known` covers a pixel, its fragment is taken as it is. Where `project` is empty,
+/// they stay as they were cast.
 void takeProjected(FragmentImage& fragments, const FragmentImage& known,
                    const std::function<std::optional<ImagePoint>(const glm::vec3&)>& project, const Mesh& mesh);
 

@@ -6,7 +6,6 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <glm/geometric.hpp>
 #include <map>
 #include <set>
 #include <string>
@@ -63,21 +62,6 @@ inline double shownTwiceShare(const GraphCamera& camera, const Mesh& mesh) {
   std::printf("%.1f %% of what is seen is shown twice\n",
               100.0 * static_cast<double>(twice) / static_cast<double>(frusta.size()));
   return static_cast<double>(twice) / static_cast<double>(frusta.size());
-}
-
-/// Of pixels, those in which rasteriser and ray caster show other places. Where frusta overlap, t is not compared: the
-/// ray caster takes it from project(), which knows one of the places where a point is shown.
-inline double differingPlacesShare(const GraphCamera& camera, const Mesh& mesh) {
-  constexpr float kSamePlace = 0.02f;  // of the scene's units: a pixel of a far surface is larger
-  const FragmentImage drawn = rasterize(camera, mesh);
-  const FragmentImage cast = raycast(camera, mesh, RayScene(mesh));
-  size_t differing = 0;
-  for (size_t i = 0; i < drawn.size(); ++i) {
-    differing +=
-        drawn[i].covered() != cast[i].covered() ||
-        (drawn[i].covered() && glm::distance(positionOf(drawn[i], mesh), positionOf(cast[i], mesh)) > kSamePlace);
-  }
-  return static_cast<double>(differing) / static_cast<double>(drawn.size());
 }
 
 /// Of pixels, those in which rasteriser and ray caster differ.

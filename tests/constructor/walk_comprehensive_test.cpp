@@ -39,7 +39,7 @@ TEST(ComprehensiveWalk, showsAllCellsOfAHouse) {
     test::keepImage(walk.camera, scene.mesh, degrees > 0 ? "walk_house_turned" : "walk_house");
     EXPECT_EQ(countUnseen(walk), 0u);
     EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), kMaxTwice);
-    EXPECT_LT(test::differingPlacesShare(walk.camera, scene.mesh), 0.005);
+    EXPECT_LT(test::differingShare(walk.camera, scene.mesh), 0.005);
   }
 }
 
@@ -51,7 +51,7 @@ TEST(ComprehensiveWalk, showsAllCellsOfGrids) {
     test::keepImage(walk.camera, scene.mesh, "walk_grid_" + std::to_string(maze.columns()));
     EXPECT_EQ(countUnseen(walk), 0u);
     EXPECT_LT(test::shownTwiceShare(walk.camera, scene.mesh), kMaxTwice);
-    EXPECT_LT(test::differingPlacesShare(walk.camera, scene.mesh), 0.005);
+    EXPECT_LT(test::differingShare(walk.camera, scene.mesh), 0.005);
     const test::SeenMaze seen = test::seenMaze(walk.camera, maze, scene, maze.landmarks.size());
     for (size_t i = 0; i < seen.cellPixels.size(); ++i) {
       EXPECT_GE(seen.cellPixels[i], 4u) << "cell " << i;
