@@ -15,7 +15,13 @@ def address(array):
     return array.__array_interface__["data"][0]
 
 
-class MeshArrays(unittest.TestCase):
+class ArrayTest(unittest.TestCase):
+    def assert_same_memory(self, one, other):
+        """Both are alive here: two copies would have two addresses."""
+        self.assertEqual(address(one), address(other))
+
+
+class MeshArrays(ArrayTest):
     def test_what_goes_in_comes_out(self):
         colors = numpy.linspace(0, 1, 12, dtype=numpy.float32).reshape(4, 3)
         mesh = ocelli.Mesh(POSITIONS, TRIANGLES, colors)
@@ -28,9 +34,9 @@ class MeshArrays(unittest.TestCase):
 
     def test_views_are_not_copies(self):
         mesh = ocelli.Mesh(POSITIONS, TRIANGLES)
-        self.assertEqual(address(mesh.positions), address(mesh.positions))
+        self.assert_same_memory(mesh.positions, mesh.positions)
         scene = ocelli.Scene(mesh)
-        self.assertEqual(address(scene.mesh.positions), address(scene.mesh.positions))
+        self.assert_same_memory(scene.mesh.positions, scene.mesh.positions)
 
     def test_views_keep_their_object(self):
         positions = ocelli.Mesh(POSITIONS, TRIANGLES).positions
@@ -64,7 +70,7 @@ class MeshArrays(unittest.TestCase):
             ocelli.Mesh(POSITIONS, TRIANGLES, POSITIONS[:2])
 
 
-class ImageArrays(unittest.TestCase):
+class ImageArrays(ArrayTest):
     @classmethod
     def setUpClass(cls):
         cls.images = ocelli.ocri.build("builtin:teapot", "ddoc", size=(90, 60), progress=False)
@@ -77,7 +83,7 @@ class ImageArrays(unittest.TestCase):
         self.assertEqual(int(image.held.sum()), image.sample_count)
 
     def test_views_are_not_copies(self):
-        self.assertEqual(address(self.images[0].color), address(self.images[-1].color))
+        self.assert_same_memory(self.images[0].color, self.images[-1].color)
         first = ocelli.ocri.build("builtin:teapot", "ddoc", size=(30, 20), progress=False)[0]
         gc.collect()
         self.assertGreater(first.color.max(), 0)

@@ -47,7 +47,8 @@ class Cameras(unittest.TestCase):
         # Pixels on outlines may go either way.
         both = (raster.held == 1) & (rays.held == 1)
         self.assertLess((raster.held != rays.held).mean(), 0.005)
-        self.assertLess(numpy.abs(raster.t - rays.t)[both].max(), 1e-2)
+        # What float32 leaves of a distance of 10 at a grazing triangle: 0.0007 is the largest here.
+        self.assertLess(numpy.abs(raster.t - rays.t)[both].max(), 2e-3)
 
     def test_the_program_makes_the_same_image(self):
         with tempfile.TemporaryDirectory() as folder:
