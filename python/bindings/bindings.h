@@ -13,6 +13,7 @@ void bindErrors(pybind11::module_& module);
 void bindScenes(pybind11::module_& module);
 void bindViews(pybind11::module_& module);
 void bindImages(pybind11::module_& module);
+void bindRays(pybind11::module_& module);
 void bindCameras(pybind11::module_& module);
 void bindEvaluation(pybind11::module_& module);
 void bindDisplays(pybind11::module_& module);

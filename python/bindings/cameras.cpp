@@ -34,23 +34,23 @@ std::optional<Technique> techniqueOf(const std::string& method) {
   return found->second;
 }
 
-ReferenceImages buildImages(const Mesh& mesh, const std::string& options, const View& view, int width, int height,
+ReferenceImages buildImages(const Mesh& mesh, const CameraArgument& camera, const View& view, int width, int height,
                             const std::string& construction, const py::object& progress) {
   requireImageSize(width, height);
   const Construction wanted = constructionFromText(construction, "construction");
   const PythonProgress told(progress);
   const py::gil_scoped_release released;
-  return buildReferenceImages(cameraChoiceFromJson(options), PinholeCamera(view, width, height), mesh, told.function(),
+  return buildReferenceImages(cameraChoiceOf(camera), PinholeCamera(view, width, height), mesh, told.function(),
                               wanted, nullptr);
 }
 
-ReferenceImages drawImages(const Mesh& mesh, const std::string& options, const View& view, int width, int height,
+ReferenceImages drawImages(const Mesh& mesh, const CameraArgument& camera, const View& view, int width, int height,
                            const std::string& method, const py::object& progress) {
   requireImageSize(width, height);
   const std::optional<Technique> technique = techniqueOf(method);
   const PythonProgress told(progress);
   const py::gil_scoped_release released;
-  const CameraChoice choice = cameraChoiceFromJson(options);
+  const CameraChoice choice = cameraChoiceOf(camera);
   const PinholeCamera reference(view, width, height);
   return technique ? ReferenceImages{drawReferenceImage(*technique, choice, reference, mesh, told.function())}
                    : buildReferenceImages(choice, reference, mesh, told.function());
@@ -115,9 +115,9 @@ void bindCameras(py::module_& module) {
   module.def("representations", [] { return namesOf(cameraNames()); });
   module.def("constructors", [] { return namesOf(cameraConstructors()); });
   module.def("camera_options", &optionsOf, py::arg("name"));
-  module.def("build_images", &buildImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),
+  module.def("build_images", &buildImages, py::arg("mesh"), py::arg("camera"), py::arg("view"), py::arg("width"),
              py::arg("height"), py::arg("construction"), py::arg("progress"));
-  module.def("draw_images", &drawImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),
+  module.def("draw_images", &drawImages, py::arg("mesh"), py::arg("camera"), py::arg("view"), py::arg("width"),
              py::arg("height"), py::arg("method"), py::arg("progress"));
   module.def("construct_images", &constructImages, py::arg("scene"), py::arg("options"), py::arg("view"),
              py::arg("width"), py::arg("height"), py::arg("by_rays"));

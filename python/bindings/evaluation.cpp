@@ -16,7 +16,7 @@ namespace {
 
 struct Asked {
   std::string scene;
-  std::vector<std::string> cameras;  ///< options as JSON
+  std::vector<CameraArgument> cameras;
   View view;
   int width;
   int height;
@@ -45,8 +45,8 @@ std::string evaluated(const Mesh& mesh, const Asked& asked, const py::object& pr
   const PythonProgress told(progress);
   const py::gil_scoped_release released;
   std::vector<CameraChoice> choices;
-  for (const std::string& camera : asked.cameras) {
-    choices.push_back(cameraChoiceFromJson(camera, options.cell));
+  for (const CameraArgument& camera : asked.cameras) {
+    choices.push_back(cameraChoiceOf(camera, options.cell));
   }
   return evaluationJson(asked.scene, options, evaluate(mesh, choices, options, told.function()));
 }
@@ -56,7 +56,7 @@ std::string evaluated(const Mesh& mesh, const Asked& asked, const py::object& pr
 void bindEvaluation(py::module_& module) {
   module.def(
       "evaluate",
-      [](const Mesh& mesh, const std::string& scene, const std::vector<std::string>& cameras, const View& view,
+      [](const Mesh& mesh, const std::string& scene, const std::vector<CameraArgument>& cameras, const View& view,
          int width, int height, float cellSideRadii, const std::string& cellShape, int interiorViews, int edgeViews,
          unsigned seed, bool compareImages, int runs, const py::object& progress) {
         return evaluated(mesh,

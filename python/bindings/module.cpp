@@ -8,6 +8,7 @@ PYBIND11_MODULE(_ocelli, module) {
   ocelli::bindViews(module);
   ocelli::bindScenes(module);
   ocelli::bindImages(module);
+  ocelli::bindRays(module);
   ocelli::bindCameras(module);
   ocelli::bindEvaluation(module);
   ocelli::bindDisplays(module);

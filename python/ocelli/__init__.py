@@ -19,7 +19,17 @@ unless `progress=False`; give a function `progress(stage, fraction)` to show it 
 from ocelli import camera, ocri, scene
 from ocelli._drawing import render, resample, srgb
 from ocelli._evaluating import evaluate
-from ocelli._ocelli import DisplayVolume, Mesh, ReferenceImage, ReferenceImages, ResampledView, Scene, View, __version__
+from ocelli._ocelli import (
+    DisplayVolume,
+    Mesh,
+    Rays,
+    ReferenceImage,
+    ReferenceImages,
+    ResampledView,
+    Scene,
+    View,
+    __version__,
+)
 from ocelli._slicing import observe, profiles, slice  # noqa: A004 - as the command is called
 from ocelli.errors import Error, InputError, WorkError
 
@@ -28,6 +38,7 @@ __all__ = [
     "Error",
     "InputError",
     "Mesh",
+    "Rays",
     "ReferenceImage",
     "ReferenceImages",
     "ResampledView",

@@ -1,5 +1,5 @@
 from ocelli import _ocelli
-from ocelli._arguments import camera_options, is_constructor, mesh_of, scene_of, size_of, view_of
+from ocelli._arguments import camera_of, constructor_of, mesh_of, scene_of, size_of, view_of
 from ocelli._progress import Shown
 from ocelli.errors import InputError
 
@@ -9,7 +9,7 @@ def render(scene, camera="di", *, view=None, size=(720, 480), method="raster", p
 
     Args:
         scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
-        camera: a name ("di" is the pinhole), a dict with options, or a JSON file; see `ocelli.camera`.
+        camera: a name ("di" is the pinhole), a dict with options, a file, or your own; see `ocelli.camera`.
         view: a `View` or a JSON file; None: from (0, 0, 10), just holding the unit sphere.
         size: (width, height), pixels.
         method: "raster", or "raycast", the slow reference for it; "points" and "hybrid" for cameras that displace a pinhole.
@@ -22,18 +22,18 @@ def render(scene, camera="di", *, view=None, size=(720, 480), method="raster", p
     Raises:
         InputError: for unknown names and options, and views that see nothing.
     """
-    text = camera_options(camera, options)
     width, height = size_of(size)
+    chosen = camera_of(camera, options, (width, height))
     with Shown(progress) as callback:
-        if is_constructor(text):
+        if constructor_of(chosen):
             if method not in ("raster", "raycast"):
                 raise InputError(f"graph and curved ray cameras are not drawn by {method}", "method", "use raster or raycast")
             images = _ocelli.construct_images(
-                scene_of(scene, callback), text, view_of(view), width, height, method == "raycast"
+                scene_of(scene, callback), chosen, view_of(view), width, height, method == "raycast"
             )
         else:
             mesh = mesh_of(scene, callback)
-            images = _ocelli.draw_images(mesh, text, view_of(view), width, height, method, callback)
+            images = _ocelli.draw_images(mesh, chosen, view_of(view), width, height, method, callback)
     if len(images) > 1:
         raise InputError(f"{images[0].camera} is a union of {len(images)} images", "camera", "build it with ocelli.ocri.build()")
     return images[0]

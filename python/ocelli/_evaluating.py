@@ -1,7 +1,7 @@
 import json
 
 from ocelli import _ocelli
-from ocelli._arguments import camera_options, mesh_of, size_of, view_of
+from ocelli._arguments import camera_of, mesh_of, size_of, view_of
 from ocelli._progress import Shown
 
 
@@ -24,7 +24,7 @@ def evaluate(
 
     Args:
         scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
-        cameras: names, dicts with options, or JSON files.
+        cameras: names, dicts with options, files, or your own; see `ocelli.camera`.
         view: the reference view; None: from (0, 0, 10).
         size: (width, height), pixels.
         cell_side: of the cell, display radii; 1.6 are 8 inches at the reference display.
@@ -42,13 +42,13 @@ def evaluate(
         InputError: for unknown cameras, and where a viewpoint lies inside an object.
     """
     width, height = size_of(size)
-    texts = [camera_options(camera, {}) for camera in cameras]
+    chosen = [camera_of(camera, {}, (width, height)) for camera in cameras]
     with Shown(progress) as callback:
         mesh = mesh_of(scene, callback)
         text = _ocelli.evaluate(
             mesh,
             scene if isinstance(scene, str) else repr(scene),
-            texts,
+            chosen,
             view_of(view),
             width,
             height,

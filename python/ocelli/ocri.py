@@ -9,7 +9,7 @@
 import os
 
 from ocelli import _ocelli
-from ocelli._arguments import camera_options, is_constructor, mesh_of, scene_of, size_of, view_of
+from ocelli._arguments import camera_of, constructor_of, mesh_of, scene_of, size_of, view_of
 from ocelli._progress import Shown
 
 
@@ -18,7 +18,8 @@ def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="aut
 
     Args:
         scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
-        camera: a name of `ocelli.camera.representations()` or `constructors()`, a dict with its options, or a JSON file.
+        camera: a name of `ocelli.camera.representations()` or `constructors()`, a dict with its options, a JSON file, or
+            rays of your own (see `ocelli.camera`).
         view: a `View` or a JSON file; None: from (0, 0, 10), just holding the unit sphere.
         size: (width, height) of the reference view, pixels.
         construction: "auto", "raster" or "rays".
@@ -31,14 +32,14 @@ def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="aut
     Raises:
         InputError: for unknown names and options, and views that see nothing or lie inside an object.
     """
-    text = camera_options(camera, options)
     width, height = size_of(size)
+    chosen = camera_of(camera, options, (width, height))
     with Shown(progress) as callback:
-        if is_constructor(text):
+        if constructor_of(chosen):
             by_rays = construction == "rays"
-            return _ocelli.construct_images(scene_of(scene, callback), text, view_of(view), width, height, by_rays)
+            return _ocelli.construct_images(scene_of(scene, callback), chosen, view_of(view), width, height, by_rays)
         mesh = mesh_of(scene, callback)
-        return _ocelli.build_images(mesh, text, view_of(view), width, height, construction, callback)
+        return _ocelli.build_images(mesh, chosen, view_of(view), width, height, construction, callback)
 
 
 def mesh(images):
