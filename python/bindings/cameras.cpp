@@ -58,8 +58,9 @@ ReferenceImages drawImages(const Mesh& mesh, const std::string& options, const V
 
 /// Of a graph or curved ray camera.
 ReferenceImages constructImages(const GuidedScene& scene, const std::string& options, const View& view, int width,
-                                int height, bool byRays) {
+                                int height, const std::string& construction) {
   requireImageSize(width, height);
+  const bool byRays = constructionFromText(construction, "construction") == Construction::kRays;
   const py::gil_scoped_release released;
   const PinholeCamera reference(view, width, height);
   const MultiperspectiveCamera camera = constructCameraFromJson(options, kCameraOptions, scene, reference);
@@ -120,7 +121,7 @@ void bindCameras(py::module_& module) {
   module.def("draw_images", &drawImages, py::arg("mesh"), py::arg("options"), py::arg("view"), py::arg("width"),
              py::arg("height"), py::arg("method"), py::arg("progress"));
   module.def("construct_images", &constructImages, py::arg("scene"), py::arg("options"), py::arg("view"),
-             py::arg("width"), py::arg("height"), py::arg("by_rays"));
+             py::arg("width"), py::arg("height"), py::arg("construction"));
 }
 
 }  // namespace ocelli

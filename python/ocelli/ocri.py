@@ -35,8 +35,7 @@ def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="aut
     width, height = size_of(size)
     with Shown(progress) as callback:
         if is_constructor(text):
-            by_rays = construction == "rays"
-            return _ocelli.construct_images(scene_of(scene, callback), text, view_of(view), width, height, by_rays)
+            return _ocelli.construct_images(scene_of(scene, callback), text, view_of(view), width, height, construction)
         mesh = mesh_of(scene, callback)
         return _ocelli.build_images(mesh, text, view_of(view), width, height, construction, callback)
 
