@@ -12,12 +12,12 @@
 #include <string>
 #include <vector>
 
+#include "bench/bench_program.h"
 #include "bench/timing.h"
 #include "display_sim/quilt/color_and_depth.h"
 #include "display_sim/quilt/quilt_errors.h"
 #include "display_sim/quilt/quilt_images.h"
 #include "display_sim/quilt/quilt_render.h"
-#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/raycast.h"
@@ -44,19 +44,19 @@ struct QuiltBenchChoice {
 
 struct StepTime {
   double clock = 1e30;
-  double processor = 1e30;
+  double cpu = 1e30;
 
   template <class Work>
   void measure(int runs, const Work& work) {
     for (int i = 0; i < runs; ++i) {
-      double cpu = 0;
-      const double now = milliseconds([&] { cpu = processorMilliseconds(work); });
+      double ofCpu = 0;
+      const double now = milliseconds([&] { ofCpu = processorMilliseconds(work); });
       clock = std::min(clock, now);
-      processor = std::min(processor, cpu);
+      cpu = std::min(cpu, ofCpu);
     }
   }
-  Json json() const { return {{"clock_ms", clock}, {"cpu_ms", processor}}; }
-  std::string text() const { return fmt::format("{:>8.0f} {:>8.0f}", clock, processor); }
+  Json json() const { return {{"clock_ms", clock}, {"cpu_ms", cpu}}; }
+  std::string text() const { return fmt::format("{:>8.0f} {:>8.0f}", clock, cpu); }
 };
 
 /// One row of the table of times: how its images were made, and how many.
@@ -69,7 +69,7 @@ struct QuiltRun {
   int width = 0;
 
   double clock() const { return images.clock + views.clock; }
-  double processor() const { return images.processor + views.processor; }
+  double cpu() const { return images.cpu + views.cpu; }
 };
 
 QuiltRun runOf(const QuiltBenchChoice& choice, const QuiltViews& views, const Mesh& scene,
@@ -144,9 +144,9 @@ void measure(const QuiltBenchChoice& choice) {
         runs.push_back(runOf(choice, views, world, options, by));
         const QuiltRun& run = runs.back();
         fmt::print("{:<28} {} {} {:>8.0f} {:>8.0f}", run.name, run.images.text(), run.views.text(), run.clock(),
-                   run.processor());
+                   run.cpu());
         if (!choice.skipsRenders) {
-          fmt::print(" {:>7.1f} {:>7.1f}", renders.clock / run.clock(), renders.processor / run.processor());
+          fmt::print(" {:>7.1f} {:>7.1f}", renders.clock / run.clock(), renders.cpu / run.cpu());
         }
         fmt::print(" {:>9} {:>6} {:>6.2f}\n", run.samples, run.width, 100 * run.picture.filledRatio(views));
         std::fflush(stdout);
@@ -199,13 +199,5 @@ int main(int argumentCount, char** arguments) {
   program.add_flag("--no-renders", choice.skipsRenders, "Leave out the time of rendering every view");
   program.add_flag("--no-errors", choice.skipsErrors, "Leave out the comparison of images");
   program.add_option("--json", choice.json, "Also write the figures here");
-  CLI11_PARSE(program, argumentCount, arguments);
-  setThreadCount(choice.threads);
-  try {
-    measure(choice);
-    return 0;
-  } catch (const Error& error) {
-    fmt::print(stderr, "quilt_bench: error: {}\n", error.what());
-    return 1;
-  }
+  return runProgram(program, argumentCount, arguments, choice, measure);
 }

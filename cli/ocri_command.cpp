@@ -200,7 +200,8 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
                   "By rasterisation or by rays; rays build an acceleration structure (BVH) first, which takes longer "
                   "than rasterising one image of any scene, but for large ones with cell: auto rasterises. gl draws on "
                   "the GPU with OpenGL")
-      ->type_name("auto|raster|rays|gl")
+      ->check(CLI::IsMember({"auto", "raster", "rays", "gl"}))
+      ->type_name("NAME")
       ->capture_default_str();
   addGlOption(command, choice->gl);
   command

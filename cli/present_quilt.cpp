@@ -2,13 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <chrono>
-#include <cmath>
 #include <limits>
 
 #include "cli/interrupt.h"
 #include "cli/quilt_choice.h"
+#include "display_driver/pacing/motion_clock.h"
 #include "display_driver/picture_device/picture_devices.h"
 #include "display_sim/quilt/quilt_ways.h"
 #include "oc_core/base/error.h"
@@ -23,13 +25,24 @@ double secondsAfter(Clock::time_point start) {
   return std::chrono::duration<double>(Clock::now() - start).count();
 }
 
-void refuseOptionsOfVolumes(const PresentChoice& choice) {
-  const bool given = !choice.profile.empty() || choice.turn || !choice.eyes.empty() || choice.hasCamera() ||
-                     !choice.record.empty() || !choice.timeLine.empty() || choice.tear || choice.coarse ||
-                     choice.simulated.given() || choice.shown.given();
-  if (given || !choice.isScene() || choice.isVolume()) {
-    throw InputError("a light-field display shows views of a scene, and no volumes", choice.device,
-                     "give a scene or an image, with --seconds, --speed and --loop alone");
+/// Throws InputError for options that are of volumes, or of displays that show them.
+void refuseOtherOptions(const PresentChoice& choice, const CLI::App& command, const CommandContext& context) {
+  constexpr std::array kTaken{"--device", "--seconds", "--speed", "--loop"};
+  CLI::App taken;  // what says which scene it is, and what every command takes
+  SceneChoice scene;
+  addSceneOptions(taken, scene, context);
+  addMotionOptions(taken, scene);
+  context.addCommonOptions(taken);
+  for (const CLI::Option* option : command.get_options([](const CLI::Option* each) { return each->count() > 0; })) {
+    const std::string name = option->get_name();
+    if (taken.get_option_no_throw(name) == nullptr && std::ranges::find(kTaken, name) == kTaken.end()) {
+      throw InputError("a light-field display takes no " + name, "--device " + choice.device,
+                       "leave it out; beside the scene there are --seconds, --speed and --loop");
+    }
+  }
+  if (!choice.isScene() || choice.isVolume()) {
+    throw InputError("a light-field display shows views of a scene, and no volumes", choice.scene.source,
+                     "give a scene, or a reference image (.exr)");
   }
 }
 
@@ -44,21 +57,20 @@ bool waitUntil(PictureDevice& device, double seconds) {
   return open && !InterruptGuard::interrupted();
 }
 
+/// Each frame is a new quilt: as many as there is time for.
 void play(PictureDevice& device, SceneMotion& motion, const PresentChoice& choice, const QuiltViews& views,
           const CommandContext& context) {
-  const QuiltWay& way = quiltWayNamed("eoc-h", "--device");
-  const double length = motion.durationSeconds();
+  const QuiltWay& way = quiltWayNamed(QuiltChoice().by, "--device");
+  MotionClock clock(motion.durationSeconds(), {.speed = choice.speed, .loop = choice.loop});
   const Clock::time_point start = Clock::now();
   size_t frames = 0;
   const InterruptGuard guard;
   for (bool open = true; open && !InterruptGuard::interrupted();) {
-    const double passed = secondsAfter(start);
-    double at = passed * choice.speed;
-    if ((choice.seconds && passed >= *choice.seconds) || (!choice.loop && at >= length)) {
+    const std::optional<double> at = clock.at(Clock::now());
+    if (!at || (choice.seconds && secondsAfter(start) >= *choice.seconds)) {
       break;
     }
-    at = length > 0 ? std::fmod(at, length) : 0;
-    Mesh scene = motion.at(at);
+    Mesh scene = motion.at(*at);
     views.stretchScene(scene, views.stretch());
     device.show(way.make({views, scene, QuiltImageOptions{}, QuiltDepths::kNone, {}}).color);
     ++frames;
@@ -69,8 +81,8 @@ void play(PictureDevice& device, SceneMotion& motion, const PresentChoice& choic
 
 }  // namespace
 
-void presentQuilt(const PresentChoice& choice, const CommandContext& context) {
-  refuseOptionsOfVolumes(choice);
+void presentQuilt(const PresentChoice& choice, const CLI::App& command, const CommandContext& context) {
+  refuseOtherOptions(choice, command, context);
   // Read before the display goes dark.
   QuiltChoice quilt;
   quilt.scene = choice.scene;

@@ -4,9 +4,14 @@
 #include "cli/command.h"
 #include "cli/present_choice.h"
 
+namespace CLI {
+class App;
+}
+
 namespace ocelli {
 
-/// Throws InputError where options were given that are of volumes, and as openPictureDevice() and loadScene() do.
-void presentQuilt(const PresentChoice& choice, const CommandContext& context);
+/// `command` is the one that was given. Throws InputError where it has options that picture devices do not take, and as
+/// openPictureDevice() and loadScene() do.
+void presentQuilt(const PresentChoice& choice, const CLI::App& command, const CommandContext& context);
 
 }  // namespace ocelli

@@ -53,7 +53,7 @@ void addQuiltOptions(CLI::App& command, QuiltChoice& choice, const CommandContex
   command
       .add_option("--cone", choice.coneDegrees,
                   "Angle between the outermost views; by default that of the calibration, or of the display")
-      ->check(numberCheck(1, 120))
+      ->check(numberCheck(kMinConeDegrees, kMaxConeDegrees))
       ->type_name("DEGREES");
   command
       .add_option("--calibration", choice.calibration,
@@ -82,18 +82,15 @@ void addQuiltOptions(CLI::App& command, QuiltChoice& choice, const CommandContex
 }
 
 QuiltViews quiltViewsOf(const QuiltChoice& choice, const CommandContext& context) {
-  QuiltDisplay display = loadQuiltDisplay(choice.display);
   quiltWayNamed(choice.by, "--by");
+  std::optional<PanelCalibration> panel;
   if (!choice.calibration.empty()) {
-    const PanelCalibration panel = readCalibration(choice.calibration);
-    display.coneDegrees = panel.coneDegrees.value_or(display.coneDegrees);
-    for (const std::string& field : panel.unused) {
+    panel = readCalibration(choice.calibration);
+    for (const std::string& field : panel->unused) {
       context.note("warning: " + choice.calibration + " asks for " + field + ", which is not done");
     }
   }
-  display.coneDegrees = choice.coneDegrees.value_or(display.coneDegrees);
-  validate(display, "display \"" + display.name + "\"");
-  return {display, readViewOption(choice.view)};
+  return {withCone(loadQuiltDisplay(choice.display), panel, choice.coneDegrees), readViewOption(choice.view)};
 }
 
 QuiltSource::QuiltSource(const QuiltChoice& choice, const QuiltViews& views, const CommandContext& context)

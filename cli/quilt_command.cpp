@@ -11,7 +11,6 @@
 #include "cli/number_check.h"
 #include "cli/output_option.h"
 #include "cli/quilt_choice.h"
-#include "cli/scene_notes.h"
 #include "display_sim/observing/frame_sink.h"
 #include "display_sim/quilt/color_and_depth.h"
 #include "display_sim/quilt/panel_order.h"
@@ -21,8 +20,6 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_document.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/ocri/packed_view.h"
-#include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/worlds/scene_motion.h"
 
 namespace ocelli {

@@ -20,6 +20,7 @@
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/reference_image_file.h"
+#include "oc_core/ocri/technique_names.h"
 #include "oc_core/render/identity_image.h"
 
 namespace ocelli {
@@ -42,15 +43,13 @@ struct RenderChoice {
   std::string output;
 };
 
-/// Nothing for "raster", what a camera builds its image with, and for "gl".
-std::optional<Technique> techniqueOf(const std::string& method) {
-  if (method == "points") {
-    return Technique::kPoints;
+std::vector<std::string> methodNames() {
+  std::vector<std::string> names{kRasterMethod};
+  for (const TechniqueName& each : kTechniqueNames) {
+    names.emplace_back(each.name);
   }
-  if (method == "hybrid") {
-    return Technique::kHybrid;
-  }
-  return method == "raycast" ? std::optional(Technique::kRaycast) : std::nullopt;
+  names.emplace_back("gl");
+  return names;
 }
 
 FragmentImage drawn(const RenderChoice& choice, const MultiperspectiveCamera& camera, const Mesh& mesh,
@@ -125,7 +124,7 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
   ViewedScene scene(choice.scene, context);
   const Mesh& mesh = scene.meshFor(camera, reference);
-  const auto technique = techniqueOf(choice.method);
+  const auto technique = techniqueNamed(choice.method);
   const ReferenceImages images =
       technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, context.progress())}
       : gl != nullptr ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
@@ -161,7 +160,7 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
           "--method", choice->method,
           "How: fill projected triangles, splat samples of them, meet each with the rays around it, follow the rays "
           "(the reference), or draw on the GPU with OpenGL; of a volume along the rays, or with OpenGL")
-      ->check(CLI::IsMember({kRasterMethod, "points", "hybrid", "raycast", "gl"}))
+      ->check(CLI::IsMember(methodNames()))
       ->default_str(kRasterMethod)
       ->type_name("NAME");
   addGlOption(command, choice->gl);

@@ -5,8 +5,7 @@
 //   1. display_driver/picture_device/NAME_device.h and .cpp: a class that implements PictureDevice, and a function that
 //      opens it.
 //   2. display_driver/picture_device/picture_devices.cpp: one line with its name, what follows the name, what it is,
-//   the
-//      function.
+//      and the function.
 // From outside of the tree: registerPictureDevice() with the same line.
 // `ocelli present --device NAME` and `ocelli device list` find it there.
 #pragma once
@@ -27,9 +26,10 @@ class PictureDevice {
   virtual const QuiltDisplay& display() const = 0;
   /// For people: "a window on monitor 1, 1536x2048".
   virtual std::string description() const = 0;
-  /// Shows a quilt until the next one. Throws WorkError, or GlError, where that fails.
+  /// Shows a quilt until the next one: sRGB, as large as display() says. Throws WorkError, or GlError, where that
+  /// fails.
   virtual void show(const Image<Rgb8>& quilt) = 0;
-  /// Waits at most so long. Whether it goes on: false where a person has closed it.
+  /// Handles input for `seconds`, or less. False once a person has closed the device.
   virtual bool wait(double seconds) = 0;
 };
 

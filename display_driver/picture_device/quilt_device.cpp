@@ -7,6 +7,7 @@
 #include <charconv>
 #include <chrono>
 #include <functional>
+#include <type_traits>
 #include <vector>
 
 #include "oc_core/base/error.h"
@@ -17,19 +18,29 @@
 namespace ocelli {
 namespace {
 
+constexpr int kMaxMonitor = 99;
+
+/// What was read, in any order.
+struct WindowText {
+  QuiltWindowOptions options;
+  std::optional<double> coneDegrees;
+};
+
 /// What may follow the display's name, described once: reader and usage come from it.
 struct QuiltWindowKey {
   const char* name;
   const char* value;  ///< for people
-  std::function<void(QuiltWindowOptions&, const std::string& value)> set;
+  std::function<void(WindowText&, const std::string& value)> set;
 };
 
-double numberIn(const std::string& text, const char* key, double min, double max) {
-  double value = 0;
+template <class Number>
+Number numberIn(const std::string& text, const char* key, Number min, Number max) {
+  Number value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
   if (error != std::errc() || end != text.data() + text.size() || !(value >= min && value <= max)) {
-    throw InputError(fmt::format("\"{}\" is no number from {:g} to {:g}", text, min, max), key,
-                     std::string("--device quilt:") + quiltWindowUsage());
+    throw InputError(fmt::format("\"{}\" is no {} from {} to {}", text,
+                                 std::is_integral_v<Number> ? "whole number" : "number", min, max),
+                     key, std::string("--device quilt:") + quiltWindowUsage());
   }
   return value;
 }
@@ -37,17 +48,14 @@ double numberIn(const std::string& text, const char* key, double min, double max
 const std::vector<QuiltWindowKey>& quiltWindowKeys() {
   static const std::vector<QuiltWindowKey> keys{
       {"monitor", "N",
-       [](QuiltWindowOptions& options, const std::string& value) {
-         options.monitor = static_cast<int>(numberIn(value, "monitor", 0, 99));
+       [](WindowText& read, const std::string& value) {
+         read.options.monitor = numberIn(value, "monitor", 0, kMaxMonitor);
        }},
       {"calibration", "FILE.json",
-       [](QuiltWindowOptions& options, const std::string& value) {
-         options.calibration = readCalibration(value);
-         options.display.coneDegrees = options.calibration->coneDegrees.value_or(options.display.coneDegrees);
-       }},
+       [](WindowText& read, const std::string& value) { read.options.calibration = readCalibration(value); }},
       {"cone", "DEGREES",
-       [](QuiltWindowOptions& options, const std::string& value) {
-         options.display.coneDegrees = numberIn(value, "cone", 1, 120);
+       [](WindowText& read, const std::string& value) {
+         read.coneDegrees = numberIn(value, "cone", kMinConeDegrees, kMaxConeDegrees);
        }},
   };
   return keys;
@@ -90,6 +98,9 @@ class QuiltWindow final : public PictureDevice {
     if (options_.calibration && (window_.pixelWidth() != size.x || window_.pixelHeight() != size.y)) {
       text += fmt::format(" (the panel has {}x{}: scaled, its dots show the wrong views)", size.x, size.y);
     }
+    for (const std::string& field : options_.calibration ? options_.calibration->unused : std::vector<std::string>()) {
+      text += " (the calibration asks for " + field + ", which is not done)";
+    }
     return text;
   }
 
@@ -130,10 +141,10 @@ class QuiltWindow final : public PictureDevice {
     const GlScope scope(context);
     const GladGLContext& gl = context.gl();
     if (!texture_) {
-      int most = 0;
-      gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &most);
-      if (std::max(picture.width(), picture.height()) > most) {
-        throw GlError(fmt::format("this GPU takes pictures of up to {0}x{0}", most), options_.display.name,
+      int maxSize = 0;
+      gl.GetIntegerv(GL_MAX_TEXTURE_SIZE, &maxSize);
+      if (std::max(picture.width(), picture.height()) > maxSize) {
+        throw GlError(fmt::format("this GPU takes pictures of up to {0}x{0}", maxSize), options_.display.name,
                       "write the quilt to a file with ocelli quilt");
       }
       texture_ = makeTexture(context, GL_RGBA8, picture.width(), picture.height());
@@ -170,9 +181,9 @@ std::string quiltWindowUsage() {
 }
 
 QuiltWindowOptions quiltWindowOptionsFromText(const std::string& text) {
-  QuiltWindowOptions options;
+  WindowText read;
   size_t begin = text.find(',');
-  options.display = loadQuiltDisplay(text.substr(0, begin));
+  const QuiltDisplay display = loadQuiltDisplay(text.substr(0, begin));
   while (begin != std::string::npos) {
     const size_t end = text.find(',', begin + 1);
     const std::string part = text.substr(begin + 1, end == std::string::npos ? end : end - begin - 1);
@@ -183,10 +194,11 @@ QuiltWindowOptions quiltWindowOptionsFromText(const std::string& text) {
       throw InputError("\"" + part + "\" says nothing of this display", "--device quilt:" + text,
                        "quilt:" + quiltWindowUsage());
     }
-    key->set(options, part.substr(equals + 1));
+    key->set(read, part.substr(equals + 1));
     begin = end;
   }
-  return options;
+  read.options.display = withCone(display, read.options.calibration, read.coneDegrees);
+  return std::move(read.options);
 }
 
 std::unique_ptr<PictureDevice> openQuiltWindow(QuiltWindowOptions options) {

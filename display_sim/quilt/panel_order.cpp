@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/vec2.hpp>
 
@@ -52,6 +53,14 @@ class CalibrationReader {
   std::string where_;
 };
 
+/// What panelPicture() takes for granted.
+struct FixedField {
+  const char* name;
+  double value;
+};
+constexpr std::array<FixedField, 4> kFixedFields{
+    {{"flipImageX", 0}, {"flipImageY", 0}, {"flipSubp", 0}, {"invView", 1}}};
+
 /// Between the four pixels of a tile around a place in it, of one channel.
 uint8_t colorIn(const Image<Rgb8>& quilt, const glm::ivec2& origin, const glm::ivec2& size, double u, double v,
                 int channel) {
@@ -86,11 +95,11 @@ PanelCalibration calibrationFromJsonText(const std::string& text, const std::str
                      "give the slope of the lenses");
   }
   if (reader.find("viewCone")) {
-    panel.coneDegrees = reader.number("viewCone", 1, 120);
+    panel.coneDegrees = reader.number("viewCone", kMinConeDegrees, kMaxConeDegrees);
   }
-  for (const char* name : {"flipImageX", "flipImageY", "flipSubp"}) {
-    if (const std::optional<double> value = reader.find(name); value && *value != 0) {
-      panel.unused.push_back(fmt::format("\"{}\": {:g}", name, *value));
+  for (const FixedField& field : kFixedFields) {
+    if (const std::optional<double> value = reader.find(field.name); value && *value != field.value) {
+      panel.unused.push_back(fmt::format("\"{}\": {:g}", field.name, *value));
     }
   }
   return panel;
@@ -98,6 +107,16 @@ PanelCalibration calibrationFromJsonText(const std::string& text, const std::str
 
 PanelCalibration readCalibration(const std::filesystem::path& path) {
   return calibrationFromJsonText(readJsonFile(path).dump(), path.string());
+}
+
+QuiltDisplay withCone(QuiltDisplay display, const std::optional<PanelCalibration>& calibration,
+                      std::optional<double> coneDegrees) {
+  if (!coneDegrees && calibration) {
+    coneDegrees = calibration->coneDegrees;
+  }
+  display.coneDegrees = coneDegrees.value_or(display.coneDegrees);
+  validate(display, "display \"" + display.name + "\"");
+  return display;
 }
 
 double viewShareOf(const PanelCalibration& panel, double x, double y, int channel) {

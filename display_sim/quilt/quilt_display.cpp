@@ -31,8 +31,8 @@ const std::vector<QuiltField>& quiltFields() {
       {"height", "Pixels of the quilt", 2, kMaxQuiltSide, &QuiltDisplay::height, nullptr, true},
       {"aspect", "Width to height of what the display shows", 0.1, 10, nullptr, &QuiltDisplay::aspect, true},
       {"cone_degrees",
-       "Angle between the outermost views, as seen from the middle of the display: `viewCone` of its calibration", 1,
-       120, nullptr, &QuiltDisplay::coneDegrees, false},
+       "Angle between the outermost views, as seen from the middle of the display: `viewCone` of its calibration",
+       kMinConeDegrees, kMaxConeDegrees, nullptr, &QuiltDisplay::coneDegrees, false},
   };
   return fields;
 }

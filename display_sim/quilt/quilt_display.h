@@ -1,4 +1,7 @@
-// A light-field display as data: it takes one picture, a quilt, whose tiles are views from places along a line.
+// A light-field display as data: it takes one image, a quilt, whose tiles are views from viewpoints along a line.
+//
+// The built-in rows, the order of the tiles, the names of files and the cone of 40 degrees are those that Looking Glass
+// Factory publishes (its documentation; the library Looking-Glass/looking-glass-webxr on GitHub).
 //
 // Tiles stand in columns and rows. View 0 is seen from the left end of the line and lies at the bottom left; the others
 // follow to the right, then upwards. A tile has the aspect of the display, so its pixels need not be square.
@@ -7,6 +10,7 @@
 // fields quilt_display.schema.json describes. From outside of the tree: registerQuiltDisplay().
 #pragma once
 
+#include <cstddef>
 #include <glm/vec2.hpp>
 #include <string>
 #include <vector>
@@ -30,14 +34,19 @@ struct QuiltDisplay {
   /// Pixels; what a division leaves over stays black, on the right and at the top.
   int tileWidth() const { return width / columns; }
   int tileHeight() const { return height / rows; }
+  /// Of all tiles together.
+  size_t tilePixels() const {
+    return static_cast<size_t>(tileWidth()) * static_cast<size_t>(tileHeight()) * static_cast<size_t>(viewCount());
+  }
   /// Width to height of a pixel of a tile, as the display shows it.
   double pixelAspect() const { return aspect * tileHeight() / tileWidth(); }
 
   bool operator==(const QuiltDisplay&) const = default;
 };
 
-/// A quilt is at most so many pixels a side.
-inline constexpr int kMaxQuiltSide = 16384;
+inline constexpr int kMaxQuiltSide = 16384;  ///< pixels
+inline constexpr double kMinConeDegrees = 1;
+inline constexpr double kMaxConeDegrees = 120;
 
 /// The built-in ones, then those that were registered.
 Rows<QuiltDisplay> quiltDisplays();

@@ -183,10 +183,8 @@ QuiltPicture quiltFromMesh(const QuiltViews& views, const ReferenceImages& image
   Mesh mesh = unionMesh(images);
   views.stretchScene(mesh, views.stretch() / stretch);
   QuiltPicture picture = quiltByRender(views, mesh, QuiltDepths::kKept, progress);
-  const QuiltDisplay& display = views.display();
-  const size_t pixels = static_cast<size_t>(display.tileWidth()) * static_cast<size_t>(display.tileHeight()) *
-                        static_cast<size_t>(views.count());
-  picture.filled = pixels - static_cast<size_t>(std::ranges::count_if(picture.inverseZ, [](float w) { return w > 0; }));
+  const auto seen = static_cast<size_t>(std::ranges::count_if(picture.inverseZ, [](float w) { return w > 0; }));
+  picture.filled = views.display().tilePixels() - seen;
   if (depths == QuiltDepths::kNone) {
     picture.inverseZ = {};
   }

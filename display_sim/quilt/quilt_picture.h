@@ -9,9 +9,10 @@
 namespace ocelli {
 
 struct QuiltPicture {
-  Image<Rgb8> color;  ///< sRGB; black where nothing is seen, and in what the tiles leave over
-  /// 1/z of what each pixel shows, along the view direction; 0 where nothing is seen, and where colours were filled in.
-  /// Empty where it was not asked for.
+  /// sRGB, as large as the display says; black where nothing is seen, and in what the tiles leave over.
+  Image<Rgb8> color;
+  /// 1/z of what each pixel shows, z along the view direction in lengths of the scene; 0 where nothing is seen, and
+  /// where colours were filled in. Empty where it was not asked for.
   Image<float> inverseZ;
   /// Pixels of which nothing is known, but for those beside what is known to be empty. They repeat what lies beside
   /// them, the farther first; or are black, where it is not known what is empty.
@@ -19,9 +20,7 @@ struct QuiltPicture {
 
   /// Of the pixels of all tiles.
   double filledRatio(const QuiltViews& views) const {
-    const QuiltDisplay& d = views.display();
-    return static_cast<double>(filled) /
-           (static_cast<double>(d.tileWidth()) * d.tileHeight() * static_cast<double>(d.viewCount()));
+    return static_cast<double>(filled) / static_cast<double>(views.display().tilePixels());
   }
 };
 

@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-/// Beyond all samples by so much.
+/// 1/z of empty points, of that of the farthest sample.
 constexpr float kEmptyShare = 0.999f;
 constexpr float kFarAside = 1e6f;  ///< pixels
 
@@ -21,7 +21,7 @@ struct LinePixel {
   bool isEmpty = false;
 };
 
-float leastInverseZ(const ReferenceImage& image) {
+float minInverseZ(const ReferenceImage& image) {
   float farthest = 0;
   for (size_t i = 0; i < image.t.size(); ++i) {
     farthest = image.holds(i) ? std::max(farthest, image.t[i]) : farthest;
@@ -156,7 +156,7 @@ class LineMaker {
 SampleLines sampleLines(const ReferenceImage& image, const EmptyRays& empty, const ImageMeshOptions& options) {
   OC_CHECK(!image.isPlaced(), "the rows of this image are no lines of a pinhole");
   SampleLines lines{image.reference(), std::vector<SampleLine>(static_cast<size_t>(image.height())),
-                    kEmptyShare * leastInverseZ(image), empty.farEnd != nullptr};
+                    kEmptyShare * minInverseZ(image), empty.farEnd != nullptr};
   parallelFor(lines.rows.size(), 8, [&](size_t begin, size_t end) {
     LineMaker maker(image, empty, options, lines.base, lines.emptyInverseZ);
     for (size_t row = begin; row < end; ++row) {

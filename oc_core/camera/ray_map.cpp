@@ -10,6 +10,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/finite.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/camera/pinhole_camera.h"
 
@@ -17,10 +18,6 @@ namespace ocelli {
 namespace {
 
 constexpr const char* kMapNext = "give one origin and one direction for each pixel, and 0 for pixels without a ray";
-
-bool hasNumbers(const glm::vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 void requireMapSize(const glm::ivec2& size, const std::string& where) {
   if (size.x < 1 || size.y < 1 || size.x > PinholeCamera::kMaxPixelsASide || size.y > PinholeCamera::kMaxPixelsASide ||
@@ -68,7 +65,7 @@ RayMap RayMap::ofStraightRays(const glm::ivec2& size, std::span<const glm::vec3>
   ends.reserve(pixels);
   for (size_t i = 0; i < pixels; ++i) {
     const double length = glm::length(glm::dvec3(directions[i]));
-    if (hasNumbers(origins[i]) && std::isfinite(length) && length > 0) {
+    if (isFinite(origins[i]) && std::isfinite(length) && length > 0) {
       const glm::dvec3 along = glm::dvec3(directions[i]) / length;
       points.emplace_back(glm::dvec3(origins[i]) + along * static_cast<double>(near));
       points.emplace_back(glm::dvec3(origins[i]) + along * static_cast<double>(far));
@@ -151,7 +148,7 @@ RayMap RayMap::ofPolylines(const glm::ivec2& size, std::vector<size_t> ends, std
       refuse(fmt::format("has not 0, or from 2 to {} points", RayPath::kMaxPoints));
     }
     for (size_t k = begin; k < end; ++k) {
-      if (!hasNumbers(points[k]) || !std::isfinite(parameters[k])) {
+      if (!isFinite(points[k]) || !std::isfinite(parameters[k])) {
         refuse("has a number that is not finite");
       }
       if (k > begin && !(parameters[k] > parameters[k - 1])) {

@@ -6,15 +6,12 @@
 #include <tuple>
 
 #include "oc_core/base/check.h"
+#include "oc_core/base/finite.h"
 #include "oc_core/camera/ray_map_quad.h"
 #include "oc_core/camera/ray_map_search.h"
 
 namespace ocelli {
 namespace {
-
-bool isPlace(const glm::vec3& p) {
-  return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
 
 /// (u, v, t) in pixels of the map, from the quads of a rectangle; the one with the least t of `best` and these.
 void solveQuads(const RayMap& map, const glm::ivec2& lower, const glm::ivec2& upper, const glm::dvec3& point,
@@ -85,7 +82,7 @@ std::optional<ImagePoint> RayMapCamera::imagePoint(const std::optional<glm::dvec
 }
 
 std::optional<ImagePoint> RayMapCamera::project(const glm::vec3& worldPoint) const {
-  if (!isPlace(worldPoint)) {
+  if (!isFinite(worldPoint)) {
     return std::nullopt;
   }
   const glm::dvec3 point(worldPoint);
@@ -99,7 +96,7 @@ std::optional<ImagePoint> RayMapCamera::project(const glm::vec3& worldPoint) con
 
 std::optional<ImagePoint> RayMapCamera::projectSlowly(const glm::vec3& worldPoint) const {
   std::optional<glm::dvec3> best;
-  if (isPlace(worldPoint)) {
+  if (isFinite(worldPoint)) {
     solveQuads(*map_, {0, 0}, quadCount(*map_), glm::dvec3(worldPoint), best);
   }
   return imagePoint(best);

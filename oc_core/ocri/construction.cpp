@@ -50,7 +50,7 @@ Construction constructionFromText(const std::string& text, const std::string& wh
   if (text == "rays") {
     return Construction::kRays;
   }
-  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster, rays or gl");
+  throw InputError(fmt::format("there is no construction \"{}\"", text), where, "use auto, raster or rays");
 }
 
 std::string describe(const ConstructionReport& report) {

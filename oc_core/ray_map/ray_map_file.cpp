@@ -112,7 +112,7 @@ Description readDescription(const std::optional<std::string>& text, const std::s
 
 // ---- writing
 
-/// The segments of that number, of rays that have so many; others stay 0.
+/// Segment `number` of each ray; 0 for rays of fewer segments.
 void fillSegments(const RayMap& map, size_t number, std::vector<StoredSegment>& segments) {
   parallelFor(static_cast<size_t>(map.height()), 8, [&](size_t begin, size_t end) {
     for (size_t y = begin; y < end; ++y) {

@@ -26,7 +26,7 @@ namespace {
 constexpr const char* kWalkable = "walkable floor";
 constexpr uint16_t kWidestPlace = 1024;  // steps to the border: places wider than 2,047 squares are as wide as that
 constexpr double kMaxRadius = 30000;     // squares: fields have kMaxWalkColumns, so floor as wide as that never is
-constexpr double kMostHeights = 8000;    // Recast's height fields have 8,191
+constexpr double kMaxHeights = 8000;     // Recast's height fields have 8,191
 
 void requireRange(const WalkOptions& options, double unitsOfScene) {
   for (const WalkOption& option : walkOptionTable()) {
@@ -53,7 +53,7 @@ void requireRange(const WalkOptions& options, double unitsOfScene) {
 /// The size of squares that the height field can have.
 float possibleCellSize(const Box& box, double wanted) {
   const glm::dvec3 size(box.size());
-  double cell = std::max(wanted, 2 * size.y / kMostHeights);
+  double cell = std::max(wanted, 2 * size.y / kMaxHeights);
   while ((size.x / cell + 4) * (size.z / cell + 4) > kMaxWalkColumns) {
     cell *= 1.02;
   }

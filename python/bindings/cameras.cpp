@@ -1,7 +1,6 @@
 // Cameras by name and options: their images.
 #include <pybind11/stl.h>
 
-#include <map>
 #include <variant>
 
 #include "oc_core/constructor/camera_constructors.h"
@@ -11,6 +10,7 @@
 #include "oc_core/ocri/nothing_seen.h"
 #include "oc_core/ocri/placed_image.h"
 #include "oc_core/ocri/representation_kind.h"
+#include "oc_core/ocri/technique_names.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/images.h"
 #include "python/bindings/options.h"
@@ -21,17 +21,17 @@ namespace py = pybind11;
 namespace ocelli {
 namespace {
 
-/// Any way to draw an image: "raster" is the one that cameras build their images with.
+/// Nothing for "raster": a camera builds its image in its own way. Throws InputError for a name that is unknown.
 std::optional<Technique> techniqueOf(const std::string& method) {
-  static const std::map<std::string, std::optional<Technique>> kTechniques{{"raster", std::nullopt},
-                                                                           {"points", Technique::kPoints},
-                                                                           {"hybrid", Technique::kHybrid},
-                                                                           {"raycast", Technique::kRaycast}};
-  const auto found = kTechniques.find(method);
-  if (found == kTechniques.end()) {
-    throw InputError("there is no method \"" + method + "\"", "method", "use raster, points, hybrid or raycast");
+  const std::optional<Technique> technique = techniqueNamed(method);
+  if (!technique && method != "raster") {
+    std::string names = "use raster";
+    for (const TechniqueName& each : kTechniqueNames) {
+      names += std::string(", ") + each.name;
+    }
+    throw InputError("there is no method \"" + method + "\"", "method", names);
   }
-  return found->second;
+  return technique;
 }
 
 ReferenceImages buildImages(const Mesh& mesh, const CameraArgument& camera, const View& view, int width, int height,
@@ -58,8 +58,9 @@ ReferenceImages drawImages(const Mesh& mesh, const CameraArgument& camera, const
 
 /// Of a graph or curved ray camera.
 ReferenceImages constructImages(const GuidedScene& scene, const std::string& options, const View& view, int width,
-                                int height, bool byRays) {
+                                int height, const std::string& construction) {
   requireImageSize(width, height);
+  const bool byRays = constructionFromText(construction, "construction") == Construction::kRays;
   const py::gil_scoped_release released;
   const PinholeCamera reference(view, width, height);
   const MultiperspectiveCamera camera = constructCameraFromJson(options, kCameraOptions, scene, reference);
@@ -120,7 +121,7 @@ void bindCameras(py::module_& module) {
   module.def("draw_images", &drawImages, py::arg("mesh"), py::arg("camera"), py::arg("view"), py::arg("width"),
              py::arg("height"), py::arg("method"), py::arg("progress"));
   module.def("construct_images", &constructImages, py::arg("scene"), py::arg("options"), py::arg("view"),
-             py::arg("width"), py::arg("height"), py::arg("by_rays"));
+             py::arg("width"), py::arg("height"), py::arg("construction"));
 }
 
 }  // namespace ocelli

@@ -142,9 +142,8 @@ void bindResampled(py::module_& module) {
 }  // namespace
 
 void requireImageSize(int width, int height) {
-  constexpr int kMaxSide = 32768;
-  constexpr int64_t kMaxPixels = int64_t{1} << 26;
-  if (width < 1 || height < 1 || width > kMaxSide || height > kMaxSide || int64_t{width} * height > kMaxPixels) {
+  if (width < 1 || height < 1 || width > PinholeCamera::kMaxPixelsASide || height > PinholeCamera::kMaxPixelsASide ||
+      int64_t{width} * height > PinholeCamera::kMaxPixels) {
     throw InputError("no image can have this size: " + std::to_string(width) + "x" + std::to_string(height), "size",
                      "give (width, height), each from 1 to 32768, of 2^26 pixels at most");
   }

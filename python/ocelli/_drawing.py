@@ -28,9 +28,8 @@ def render(scene, camera="di", *, view=None, size=(720, 480), method="raster", p
         if constructor_of(chosen):
             if method not in ("raster", "raycast"):
                 raise InputError(f"graph and curved ray cameras are not drawn by {method}", "method", "use raster or raycast")
-            images = _ocelli.construct_images(
-                scene_of(scene, callback), chosen, view_of(view), width, height, method == "raycast"
-            )
+            construction = "rays" if method == "raycast" else "raster"
+            images = _ocelli.construct_images(scene_of(scene, callback), chosen, view_of(view), width, height, construction)
         else:
             mesh = mesh_of(scene, callback)
             images = _ocelli.draw_images(mesh, chosen, view_of(view), width, height, method, callback)

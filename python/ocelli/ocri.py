@@ -36,8 +36,7 @@ def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="aut
     chosen = camera_of(camera, options, (width, height))
     with Shown(progress) as callback:
         if constructor_of(chosen):
-            by_rays = construction == "rays"
-            return _ocelli.construct_images(scene_of(scene, callback), chosen, view_of(view), width, height, by_rays)
+            return _ocelli.construct_images(scene_of(scene, callback), chosen, view_of(view), width, height, construction)
         mesh = mesh_of(scene, callback)
         return _ocelli.build_images(mesh, chosen, view_of(view), width, height, construction, callback)
 

@@ -73,7 +73,7 @@ TEST(CameraRays, aMapOfAMapIsTheSame) {
   EXPECT_EQ(again.ray(20, 13).path(), map->ray(20, 13).path());
 }
 
-/// No view says where its rays begin, so an object around the eye of the reference view is none of its business.
+/// The rays of a map in the world do not begin at the eye of the reference view: that eye may lie inside an object.
 TEST(RayMapImage, rayMapsInTheWorldHaveNoEye) {
   Mesh mesh = boxBeforeWall();
   append(mesh, makeBox(glm::vec3(0.2f)), glm::translate(glm::mat4(1), View{}.eye));

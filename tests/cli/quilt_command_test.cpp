@@ -95,5 +95,16 @@ TEST_F(QuiltCommand, refusesWhatMakesNoSense) {
   refused("-o " + path("x.mp4"), "stands still");
 }
 
+#ifdef OCELLI_WITH_OPENGL
+/// Before a window opens.
+TEST_F(QuiltCommand, aLightFieldDisplayRefusesOptionsOfOthers) {
+  for (const std::string option : {"--turn 30", "--profile perspecta", "--tear", "--eyes udp:5005", "--camera ddoc"}) {
+    const ProgramResult result = runProgram("present builtin:teapot --device quilt:portrait " + option);
+    EXPECT_EQ(result.exitCode, 2) << option;
+    EXPECT_THAT(result.error, HasSubstr("takes no " + option.substr(0, option.find(' ')))) << option;
+  }
+}
+#endif
+
 }  // namespace
 }  // namespace ocelli::test

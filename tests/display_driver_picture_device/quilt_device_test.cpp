@@ -78,6 +78,7 @@ TEST(QuiltWindowText, saysWhichDisplayAndWhere) {
   ASSERT_TRUE(all.calibration);
   EXPECT_EQ(all.calibration->width, 1536);
   EXPECT_EQ(quiltWindowOptionsFromText("go,calibration=" + panel + ",cone=30").display.coneDegrees, 30);
+  EXPECT_EQ(quiltWindowOptionsFromText("go,cone=30,calibration=" + panel).display.coneDegrees, 30);
 }
 
 TEST(QuiltWindowText, whatIsWrongIsNamed) {
@@ -94,6 +95,7 @@ TEST(QuiltWindowText, whatIsWrongIsNamed) {
   EXPECT_THAT(message("go,screen=1"), AllOf(HasSubstr("screen=1"), HasSubstr("monitor=N")));
   EXPECT_THAT(message("go,monitor"), HasSubstr("monitor"));
   EXPECT_THAT(message("go,monitor=two"), HasSubstr("two"));
+  EXPECT_THAT(message("go,monitor=1.5"), HasSubstr("1.5"));
   EXPECT_THAT(message("go,cone=500"), HasSubstr("cone"));
 }
 

@@ -36,6 +36,23 @@ TEST(PanelOrder, plainNumbersDoToo) {
   EXPECT_THAT(panel.unused, testing::ElementsAre("\"flipImageX\": 1"));
 }
 
+TEST(PanelOrder, viewsInTheOtherOrderAreNotDone) {
+  const PanelCalibration panel = calibrationFromJsonText(
+      R"({"pitch": 50, "slope": 5, "center": 0, "DPI": 300, "screenW": 20, "screenH": 10, "invView": 0})", "v");
+  EXPECT_THAT(panel.unused, testing::ElementsAre("\"invView\": 0"));
+}
+
+TEST(PanelOrder, theConeThatIsGivenGoesBeforeThatOfTheCalibration) {
+  PanelCalibration panel = calibrationFromJsonText(kCalibration, "visual.json");
+  const QuiltDisplay display = loadQuiltDisplay("portrait");
+  EXPECT_EQ(withCone(display, panel, 30).coneDegrees, 30);
+  EXPECT_EQ(withCone(display, panel, {}).coneDegrees, 53);
+  EXPECT_EQ(withCone(display, {}, {}), display);
+  panel.coneDegrees.reset();
+  EXPECT_EQ(withCone(display, panel, {}), display);
+  EXPECT_THROW(withCone(display, panel, 500), InputError);
+}
+
 TEST(PanelOrder, wrongCalibrationsAreNamed) {
   const auto message = [](const std::string& text) {
     try {

@@ -93,6 +93,9 @@ class Cameras(unittest.TestCase):
             ocelli.ocri.build(self.teapot, "ddoc", tiles=3)
         with self.assertRaises(ocelli.InputError):
             ocelli.render(self.teapot, method="magic")
+        for camera in ("ddoc", "portal"):
+            with self.assertRaisesRegex(ocelli.InputError, "magic"):
+                ocelli.ocri.build(self.teapot, camera, construction="magic")
         with self.assertRaises(ocelli.InputError):
             ocelli.render(self.teapot, size=(0, 10))
         with self.assertRaises(ocelli.InputError):
