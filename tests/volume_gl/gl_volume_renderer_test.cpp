@@ -8,6 +8,7 @@
 #include "oc_core/camera/cylinder_camera.h"
 #include "oc_core/camera/panorama_camera.h"
 #include "oc_core/ocri/eoc_builder.h"
+#include "oc_core/volume_render/ray_pieces.h"
 #include "oc_core/volume_render/volume_renderer.h"
 #include "tests/camera/test_curved_cameras.h"
 #include "tests/camera/test_graph_cameras.h"
@@ -294,6 +295,34 @@ TEST_P(GlVolumeRendererTest, stepsOverSeveralPiecesAreThoseOfTheCpu) {
       // by up to 24 there.
       EXPECT_NEAR(expected[i].t, got[i].t, 5e-5f / (0.5f * 1.2f) * 24) << "step " << step << ", pixel " << i;
     }
+  }
+}
+
+// A ray may leave the volume and enter it again, and each time begins another sample.
+TEST_P(GlVolumeRendererTest, raysThatEnterOftenTakeSeveralPasses) {
+  VolumeScene scene = test::waves(false);
+  scene.appearance.transfer = test::everywhere(0.001, 1.0 / 24);
+  const auto path = [](const glm::vec2& pixel) {
+    RayPath ray;
+    for (int i = 0; i < 100; ++i) {
+      ray.push_back({i % 2 == 0 ? 1.1f : 0.9f, 0.1f * pixel.y, -0.5f + 0.01f * static_cast<float>(i) + 0.002f * pixel.x});
+    }
+    return ray;
+  };
+  // A software renderer takes 3500 turns in a pass, two a step. A ray of 1700 steps takes some more, as its 50 parts are
+  // no multiples of a step.
+  for (const double steps : {1600.0, 1700.0, 1745.0, 1800.0}) {
+    VolumeExtent::Pieces pieces;
+    double length = 0;
+    const size_t count = VolumeExtent(scene).cut(path({0.5f, 0.5f}), std::numeric_limits<double>::infinity(), pieces);
+    for (size_t i = 0; i < count; ++i) {
+      length += pieces[i].length;
+    }
+    const VolumeRenderOptions options{
+        .step = length / steps / scene.volume->grid().meanSpacing(), .endTransmittance = 0, .skipEmpty = false};
+    const VolumeImage expected = VolumeRenderer(scene, options).render(4, 4, path);
+    const VolumeImage got = GlVolumeRenderer(*context_, scene, options).render(4, 4, path);
+    test::expectAgreement(expected, got, fmt::format("{} steps", steps), test::kRoundingTolerance);
   }
 }
 
