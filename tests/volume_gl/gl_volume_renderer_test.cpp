@@ -132,7 +132,10 @@ TEST_P(GlVolumeRendererTest, theLowestNumberIsItself) {
 }
 
 TEST_P(GlVolumeRendererTest, takesThinVolumes) {
-  const PinholeCamera camera(View{}, 30, 20);
+  // Near enough that a volume of one voxel fills a hundredth of every image, also of the graph camera's.
+  View view;
+  view.fovVerticalDegrees = 6;
+  const PinholeCamera camera(view, 30, 20);
   for (const glm::ivec3& size : {glm::ivec3(1, 1, 1), glm::ivec3(1, 9, 9), glm::ivec3(9, 1, 9), glm::ivec3(9, 9, 1),
                                  glm::ivec3(2, 2, 2), glm::ivec3(5, 1, 1)}) {
     const auto number = [](const glm::dvec3& p) { return 100 + 15 * p.x + 3 * p.y - 8 * p.z; };
