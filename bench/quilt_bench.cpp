@@ -5,19 +5,18 @@
 // stands still, the acceleration structure stands too: its time is told apart.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "bench/bench_program.h"
 #include "bench/timing.h"
 #include "display_sim/quilt/color_and_depth.h"
 #include "display_sim/quilt/quilt_errors.h"
 #include "display_sim/quilt/quilt_images.h"
 #include "display_sim/quilt/quilt_render.h"
-#include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/parallel.h"
 #include "oc_core/render/raycast.h"
@@ -199,13 +198,5 @@ int main(int argumentCount, char** arguments) {
   program.add_flag("--no-renders", choice.skipsRenders, "Leave out the time of rendering every view");
   program.add_flag("--no-errors", choice.skipsErrors, "Leave out the comparison of images");
   program.add_option("--json", choice.json, "Also write the figures here");
-  CLI11_PARSE(program, argumentCount, arguments);
-  setThreadCount(choice.threads);
-  try {
-    measure(choice);
-    return 0;
-  } catch (const Error& error) {
-    fmt::print(stderr, "quilt_bench: error: {}\n", error.what());
-    return 1;
-  }
+  return runProgram(program, argumentCount, arguments, choice, measure);
 }
