@@ -283,7 +283,7 @@ RayPath windingPath(const glm::vec2& pixel) {
   return path;
 }
 
-// A step is lit in its middle, and gets its depth where the threshold is reached, whichever piece of the ray that is in.
+// A step is lit in its middle, and has its depth where the threshold is reached, in whichever piece of the ray that is.
 TEST_P(GlVolumeRendererTest, stepsOverSeveralPiecesAreThoseOfTheCpu) {
   constexpr int kSide = 24;
   VolumeScene scene = test::waves();
@@ -308,12 +308,13 @@ TEST_P(GlVolumeRendererTest, raysThatEnterOftenTakeSeveralPasses) {
   const auto path = [](const glm::vec2& pixel) {
     RayPath ray;
     for (int i = 0; i < 100; ++i) {
-      ray.push_back({i % 2 == 0 ? 1.1f : 0.9f, 0.1f * pixel.y, -0.5f + 0.01f * static_cast<float>(i) + 0.002f * pixel.x});
+      ray.push_back(
+          {i % 2 == 0 ? 1.1f : 0.9f, 0.1f * pixel.y, -0.5f + 0.01f * static_cast<float>(i) + 0.002f * pixel.x});
     }
     return ray;
   };
-  // A software renderer takes 3500 turns in a pass, two a step. A ray of 1700 steps takes some more, as its 50 parts are
-  // no multiples of a step.
+  // A software renderer takes 3500 turns in a pass, two a step. A ray of 1700 steps takes some more, as its 50 parts
+  // are no multiples of a step.
   for (const double steps : {1600.0, 1700.0, 1745.0, 1800.0}) {
     VolumeExtent::Pieces pieces;
     double length = 0;
