@@ -17,12 +17,21 @@ window.probe = {
     return {data: pixels, width: canvas.width, height: canvas.height};
   },
 
-  /// The picture of now, fine or quick, under a name; and the image that it is drawn from, for image().
-  keep(name, isQuick) {
+  /// The picture of now, fine or quick, under a name; and the image that it is drawn from, for image(): that which the
+  /// page draws from, or another that it had.
+  keep(name, isQuick, image = undefined) {
     const page = this.page();
     page.draw();
-    this[name] = this.pixels(() => page.picture.draw(page.view, page.lensMap, [page.drawn.image], {isQuick}));
-    this.kept = page.drawn.image;
+    this.kept = image ?? page.drawn.image;
+    this[name] = this.pixels(() => page.picture.draw(page.view, page.lensMap, [this.kept], {isQuick}));
+  },
+
+  /// From now on the page doesn't let go of the image that it draws from now: `held`.
+  hold() {
+    const {picture, drawn} = this.page();
+    this.held = drawn.image;
+    const remove = picture.remove.bind(picture);
+    picture.remove = (image) => image === this.held || remove(image);
   },
 
   async decoded(base64) {
