@@ -5,7 +5,6 @@
 // stands still, the acceleration structure stands too: its time is told apart.
 #include <fmt/format.h>
 
-#include <CLI/CLI.hpp>
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -41,19 +41,6 @@ BrickSpan bricksOver(double from, double to, int cells) {
   return {first, last - first + 1};
 }
 
-}  // namespace
-
-SweptPlane::SweptPlane(const glm::dmat4& indexFromScene, const SweepGeometry& sweep, int slice)
-    : origin(indexFromScene[3]) {
-  const glm::dvec2& direction = sweep.sectorDirection(slice);
-  const glm::dmat3 linear(indexFromScene);
-  byRadius = linear * glm::dvec3(direction.x, 0, direction.y);
-  byAcross = linear * glm::dvec3(-direction.y, 0, direction.x);
-  byHeight = linear * glm::dvec3(0, 1, 0);
-}
-
-namespace {
-
 /// What of the screen a box cuts out, as (r, y), that reaches `margin` farther along each index axis than the volume's.
 std::vector<glm::dvec2> boxOnScreen(const SweptPlane& plane, const glm::dvec3& upper, const glm::dvec3& margin,
                                     double halfHeight) {
@@ -69,6 +56,15 @@ std::vector<glm::dvec2> boxOnScreen(const SweptPlane& plane, const glm::dvec3& u
 }
 
 }  // namespace
+
+SweptPlane::SweptPlane(const glm::dmat4& indexFromScene, const SweepGeometry& sweep, int slice)
+    : origin(indexFromScene[3]) {
+  const glm::dvec2& direction = sweep.sectorDirection(slice);
+  const glm::dmat3 linear(indexFromScene);
+  byRadius = linear * glm::dvec3(direction.x, 0, direction.y);
+  byAcross = linear * glm::dvec3(-direction.y, 0, direction.x);
+  byHeight = linear * glm::dvec3(0, 1, 0);
+}
 
 SweptSlice sweptOutline(const SweptPlane& plane, const glm::dvec3& upper, const SweepGeometry& sweep) {
   // Half of a column and of a row, and half of the thickness of cells: that at the rim, and then that of the farthest

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/camera/ray_path.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_program.h"
 #include "oc_core/gl/shaders.h"
@@ -67,8 +68,10 @@ void GlVolumeMarch::run(const VolumeMarchKind& kind, const VolumeMarchNumbers& n
   gl.Uniform1f(4, numbers.depthTransmittance);
   gl.Uniform2f(5, numbers.entriesByTexel, numbers.firstEntry);
   gl.Uniform1ui(6, maxIterations);
-  // A slab takes one turn of each loop.
-  const double turns = 2 * (longest / static_cast<double>(numbers.step) + 2);
+  // A slab takes one turn of each loop. Each part of a ray that leaves the volume and enters it again ends with a slab
+  // that may be shorter.
+  const double parts = kind.rays == VolumeRaysFrom::kList ? double{RayPath::kMaxPoints} : 1;
+  const double turns = 2 * (longest / static_cast<double>(numbers.step) + 1 + parts);
   uint32_t left = 1;
   for (bool isFirst = true; left > 0; isFirst = false) {
     const uint32_t none = 0;

@@ -26,12 +26,30 @@ layout(location = 7) uniform bool isFirstPass;
 
 const uint kDone = 0xffffffffu;
 
-// Where a ray is: the sample `step` of a chain of pieces.
-struct Place {
-  uint piece;
-  uint step;
-  float chainBegin;
+// A piece, its number, and the length from where its chain begins to where it does.
+struct ChainPiece {
+  VolumeRayPiece ray;
+  uint number;
+  float begin;
 };
+const ChainPiece kNoChainPiece = ChainPiece(kNoPiece, 0u, 0.0);
+
+// The piece of a chain of `count` pieces of a ray that holds a length from where the chain begins, looked for from
+// `piece` on, which begins no farther than there. The last one holds all lengths beyond.
+ChainPiece pieceAtLength(ChainPiece piece, float at, uint count) {
+  while (at >= piece.begin + piece.ray.length && piece.number + 1u < count) {
+    VolumeRayPiece behind = pieceAt(piece.number + 1u);
+    if (!behind.continues) {
+      break;
+    }
+    piece = ChainPiece(behind, piece.number + 1u, piece.begin + piece.ray.length);
+  }
+  return piece;
+}
+
+vec3 indexAtLength(ChainPiece piece, float at) {
+  return piece.ray.from + piece.ray.way * (at - piece.begin);
+}
 
 float entryAt(vec3 index) {
   return entryFromTexel.x * texelField(index) + entryFromTexel.y;
@@ -43,7 +61,9 @@ void main() {
     return;
   }
   uint stopIndex = uint((pixel.y - firstRow) * imageSize(colors).x + pixel.x);
-  Place place = Place(0u, 0u, 0.0);
+  // Where the ray is: at the sample `step` of a chain.
+  uint step = 0u;
+  ChainPiece piece = kNoChainPiece;
   vec3 light = vec3(0);
   // Of all slabs so far. What passes is computed from this sum: a product of many factors would gather the error that
   // OpenGL allows exp().
@@ -58,7 +78,9 @@ void main() {
     if (stop.step == kDone) {
       return;
     }
-    place = Place(stop.piece, stop.step, stop.chainBegin);
+    step = stop.step;
+    piece.number = stop.piece;
+    piece.begin = stop.chainBegin;
     known = opticalPlace(stop.entry);
     isKnown = true;
     vec4 depth = imageLoad(depths, pixel);
@@ -69,51 +91,39 @@ void main() {
     samples = depth.z;
   }
   uint count = pieceCount(pixel, stopIndex);
-  bool isDone = place.piece >= count;
-  VolumeRayPiece piece = isDone ? kNoPiece : pieceAt(place.piece);
+  bool isDone = piece.number >= count;
+  if (!isDone) {
+    piece.ray = pieceAt(piece.number);
+  }
   // Empty bricks around the place.
-  int empty = emptyBricksAround(piece.from + piece.way * (float(place.step) * stepLength - place.chainBegin));
+  int empty = emptyBricksAround(indexAtLength(piece, float(step) * stepLength));
 
   uint turns = 0u;
   while (!isDone && turns < maxIterations) {
     ++turns;
-    // The next slab in which something is seen, and the pieces in which it begins and ends.
+    // The next slab in which something is seen, and the piece in which it begins. It may reach over several.
     Slab slab = Slab(kNoOpticalPlace, kNoOpticalPlace, vec4(0), 0.0, 0.0, 0.0);
-    VolumeRayPiece slabPiece = kNoPiece;
-    VolumeRayPiece slabEndPiece = kNoPiece;
-    float slabEnd = 0.0;  // lengths from where the chain begins
-    float slabChainBegin = 0.0;
-    float slabEndChainBegin = 0.0;
+    ChainPiece slabPiece = kNoChainPiece;
+    float slabEnd = 0.0;  // length from where the chain begins
     bool isFound = false;
     while (!isFound && !isDone && turns < maxIterations) {
       ++turns;
-      float begin = float(place.step) * stepLength;  // length from where the chain begins
-      float along = begin - place.chainBegin;
-      vec3 index = piece.from + piece.way * along;
-      uint skipped = empty > 0 ? emptySteps(index, piece.way, piece.length - along, empty, stepLength) : 0u;
+      float begin = float(step) * stepLength;  // length from where the chain begins
+      vec3 index = indexAtLength(piece, begin);
+      float left = piece.ray.length - (begin - piece.begin);
+      uint skipped = empty > 0 ? emptySteps(index, piece.ray.way, left, empty, stepLength) : 0u;
       if (skipped > 0u) {
-        place.step += skipped;
-        empty = emptyBricksAround(piece.from + piece.way * (float(place.step) * stepLength - place.chainBegin));
+        step += skipped;
+        empty = emptyBricksAround(indexAtLength(piece, float(step) * stepLength));
         isKnown = false;
         continue;
       }
       // The sample at the other end, in this piece or in one that continues it.
       float target = begin + stepLength;
-      VolumeRayPiece next = piece;
-      uint nextPiece = place.piece;
-      float nextBegin = place.chainBegin;
-      while (target >= nextBegin + next.length && nextPiece + 1u < count) {
-        VolumeRayPiece behind = pieceAt(nextPiece + 1u);
-        if (!behind.continues) {
-          break;
-        }
-        nextBegin += next.length;
-        next = behind;
-        ++nextPiece;
-      }
-      bool isLast = target >= nextBegin + next.length;
-      float end = isLast ? nextBegin + next.length : target;
-      vec3 nextIndex = next.from + next.way * (end - nextBegin);
+      ChainPiece next = pieceAtLength(piece, target, count);
+      bool isLast = target >= next.begin + next.ray.length;
+      float end = isLast ? next.begin + next.ray.length : target;
+      vec3 nextIndex = indexAtLength(next, end);
       int nextEmpty = emptyBricksAround(nextIndex);
       bool isEmpty = empty > 0 && nextEmpty > 0;
       if (!isEmpty) {
@@ -126,22 +136,20 @@ void main() {
         slab = Slab(known, behind, opticalBetween(known, behind), end - begin, 0.0, 0.0);
         isFound = slab.mean.x * slab.size > 0.0;
         slabPiece = piece;
-        slabEndPiece = next;
         slabEnd = end;
-        slabChainBegin = place.chainBegin;
-        slabEndChainBegin = nextBegin;
         known = behind;
       }
       isKnown = !isEmpty && !isLast;
       empty = nextEmpty;
-      place = Place(nextPiece, place.step + 1u, nextBegin);
+      ++step;
       piece = next;
       if (isLast) {
-        place = Place(nextPiece + 1u, 0u, 0.0);
-        isDone = place.piece >= count;
+        step = 0u;
+        piece = ChainPiece(kNoPiece, next.number + 1u, 0.0);
+        isDone = piece.number >= count;
         if (!isDone) {
-          piece = pieceAt(place.piece);
-          empty = emptyBricksAround(piece.from);
+          piece.ray = pieceAt(piece.number);
+          empty = emptyBricksAround(piece.ray.from);
         }
       }
     }
@@ -156,26 +164,23 @@ void main() {
       vec3 added = kept * meanColor + lightOfOrder(slab, meanColor);
 #if SHADING
       float center = slabEnd - 0.5 * slab.size;  // of the slab
-      bool isInNext = center >= slabEndChainBegin;
-      vec3 index = isInNext ? slabEndPiece.from + slabEndPiece.way * (center - slabEndChainBegin)
-                            : slabPiece.from + slabPiece.way * (center - slabChainBegin);
-      vec2 lit = lightAt(index, isInNext ? slabEndPiece.direction : slabPiece.direction);
+      ChainPiece middle = pieceAtLength(slabPiece, center, count);
+      vec2 lit = lightAt(indexAtLength(middle, center), middle.ray.direction);
       added = added * lit.x + kept * lit.y;
 #endif
       light += added;
       if (depthT == kNowhere && transmittance <= depthTransmittance) {
         float share = clamp(log(slab.before / depthTransmittance) / slabDepth, 0.0, 1.0);
-        float from = slabPiece.t + slabPiece.tByLength * (slabEnd - slab.size - slabChainBegin);
-        float to = slabEndPiece.t + slabEndPiece.tByLength * (slabEnd - slabEndChainBegin);
-        depthT = mix(from, to, share);
+        float at = slabEnd - (1.0 - share) * slab.size;
+        ChainPiece there = pieceAtLength(slabPiece, at, count);
+        depthT = there.ray.t + there.ray.tByLength * (at - there.begin);
       }
       isDone = isDone || transmittance <= endTransmittance;
     }
   }
   if (!isDone) {
-    float along = float(place.step) * stepLength - place.chainBegin;
-    float entry = isKnown ? known.entry : entryAt(piece.from + piece.way * along);
-    stops[stopIndex] = Stop(place.piece, place.step, place.chainBegin, entry);
+    float entry = isKnown ? known.entry : entryAt(indexAtLength(piece, float(step) * stepLength));
+    stops[stopIndex] = Stop(piece.number, step, piece.begin, entry);
     atomicAdd(unfinished, 1u);
   } else {
     stops[stopIndex] = Stop(0u, kDone, 0.0, 0.0);
