@@ -24,7 +24,7 @@ def evaluate(
 
     Args:
         scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
-        cameras: names, dicts with options, files, or your own; see `ocelli.camera`.
+        cameras: names, dicts with options, files, or your own (see `ocelli.camera`); a list, or one of them.
         view: the reference view; None: from (0, 0, 10).
         size: (width, height), pixels.
         cell_side: of the cell, display radii; 1.6 are 8 inches at the reference display.
@@ -42,7 +42,8 @@ def evaluate(
         InputError: for unknown cameras, and where a viewpoint lies inside an object.
     """
     width, height = size_of(size)
-    chosen = [camera_of(camera, {}, (width, height)) for camera in cameras]
+    several = cameras if isinstance(cameras, (list, tuple)) else [cameras]
+    chosen = [camera_of(camera, {}, (width, height)) for camera in several]
     with Shown(progress) as callback:
         mesh = mesh_of(scene, callback)
         text = _ocelli.evaluate(

@@ -22,6 +22,12 @@ class Evaluation(unittest.TestCase):
         self.assertEqual(len(table), 2)
         self.assertIn("name", table.columns)
 
+    def test_one_camera_needs_no_list(self):
+        rows = ocelli.evaluate(
+            "builtin:fence", "di", size=(72, 48), interior_views=2, runs=1, compare_images=False, progress=False
+        )
+        self.assertEqual([row["name"] for row in rows], ["di"])
+
     def test_a_cell_that_reaches_into_an_object(self):
         corners = numpy.array(list(itertools.product([-0.5, 0.5], repeat=3)))
         faces = [(0, 1, 3, 2), (4, 6, 7, 5), (0, 4, 5, 1), (2, 3, 7, 6), (0, 2, 6, 4), (1, 5, 7, 3)]
