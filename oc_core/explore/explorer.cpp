@@ -18,7 +18,7 @@ namespace {
 /// Of the picture's height: narrower images of what is behind would be wider than half a turn from top to bottom.
 constexpr double kMinBehind = 0.005;
 constexpr double kSlowedDeployed = 0.15;  // from which on the head turns as slowly as it has to
-constexpr double kRamp = 0.1;  // of an even movement, while it begins and while it ends
+constexpr double kRamp = 0.1;             // of an even movement, while it begins and while it ends
 /// Of the range of an option, a second: how fast a steady option follows what was set.
 constexpr double kOptionShareASecond = 0.5;
 
