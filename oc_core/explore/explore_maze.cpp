@@ -20,7 +20,7 @@ namespace {
 
 /// Of each of the four steps of a turn. The second moves all that is ahead, the third all that is behind.
 constexpr std::array<double, 4> kStepSeconds{1.2, 1.8, 2.4, 1.5};
-constexpr double kMazeTurnShare = 0.8;     // of the image, both parts turn
+constexpr double kMazeTurnShare = 0.8;    // of the image, both parts turn
 constexpr double kMazeDeployShare = 0.5;  // what is behind takes half of the image from what is ahead
 /// The phase from which on the image ahead is a pinhole's before the chosen way. In the one before, rays come in almost
 /// parallel, at the slant of the crossing: the way is as tall as in the pinhole's, but not quite as wide. So it
