@@ -176,10 +176,10 @@ class WalkCameraBuilder {
     if (!(result.deployed > 0)) {
       return;
     }
-    result.camera = GraphCamera(
-        PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
-                               lowered(ahead, result.deployed, eyeHeight(region)), aspect(), space_.size()),
-                      width_, height_));
+    result.camera =
+        GraphCamera(PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
+                                           lowered(ahead, result.deployed, eyeHeight(region)), aspect(), space_.size()),
+                                  width_, height_));
     result.ways = addCrossingWays(result.camera, space_, *ahead.opening, viewOfWays(region, result.deployed));
     for (const Plane& side : closedSides(space_.regions()[region], result.deployed)) {
       if (std::abs(glm::dot(side.normal, spaceOf(ahead.direction, 0))) < 0.5 && side.height(eye_) < 0) {
