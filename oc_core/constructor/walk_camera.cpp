@@ -116,14 +116,23 @@ class WalkCameraBuilder {
 
  private:
   GraphCamera pinhole() const {
-    const RootLens lens = lowered({0, tangentOf(options_.fovHorizontalDegrees), 0}, 0);
+    RootLens lens{0, tangentOf(options_.fovHorizontalDegrees), 0};
+    lens.down = options_.lowered * horizonShift(0, 0);
     return GraphCamera(PinholeCamera(rootView(space_, eye_, heading_, lens, aspect(), space_.size()), width_, height_));
   }
   double aspect() const { return static_cast<double>(width_) / height_; }
   double eyeHeight(uint32_t region) const { return eye_.y - space_.regions()[region].floorAt(planOf(eye_)); }
 
-  RootLens lowered(RootLens lens, double eyeHeight) const {
-    lens.down = options_.lowered * horizonShift(eyeHeight, 2 * lens.tangent * lens.behind / aspect());
+  double horizonIn(const RootLens& lens, double eyeHeight) const {
+    return horizonShift(eyeHeight, 2 * lens.tangent * lens.behind / aspect());
+  }
+
+  /// Level rays move evenly from where they are in the pinhole to where they are in full, and show nothing below the
+  /// floor on the way.
+  RootLens lowered(const WalkAhead& ahead, double deployed, double eyeHeight) const {
+    RootLens lens = lensIn(ahead, deployed);
+    const double between = glm::mix(horizonShift(0, 0), horizonIn(lensIn(ahead, 1), eyeHeight), deployed);
+    lens.down = options_.lowered * std::max(between, horizonIn(lens, eyeHeight));
     return lens;
   }
 
@@ -167,10 +176,10 @@ class WalkCameraBuilder {
     if (!(result.deployed > 0)) {
       return;
     }
-    result.camera = GraphCamera(
-        PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
-                               lowered(lensIn(ahead, result.deployed), eyeHeight(region)), aspect(), space_.size()),
-                      width_, height_));
+    result.camera =
+        GraphCamera(PinholeCamera(rootView(space_, eye_, directionIn(ahead, result.deployed),
+                                           lowered(ahead, result.deployed, eyeHeight(region)), aspect(), space_.size()),
+                                  width_, height_));
     result.ways = addCrossingWays(result.camera, space_, *ahead.opening, viewOfWays(region, result.deployed));
     for (const Plane& side : closedSides(space_.regions()[region], result.deployed)) {
       if (std::abs(glm::dot(side.normal, spaceOf(ahead.direction, 0))) < 0.5 && side.height(eye_) < 0) {

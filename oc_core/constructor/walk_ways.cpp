@@ -171,7 +171,8 @@ void shareOut(std::vector<FanAim>& aims, const std::vector<WalkWay>& ways, const
     const bool chosen = aim.exit >= 0 && ways[wayOfExit[static_cast<size_t>(aim.exit)]].portal == view.chosenPortal;
     const double toChosen = view.chosenPortal ? view.chosenShare : 0;
     aim.share = glm::mix(aim.share, chosen ? 1.0 : 0.0, toChosen);
-    aim.distance = glm::mix(aim.distance, kParallelWidths * width, chosen ? toChosen : 0);
+    // By how much its rays spread, so that they turn evenly while the viewpoint moves far away.
+    aim.distance = 1 / glm::mix(1 / aim.distance, 1 / (kParallelWidths * width), chosen ? toChosen : 0);
   }
 }
 

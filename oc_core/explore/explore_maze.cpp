@@ -18,7 +18,10 @@
 namespace ocelli {
 namespace {
 
-constexpr double kStepSeconds = 1.2;  // of each of the four steps of a turn
+/// Of each of the four steps of a turn. The second moves all that is ahead, the third all that is behind.
+constexpr std::array<double, 4> kStepSeconds{1.2, 1.8, 2.4, 1.5};
+constexpr double kMazeTurnShare = 0.8;    // of the image, both parts turn
+constexpr double kMazeDeployShare = 0.5;  // what is behind takes half of the image from what is ahead
 /// The phase from which on the image ahead is a pinhole's before the chosen way. In the one before, rays come in almost
 /// parallel, at the slant of the crossing: the way is as tall as in the pinhole's, but not quite as wide. So it
 /// dissolves.
@@ -33,6 +36,20 @@ constexpr double kMinFov = 10;  // degrees, of the image behind
 double fovBehind(double fovHorizontal, const glm::ivec2& size) {
   const double widest = degreesFromRadians(2 * std::atan(static_cast<double>(size.x) / size.y));
   return std::clamp(widest, kMinFov, fovHorizontal);
+}
+
+/// The phase of a turn, so much later.
+double later(double phase, double seconds) {
+  while (phase < kStepSeconds.size() && seconds > 0) {
+    const auto step = static_cast<size_t>(phase);
+    const double left = (static_cast<double>(step + 1) - phase) * kStepSeconds[step];
+    if (seconds < left) {
+      return phase + seconds / kStepSeconds[step];
+    }
+    seconds -= left;
+    phase = static_cast<double>(step + 1);
+  }
+  return phase;
 }
 
 enum class MazeOption : size_t { kLeft, kAhead, kRight, kCrossingShare, kFovWay, kBehind };
@@ -72,7 +89,7 @@ class LiveMaze final : public LiveConstructor {
       return std::nullopt;
     }
     const double before = turn_->phase;
-    turn_->phase = std::min(4.0, before + moment.seconds / kStepSeconds);
+    turn_->phase = later(before, moment.seconds);
     dissolves_ = before < kPinholeAhead && turn_->phase >= kPinholeAhead;
     WalkerView view = between(turnFrom_, turnTo_, std::clamp(turn_->phase / 4, 0.0, 1.0));
     if (turn_->phase >= 4) {
@@ -235,7 +252,7 @@ class LiveMaze final : public LiveConstructor {
 
 LiveConstructorRow liveMaze() {
   const WalkCameraOptions usual;
-  return {
+  LiveConstructorRow row{
       "maze",
       "shows all ways that leave the crossing or room ahead, and at the left those behind",
       "a way to turn into, in four steps",
@@ -250,6 +267,10 @@ LiveConstructorRow liveMaze() {
       true,
       [](const ExploreScene&) { return std::make_unique<LiveMaze>(); },
       [](const ExploreScene&) { return true; }};
+  row.turnShare = kMazeTurnShare;
+  row.deployShare = kMazeDeployShare;
+  row.deploysEvenly = true;
+  return row;
 }
 
 }  // namespace ocelli

@@ -54,7 +54,7 @@ ExploreStep readWalk(JsonFields& fields) {
   };
 }
 
-/// Over as many frames as it takes at the full speed.
+/// At the full speed, as a pressed key turns; the last frame turns by what is left.
 ExploreStep readTurn(JsonFields& fields, const std::string& name, double WalkInput::*part) {
   const double degrees = fields.number(name, -kMaxTurn, kMaxTurn);
   return [=](ExploreSession& session) {
@@ -63,7 +63,7 @@ ExploreStep readTurn(JsonFields& fields, const std::string& name, double WalkInp
       // The speed may change as cameras deploy.
       const double speed = session.explorer().turnDegrees();
       WalkInput input;
-      input.*part = left * kExploreFramesPerSecond / (speed * framesFor(std::abs(left) / speed));
+      input.*part = std::clamp(left * kExploreFramesPerSecond / speed, -1.0, 1.0);
       left -= input.*part * speed / kExploreFramesPerSecond;
       session.showFrame(input);
     }

@@ -17,12 +17,21 @@ namespace {
 
 /// Of the picture's height: narrower images of what is behind would be wider than half a turn from top to bottom.
 constexpr double kMinBehind = 0.005;
-constexpr double kSlowedDeployed = 0.25;  // from which on the head turns as slowly as it has to
+constexpr double kSlowedDeployed = 0.15;  // from which on the head turns as slowly as it has to
+constexpr double kRamp = 0.1;             // of an even movement, while it begins and while it ends
 /// Of the range of an option, a second: how fast a steady option follows what was set.
 constexpr double kOptionShareASecond = 0.5;
 
 double eased(double share) {
   return glm::smoothstep(0.0, 1.0, share);
+}
+
+/// At one speed, which it reaches and leaves steadily.
+double evenlyEased(double share) {
+  if (share > 0.5) {
+    return 1 - evenlyEased(1 - share);
+  }
+  return (share < kRamp ? share * share / (2 * kRamp) : share - kRamp / 2) / (1 - kRamp);
 }
 
 struct OptionWish {
@@ -85,6 +94,8 @@ struct Explorer::State {
 
   ChosenConstructor& chosen() { return next ? *next : live; }
   bool changes() const { return next.has_value() || live.waits(); }
+  /// How far the image shows the camera deployed.
+  double shown() const { return live.row->deploysEvenly ? evenlyEased(deployed) : eased(deployed); }
 };
 
 Explorer::Explorer(ExploreScene& scene, const ExplorerOptions& options)
@@ -160,7 +171,7 @@ LiveMoment Explorer::momentFor(const PinholeCamera& view, double seconds) const 
           walker_.view(),
           walker_.options(),
           seconds,
-          eased(state_->deployed),
+          state_->shown(),
           behind > 0 ? std::optional(glm::ivec2(behind, state_->height)) : std::nullopt};
 }
 
@@ -234,7 +245,7 @@ void Explorer::deploy(double seconds) {
   const bool leaves = state.changes() && !state.live.constructor->busy();
   const bool wanted = !leaves && !state.failed && !state.glide && !waysMissing();
   if (state.live.row->collapses) {
-    const double most = seconds / options_.deploySeconds;
+    const double most = seconds / options_.deploySeconds * state.live.row->deployShare;
     state.deployed += std::clamp((wanted ? 1.0 : 0.0) - state.deployed, -most, most);
   } else if (wanted && state.deployed == 0) {
     startDissolve();
@@ -253,7 +264,7 @@ void Explorer::makeFrame(double seconds) {
     return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, width, state.height);
   };
   LiveConstructor& constructor = *state.live.constructor;
-  const int wanted = constructor.showsBehind() ? static_cast<int>(state.width / 2 * eased(state.deployed)) : 0;
+  const int wanted = constructor.showsBehind() ? static_cast<int>(state.width / 2 * state.shown()) : 0;
   const PinholeCamera whole = viewOf(state.width);
   const PinholeCamera view = viewOf(state.width - (wanted > kMinBehind * state.height ? wanted : 0));
 

@@ -27,7 +27,7 @@ struct ExplorerOptions {
   int width = 1280;
   int height = 720;
   WalkerOptions walker{};
-  double deploySeconds = 1.5;    ///< from collapsed to deployed
+  double deploySeconds = 1.5;    ///< from collapsed to deployed; see LiveConstructorRow::deployShare
   double dissolveSeconds = 1.0;  ///< of what cannot collapse
   double glideSeconds = 1.5;     ///< to a place that a constructor wants
   /// choose() waits for the search for ways, where a constructor needs them; otherwise it goes on meanwhile.

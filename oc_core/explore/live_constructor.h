@@ -123,6 +123,11 @@ struct LiveConstructorRow {
   /// Of the usual speed, how fast the head turns while its camera is deployed. Bent rays show more than straight ones,
   /// so the same turn changes the image more.
   double turnShare = 1;
+  /// Of the usual speed, how fast its camera deploys and collapses. One that moves all of the image takes longer.
+  double deployShare = 1;
+  /// Whether its camera deploys at one speed, but for the beginning and the end. It is as fast as it ever is for
+  /// longer, so that it need not be as fast.
+  bool deploysEvenly = false;
   /// Whether it shows cameras that were made elsewhere: LiveConstructor::show(). One row does.
   bool showsOthers = false;
 };

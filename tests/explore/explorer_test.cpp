@@ -404,6 +404,29 @@ TEST(Explorer, theMazeCameraShowsWhatIsBehindAtTheLeft) {
   EXPECT_EQ(spotOf(frame, {310, 90}).camera, &frame.camera);
 }
 
+TEST(Explorer, whatIsBehindSlidesInEvenly) {
+  SceneOptions unfitted;
+  unfitted.fit = false;
+  ExploreScene scene(loadGuidedScene("builtin:maze,seed=5", unfitted));
+  const ExplorerOptions options{.width = 1280, .height = 720};
+  Explorer explorer(scene, options);
+  explorer.choose("maze");
+  const auto widthBehind = [&] { return explorer.frame().behind ? widthOf(*explorer.frame().behind) : 0; };
+  int before = 0;
+  int widest = 0;
+  int frames = 0;
+  for (int i = 0; i < kMaxFrames && explorer.frame().deployed < 1; ++i) {
+    explorer.advance({}, test::kExploreFrame);
+    frames += explorer.frame().deployed > 0 ? 1 : 0;
+    EXPECT_GE(widthBehind(), before);
+    widest = std::max(widest, widthBehind() - before);
+    before = widthBehind();
+  }
+  ASSERT_EQ(before, 640);
+  // A pixel of rounding, and what the beginning and the end are slower. Were it eased all the way, it would be 1.5.
+  EXPECT_LE(widest, 1.2 * 640 / frames + 1);
+}
+
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.
 TEST(Explorer, turnsAtACrossingInFourSteps) {
   SceneOptions unfitted;
