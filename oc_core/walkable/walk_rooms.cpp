@@ -59,8 +59,8 @@ bool mergeOnce(const JointSearch& search, std::vector<PieceBorder> joints, WalkL
     const glm::dvec2 axis = givenAxis(layout.shapes[larger]);
     const WalkBox box = boxAround(field, both, axis).box;
     // A street is as wide as the square that it leads to, or no part of it.
-    if (layout.shapes[larger].isTunnel && kMostlyInside * growthOfBox(field, squares[larger], box, axis) >
-                                              static_cast<double>(squares[smaller].size())) {
+    if (layout.shapes[larger].isTunnel &&
+        kMostlyInside * growthOfBox(field, squares[larger], box, axis) > static_cast<double>(squares[smaller].size())) {
       continue;
     }
     if (fitsBox(field, both, layout.shapes[larger]) && shareInside(field, squares[smaller], box) >= kMostlyInside) {
