@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <unordered_map>
 #include <vector>
 
@@ -11,6 +12,7 @@ namespace {
 constexpr float kLowTop = 0.85f;  // of the agent's height: below its eyes
 constexpr float kLongest = 5;     // of the agent's height
 constexpr float kFence = 0.2f;    // of the agent's height: railings and fences are thinner
+constexpr float kWall = 0.4f;     // of the agent's height: walls with windows are thinner
 
 class Furniture {
  public:
@@ -25,25 +27,28 @@ class Furniture {
  private:
   size_t cellAt(int x, int z) const { return static_cast<size_t>(z) * columns_.width + x; }
 
-  /// Whether a column beside floor of that height holds something low, or floor that was left out.
-  bool isLow(int x, int z, float floor) const {
+  /// What hangs lowest over a column beside floor of that height, where it holds something low, or floor that was left
+  /// out; none where something is as high as the eyes.
+  std::optional<float> ceilingOverLow(int x, int z, float floor) const {
     if (x < 0 || z < 0 || x >= columns_.width || z >= columns_.depth) {
-      return false;
+      return std::nullopt;
     }
     bool hasGround = false;
     float top = floor - stepHeight_;
+    float ceiling = kNoCeiling;
     for (uint32_t s = columns_.first[cellAt(x, z)]; s < columns_.first[cellAt(x, z) + 1]; ++s) {
       const SolidSpan& span = columns_.spans[s];
       if (span.upper < floor - stepHeight_) {
         continue;
       }
       if (span.lower >= floor + agentHeight_ * kLowTop) {
+        ceiling = span.lower;
         break;
       }
       hasGround = true;
       top = std::max(top, span.upper);
     }
-    return hasGround && top <= floor + agentHeight_ * kLowTop;
+    return hasGround && top <= floor + agentHeight_ * kLowTop ? std::optional(ceiling) : std::nullopt;
   }
 
   bool hasSquare(int x, int z, float floor) const {
@@ -68,11 +73,15 @@ class Furniture {
       for (int side = 0; side < 4; ++side) {
         const int x = from.x + kStepX[side];
         const int z = from.z + kStepZ[side];
-        if (from.next[side] == kNoSquare && isLow(x, z, from.floor) && !hasSquare(x, z, from.floor)) {
+        if (from.next[side] != kNoSquare || hasSquare(x, z, from.floor)) {
+          continue;
+        }
+        if (const std::optional<float> ceiling = ceilingOverLow(x, z, from.floor)) {
           squaresAt_[cellAt(x, z)].push_back(from.floor);
           WalkSquare square{x, z, from.floor, from.ceiling, from.floor};
           square.isObstacle = true;
           low_.push_back(square);
+          ceilings_.push_back(*ceiling);
         }
       }
     };
@@ -122,7 +131,46 @@ class Furniture {
         }
       }
     }
-    return withoutFences(result, firstLow);
+    return withoutFences(withoutWindows(result, firstLow), firstLow);
+  }
+
+  /// Takes away the low squares in windows: a wall goes on over them.
+  WalkField withoutWindows(const WalkField& all, uint32_t firstLow) const {
+    std::vector<uint8_t> kept(all.squares.size(), 1);
+    for (uint32_t i = firstLow; i < all.squares.size(); ++i) {
+      kept[i] = !isWindow(all, i, firstLow, 0) && !isWindow(all, i, firstLow, 1);
+    }
+    return partOf(all, kept);
+  }
+
+  /// Whether a low square stands between two ends of a wall, thinner than walls are, and what hangs over it is lower
+  /// than on both sides of that wall. Sides are `side` and the opposite one.
+  bool isWindow(const WalkField& all, uint32_t square, uint32_t firstLow, int side) const {
+    const int thickest = static_cast<int>(kWall * agentHeight_ / all.cellSize);
+    const float lintel = ceilings_[square - firstLow] + all.cellSize;
+    const auto isUnderLintel = [&](uint32_t i) {
+      return i != kNoSquare && (i < firstLow ? all.squares[i].ceiling : ceilings_[i - firstLow]) <= lintel;
+    };
+    int length = 1;
+    for (const int way : {side, side + 2}) {
+      uint32_t i = all.squares[square].next[way];
+      for (; isUnderLintel(i) && length <= thickest; i = all.squares[i].next[way]) {
+        ++length;
+      }
+      if (i == kNoSquare || length > thickest) {
+        return false;
+      }
+    }
+    for (const int way : {(side + 1) % 4, (side + 3) % 4}) {
+      uint32_t i = all.squares[square].next[way];
+      while (isUnderLintel(i) && i >= firstLow) {
+        i = all.squares[i].next[way];
+      }
+      if (i != kNoSquare) {
+        return false;
+      }
+    }
+    return true;
   }
 
   /// Takes away the things that are too long or part floor from floor.
@@ -227,6 +275,7 @@ class Furniture {
   std::vector<const WalkSquare*> borderSquares_;
   std::unordered_map<size_t, std::vector<float>> squaresAt_;  ///< floors of the squares of each column
   std::vector<WalkSquare> low_;
+  std::vector<float> ceilings_;  ///< what hangs lowest over each of them
 };
 
 }  // namespace

@@ -8,8 +8,8 @@
 namespace ocelli {
 
 /// Adds squares (WalkSquare::isObstacle) where what stands beside the floor ends below the agent's eyes, and floor that
-/// is too narrow beside it. Things that are longer than five times the agent's height, and those that part floor from
-/// floor, as fences, railings and the sills of windows do, stay as they are.
+/// is too narrow beside it. Sills of windows, over which a wall goes on, things that are longer than five times the
+/// agent's height, and those that part floor from floor, as fences and railings do, stay as they are.
 WalkField seenOverFurniture(const WalkField& field, const WalkColumns& columns, float agentHeight, float stepHeight);
 
 }  // namespace ocelli

@@ -24,6 +24,15 @@ double shareInside(const WalkField& field, const std::vector<uint32_t>& squares,
          static_cast<double>(squares.size());
 }
 
+/// How much larger in squares the box of both is than that of the larger alone: what the smaller brings, where it is as
+/// wide as the tunnel that it goes on in.
+double growthOfBox(const WalkField& field, const std::vector<uint32_t>& larger, const WalkBox& both,
+                   const glm::dvec2& axis) {
+  const WalkBox alone = boxAround(field, larger, axis).box;
+  return 4 * (both.halfLength * both.halfWidth - alone.halfLength * alone.halfWidth) /
+         (static_cast<double>(field.cellSize) * field.cellSize);
+}
+
 /// Joins pairs, each piece once at most, the longest joints first. Whether there was one.
 bool mergeOnce(const JointSearch& search, std::vector<PieceBorder> joints, WalkLayout& layout) {
   std::stable_sort(joints.begin(), joints.end(),
@@ -47,7 +56,13 @@ bool mergeOnce(const JointSearch& search, std::vector<PieceBorder> joints, WalkL
     }
     std::vector<uint32_t> both = squares[larger];
     both.insert(both.end(), squares[smaller].begin(), squares[smaller].end());
-    const WalkBox box = boxAround(field, both, givenAxis(layout.shapes[larger])).box;
+    const glm::dvec2 axis = givenAxis(layout.shapes[larger]);
+    const WalkBox box = boxAround(field, both, axis).box;
+    // A street is as wide as the square that it leads to, or no part of it.
+    if (layout.shapes[larger].isTunnel &&
+        kMostlyInside * growthOfBox(field, squares[larger], box, axis) > static_cast<double>(squares[smaller].size())) {
+      continue;
+    }
     if (fitsBox(field, both, layout.shapes[larger]) && shareInside(field, squares[smaller], box) >= kMostlyInside) {
       isJoined[larger] = isJoined[smaller] = 1;
       owner[smaller] = larger;

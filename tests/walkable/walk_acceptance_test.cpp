@@ -51,8 +51,7 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
     EXPECT_EQ(cell.why.empty(), cell.pixels >= kPixels) << scene.source << ": seen, or it is said why not";
   }
   EXPECT_GE(agreement.coveredShare, 0.8) << scene.source;
-  // The least of these cities: 0.73 (seed 4), where joined pieces cover floor that the plan has not; all houses 0.99.
-  EXPECT_GE(agreement.knownShare, 0.7) << scene.source;
+  EXPECT_GE(agreement.knownShare, 0.8) << scene.source;
   totals.knownArea += agreement.knownArea;
   totals.coveredArea += agreement.coveredShare * agreement.knownArea;
   totals.foundArea += agreement.reachedArea;
@@ -68,9 +67,9 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
 }
 
 // The bounds catch what becomes worse: they are what was measured, less some percent. Recall and precision of cities:
-// floor 99.1 % and 90.1 %, rooms 67.9 % and 91.2 %, openings 64.1 % and 57.5 %. Of houses: floor 92.9 % and 99.7 %,
-// rooms 99.4 % and 93.8 %, openings 100 % and 93.0 %, seen 55.1 %. The aim is that all cells are seen; docs/results.md,
-// "Where one can walk", tells what is missing.
+// floor 99.0 % and 92.1 %, rooms 67.2 % and 91.1 %, openings 63.4 % and 57.6 %, seen 80.9 %. Of houses: floor 92.9 %
+// and 99.7 %, rooms 99.4 % and 93.8 %, openings 100 % and 93.0 %, seen 75.2 %. The aim is that all cells are seen;
+// docs/results.md, "Where one can walk", tells what is missing.
 
 TEST(WalkAcceptance, FindsCities) {
   if (!canFindWalkable()) {
@@ -87,7 +86,7 @@ TEST(WalkAcceptance, FindsCities) {
   EXPECT_GE(totals.roomPrecision(), 0.88);
   EXPECT_GE(totals.openingRecall(), 0.62);
   EXPECT_GE(totals.openingPrecision(), 0.55);
-  EXPECT_GE(totals.seenShare(), 0.35);
+  EXPECT_GE(totals.seenShare(), 0.75);
 }
 
 TEST(WalkAcceptance, FindsHouses) {
@@ -105,7 +104,7 @@ TEST(WalkAcceptance, FindsHouses) {
   EXPECT_GE(totals.roomPrecision(), 0.9);
   EXPECT_GE(totals.openingRecall(), 0.97);
   EXPECT_GE(totals.openingPrecision(), 0.9);
-  EXPECT_GE(totals.seenShare(), 0.54);
+  EXPECT_GE(totals.seenShare(), 0.72);
 }
 
 }  // namespace

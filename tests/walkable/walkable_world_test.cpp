@@ -123,9 +123,7 @@ TEST(WalkableWorlds, TheTownHasItsStreetsAndTheDoorsOfItsHouses) {
       continue;
     }
     ++doors;
-    // Openings match within a metre, as in walk_agreement.h: one may also hold what lies beside a door and can be seen
-    // over.
-    const bool isFound = hasPortalAt(map, floor, portal.normal, 1.0f);
+    const bool isFound = hasPortalAt(map, floor, portal.normal, 0.5f);
     // A tree or a car may stand before a door.
     const bool isBlocked = std::any_of(plan.things.begin(), plan.things.end(), [&](const TownThing& thing) {
       return glm::distance(thing.position, floor) < 2;
