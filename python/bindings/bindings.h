@@ -17,5 +17,6 @@ void bindRays(pybind11::module_& module);
 void bindCameras(pybind11::module_& module);
 void bindEvaluation(pybind11::module_& module);
 void bindDisplays(pybind11::module_& module);
+void bindStudies(pybind11::module_& module);
 
 }  // namespace ocelli

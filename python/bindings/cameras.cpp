@@ -40,8 +40,8 @@ ReferenceImages buildImages(const Mesh& mesh, const CameraArgument& camera, cons
   const Construction wanted = constructionFromText(construction, "construction");
   const PythonProgress told(progress);
   const py::gil_scoped_release released;
-  return buildReferenceImages(cameraChoiceOf(camera), PinholeCamera(view, width, height), mesh, told.function(),
-                              wanted, nullptr);
+  return buildReferenceImages(cameraChoiceOf(camera), PinholeCamera(view, width, height), mesh, told.function(), wanted,
+                              nullptr);
 }
 
 ReferenceImages drawImages(const Mesh& mesh, const CameraArgument& camera, const View& view, int width, int height,

@@ -62,14 +62,18 @@ py::array observed(const Volume& volume, const std::optional<std::array<float, 3
 }  // namespace
 
 void bindDisplays(py::module_& module) {
-  py::class_<Volume>(module, "DisplayVolume")
-      .def_property_readonly("profile", [](const Volume& volume) { return volume.profile().name; })
-      .def_property_readonly("slices", &Volume::slices)
-      .def_property_readonly("width", &Volume::width)
-      .def_property_readonly("height", &Volume::height)
-      .def_property_readonly("bits_per_channel", &Volume::bitsPerChannel)
-      .def_property_readonly("lit_voxels", &Volume::litVoxels)
-      .def("levels", &levelsOf, py::arg("slice"))
+  py::class_<Volume>(module, "DisplayVolume", R"(The bit planes of a volumetric display: slices of voxels.
+
+len() is the number of slices.)")
+      .def_property_readonly(
+          "profile", [](const Volume& volume) { return volume.profile().name; }, "The name of the display.")
+      .def_property_readonly("slices", &Volume::slices, "Slices of a refresh.")
+      .def_property_readonly("width", &Volume::width, "Of a slice, pixels.")
+      .def_property_readonly("height", &Volume::height, "Of a slice, pixels.")
+      .def_property_readonly("bits_per_channel", &Volume::bitsPerChannel, "Of red, green and blue each.")
+      .def_property_readonly("lit_voxels", &Volume::litVoxels, "Voxels that are not black.")
+      .def("levels", &levelsOf, py::arg("slice"),
+           "How much red, green and blue each voxel of a slice shows, (height, width, 3), 0 to 255. A new array.")
       .def(
           "bit_planes",
           [](const py::object& self, int slice) {
@@ -80,21 +84,22 @@ void bindDisplays(py::module_& module) {
                 {static_cast<py::ssize_t>(layout.planes), volume.height(), static_cast<py::ssize_t>(layout.rowBytes)},
                 self);
           },
-          py::arg("slice"))
+          py::arg("slice"),
+          "The packed bits of a slice as displays take them, (planes, height, bytes of a row). A view.")
       .def(
           "write",
           [](const Volume& volume, const std::filesystem::path& path) {
             const py::gil_scoped_release released;
             writeSvol(path, volume);
           },
-          py::arg("path"))
+          py::arg("path"), "Writes an .svol file.")
       .def_static(
           "read",
           [](const std::filesystem::path& path, size_t frame) {
             const py::gil_scoped_release released;
             return readSvol(path, frame);
           },
-          py::arg("path"), py::arg("frame") = 0)
+          py::arg("path"), py::arg("frame") = 0, "Reads a frame of an .svol file.")
       .def("__len__", &Volume::slices)
       .def("__eq__", [](const Volume& a, const Volume& b) { return a == b; })
       .def("__repr__", [](const Volume& volume) {

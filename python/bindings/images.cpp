@@ -50,33 +50,45 @@ size_t indexOf(const ReferenceImages& images, py::ssize_t index) {
 }
 
 void bindReferenceImage(py::module_& module) {
-  py::class_<ReferenceImage>(module, "ReferenceImage")
-      .def_readonly("camera", &ReferenceImage::camera)
-      .def_readonly("view", &ReferenceImage::view)
+  py::class_<ReferenceImage>(module, "ReferenceImage", R"(What a camera samples of a scene: one sample a pixel.
+
+Arrays have the shape (height, width, ...), row 0 at the top, and are views that cannot be written to; None where the
+camera needs no such array.)")
+      .def_readonly("camera", &ReferenceImage::camera, "The name of the camera.")
+      .def_readonly("view", &ReferenceImage::view, "The reference view.")
       .def_property_readonly("width", &ReferenceImage::width)
       .def_property_readonly("height", &ReferenceImage::height)
-      .def_property_readonly("color", viewed(&ReferenceImage::color))
-      .def_property_readonly("t", viewed(&ReferenceImage::t))
-      .def_property_readonly("held", viewed(&ReferenceImage::held))
-      .def_property_readonly("displacement", viewed(&ReferenceImage::displacement))
-      .def_property_readonly("position", viewed(&ReferenceImage::position))
-      .def_property_readonly("direction", viewed(&ReferenceImage::direction))
-      .def_property_readonly("sample_count", &ReferenceImage::sampleCount)
-      .def("points",
-           [](const ReferenceImage& image) {
-             Image<glm::vec3> points = [&] {
-               const py::gil_scoped_release released;
-               return pointsOf(image);
-             }();
-             return arrayOf(std::move(points));
-           })
+      .def_property_readonly("color", viewed(&ReferenceImage::color), "Linear RGB, (height, width, 3).")
+      .def_property_readonly("t", viewed(&ReferenceImage::t),
+                             "The parameter of the ray at each sample, (height, width): z, but for cameras that "
+                             "displace no pinhole's image.")
+      .def_property_readonly("held", viewed(&ReferenceImage::held), "1 where there is a sample, else 0.")
+      .def_property_readonly("displacement", viewed(&ReferenceImage::displacement),
+                             "From where a pinhole has each sample to where this camera has it, pixels.")
+      .def_property_readonly("position", viewed(&ReferenceImage::position),
+                             "Where each sample is, (height, width, 3), world coordinates, of cameras that displace no "
+                             "pinhole's image; else None.")
+      .def_property_readonly(
+          "direction", viewed(&ReferenceImage::direction),
+          "The way of the ray at each sample, (height, width, 3), unit vectors; of the same cameras.")
+      .def_property_readonly("sample_count", &ReferenceImage::sampleCount, "Pixels that have a sample.")
+      .def(
+          "points",
+          [](const ReferenceImage& image) {
+            Image<glm::vec3> points = [&] {
+              const py::gil_scoped_release released;
+              return pointsOf(image);
+            }();
+            return arrayOf(std::move(points));
+          },
+          "Where each sample is, (height, width, 3), world coordinates; NaN where there is none. A new array.")
       .def(
           "write_png",
           [](const ReferenceImage& image, const std::filesystem::path& path) {
             const py::gil_scoped_release released;
             writePng(path, srgbFromLinear(image.color));
           },
-          py::arg("path"))
+          py::arg("path"), "Writes the colours as a PNG file, sRGB.")
       .def("__repr__", [](const ReferenceImage& image) {
         return "<ocelli.ReferenceImage " + image.camera + " of " + std::to_string(image.width()) + "x" +
                std::to_string(image.height()) + ">";
@@ -84,7 +96,8 @@ void bindReferenceImage(py::module_& module) {
 }
 
 void bindReferenceImages(py::module_& module) {
-  py::class_<ReferenceImages>(module, "ReferenceImages")
+  py::class_<ReferenceImages>(module, "ReferenceImages",
+                              "The reference images of a camera: one, or those of a union. A sequence.")
       .def("__len__", [](const ReferenceImages& images) { return images.size(); })
       .def(
           "__getitem__",
@@ -101,12 +114,14 @@ void bindReferenceImages(py::module_& module) {
             const py::gil_scoped_release released;
             writeReferenceImages(path, images);
           },
-          py::arg("path"))
-      .def("mesh",
-           [](const ReferenceImages& images) {
-             const py::gil_scoped_release released;
-             return unionMesh(images);
-           })
+          py::arg("path"), "Writes an OpenEXR file, as `ocelli ocri build` does.")
+      .def(
+          "mesh",
+          [](const ReferenceImages& images) {
+            const py::gil_scoped_release released;
+            return unionMesh(images);
+          },
+          "The bounded `Mesh` of the samples, world coordinates.")
       .def("__repr__", [](const ReferenceImages& images) {
         return "<ocelli.ReferenceImages: " + std::to_string(images.size()) + " of " + images.front().camera + ">";
       });
@@ -120,15 +135,19 @@ void bindReferenceImages(py::module_& module) {
 }
 
 void bindResampled(py::module_& module) {
-  py::class_<ResampledView>(module, "ResampledView")
+  py::class_<ResampledView>(module, "ResampledView", "What a pinhole would see, of what reference images hold.")
       .def_property_readonly(
-          "color", [](const py::object& self) { return viewOf(self.cast<const ResampledView&>().color, self); })
-      .def_property_readonly("t",
-                             [](const py::object& self) { return viewOf(self.cast<const ResampledView&>().t, self); })
+          "color", [](const py::object& self) { return viewOf(self.cast<const ResampledView&>().color, self); },
+          "Linear RGB, (height, width, 3).")
       .def_property_readonly(
-          "hole", [](const py::object& self) { return viewOf(self.cast<const ResampledView&>().hole, self); })
-      .def_property_readonly("holes", &ResampledView::holes)
-      .def_readonly("is_warped", &ResampledView::isWarped);
+          "t", [](const py::object& self) { return viewOf(self.cast<const ResampledView&>().t, self); },
+          "z of what was warped, (height, width), world units; 0 where there is nothing, or rays were looked up.")
+      .def_property_readonly(
+          "hole", [](const py::object& self) { return viewOf(self.cast<const ResampledView&>().hole, self); },
+          "1 where nothing is known, (height, width).")
+      .def_property_readonly("holes", &ResampledView::holes, "Pixels where nothing is known.")
+      .def_readonly("is_warped", &ResampledView::isWarped,
+                    "Whether it was warped by depth; otherwise rays were looked up.");
   module.def(
       "resample",
       [](const ReferenceImages& images, const View& view, int width, int height) {

@@ -12,4 +12,5 @@ PYBIND11_MODULE(_ocelli, module) {
   ocelli::bindCameras(module);
   ocelli::bindEvaluation(module);
   ocelli::bindDisplays(module);
+  ocelli::bindStudies(module);
 }

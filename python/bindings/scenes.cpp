@@ -65,55 +65,70 @@ GuidedScene load(const std::string& source, bool fit, bool shaded, bool textures
 }  // namespace
 
 void bindScenes(py::module_& module) {
-  py::class_<Mesh>(module, "Mesh")
+  py::class_<Mesh>(module, "Mesh", R"(Triangles with colours.
+
+Mesh(positions, triangles, colors=None): positions (n, 3); triangles (m, 3), indices of vertices, counter-clockwise seen
+from outside; colors (n, 3), linear RGB, white where there are none. Arrays are copied once. len() is the number of
+triangles.)")
       .def(py::init(&meshOf), py::arg("positions"), py::arg("triangles"), py::arg("colors") = py::none())
-      .def_property_readonly("positions",
-                             [](const py::object& self) { return viewOf(self.cast<const Mesh&>().positions, self); })
-      .def_property_readonly("triangles",
-                             [](const py::object& self) { return viewOf(self.cast<const Mesh&>().triangles, self); })
-      .def_property_readonly("colors",
-                             [](const py::object& self) -> py::object {
-                               const Mesh& mesh = self.cast<const Mesh&>();
-                               return mesh.colors.empty() ? py::object(py::none()) : viewOf(mesh.colors, self);
-                             })
+      .def_property_readonly(
+          "positions", [](const py::object& self) { return viewOf(self.cast<const Mesh&>().positions, self); },
+          "Vertices, (n, 3), world coordinates.")
+      .def_property_readonly(
+          "triangles", [](const py::object& self) { return viewOf(self.cast<const Mesh&>().triangles, self); },
+          "Indices of vertices, (m, 3).")
+      .def_property_readonly(
+          "colors",
+          [](const py::object& self) -> py::object {
+            const Mesh& mesh = self.cast<const Mesh&>();
+            return mesh.colors.empty() ? py::object(py::none()) : viewOf(mesh.colors, self);
+          },
+          "Of vertices, (n, 3), linear RGB; None where all are white.")
       .def(
           "write_ply",
           [](const Mesh& mesh, const std::filesystem::path& path) {
             const py::gil_scoped_release released;
             writePly(path, mesh);
           },
-          py::arg("path"))
+          py::arg("path"), "Writes a binary PLY file.")
       .def_static(
           "read_ply",
           [](const std::filesystem::path& path) {
             const py::gil_scoped_release released;
             return readPly(path);
           },
-          py::arg("path"))
+          py::arg("path"), "Reads a PLY file as it is: ocelli.scene.load() fits scenes into the unit sphere.")
       .def("__len__", [](const Mesh& mesh) { return mesh.triangles.size(); })
       .def("__repr__", [](const Mesh& mesh) {
         return "<ocelli.Mesh of " + std::to_string(mesh.triangles.size()) + " triangles, " +
                std::to_string(mesh.positions.size()) + " vertices>";
       });
 
-  py::class_<GuidedScene>(module, "Scene")
+  py::class_<GuidedScene>(module, "Scene",
+                          R"(A mesh with what cameras know of it: objects, portals, mazes, walkable floor.
+
+ocelli.scene.load() reads one; Scene(mesh, fit=False) makes one of a mesh of your own, fitted into the unit sphere where
+fit is true.)")
       .def(py::init(&sceneOfMesh), py::arg("mesh"), py::kw_only(), py::arg("fit") = false)
       .def_property_readonly(
           "mesh", [](const GuidedScene& scene) -> const Mesh& { return scene.mesh; },
-          py::return_value_policy::reference_internal)
+          py::return_value_policy::reference_internal, "Its `Mesh`, not a copy.")
       .def_property_readonly(
           "object_of_triangle",
-          [](const py::object& self) { return viewOf(self.cast<const GuidedScene&>().objectOfTriangle, self); })
-      .def_property_readonly("world_from_scene",
-                             [](const GuidedScene& scene) {
-                               py::array_t<float> matrix({4, 4});
-                               for (int row = 0; row < 4; ++row) {
-                                 for (int column = 0; column < 4; ++column) {
-                                   matrix.mutable_at(row, column) = scene.worldFromScene[column][row];
-                                 }
-                               }
-                               return matrix;
-                             })
+          [](const py::object& self) { return viewOf(self.cast<const GuidedScene&>().objectOfTriangle, self); },
+          "Which object each triangle belongs to, (m).")
+      .def_property_readonly(
+          "world_from_scene",
+          [](const GuidedScene& scene) {
+            py::array_t<float> matrix({4, 4});
+            for (int row = 0; row < 4; ++row) {
+              for (int column = 0; column < 4; ++column) {
+                matrix.mutable_at(row, column) = scene.worldFromScene[column][row];
+              }
+            }
+            return matrix;
+          },
+          "From the coordinates of the scene's file to those of the world, (4, 4), for columns.")
       .def("__repr__", [](const GuidedScene& scene) {
         return "<ocelli.Scene of " + std::to_string(scene.mesh.triangles.size()) + " triangles>";
       });

@@ -16,7 +16,7 @@ Whatever takes a scene takes a `Scene`, a `Mesh`, a file name, or "builtin:NAME[
 unless `progress=False`; give a function `progress(stage, fraction)` to show it yourself. Ctrl-C ends it.
 """
 
-from ocelli import camera, ocri, scene
+from ocelli import camera, ocri, scene, study
 from ocelli._drawing import render, resample, srgb
 from ocelli._evaluating import evaluate
 from ocelli._ocelli import (
@@ -56,4 +56,5 @@ __all__ = [
     "scene",
     "slice",
     "srgb",
+    "study",
 ]

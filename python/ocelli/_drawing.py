@@ -1,10 +1,25 @@
+from __future__ import annotations
+
+from numpy.typing import ArrayLike
+
 from ocelli import _ocelli
 from ocelli._arguments import camera_of, constructor_of, mesh_of, scene_of, size_of, view_of
+from ocelli._ocelli import ReferenceImage, ReferenceImages, ResampledView
 from ocelli._progress import Shown
+from ocelli._types import Bytes, CameraLike, Progress, SceneLike, Size, ViewLike
 from ocelli.errors import InputError
 
 
-def render(scene, camera="di", *, view=None, size=(720, 480), method="raster", progress=None, **options):
+def render(
+    scene: SceneLike,
+    camera: CameraLike = "di",
+    *,
+    view: ViewLike = None,
+    size: Size = (720, 480),
+    method: str = "raster",
+    progress: Progress = None,
+    **options: object,
+) -> ReferenceImage:
     """Draws a scene with any camera.
 
     Args:
@@ -38,7 +53,7 @@ def render(scene, camera="di", *, view=None, size=(720, 480), method="raster", p
     return images[0]
 
 
-def resample(images, view, *, size=(720, 480)):
+def resample(images: ReferenceImages, view: ViewLike, *, size: Size = (720, 480)) -> ResampledView:
     """What a pinhole would see, of what reference images hold.
 
     Args:
@@ -53,6 +68,6 @@ def resample(images, view, *, size=(720, 480)):
     return _ocelli.resample(images, view_of(view), width, height)
 
 
-def srgb(linear):
+def srgb(linear: ArrayLike) -> Bytes:
     """Linear RGB, shape (height, width, 3), as bytes of sRGB: what PNG files and matplotlib take."""
     return _ocelli.srgb_from_linear(linear)

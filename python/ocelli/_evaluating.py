@@ -1,25 +1,30 @@
+from __future__ import annotations
+
 import json
+from collections.abc import Sequence
+from typing import Any
 
 from ocelli import _ocelli
 from ocelli._arguments import camera_of, mesh_of, size_of, view_of
 from ocelli._progress import Shown
+from ocelli._types import CameraLike, Progress, SceneLike, Size, ViewLike
 
 
 def evaluate(
-    scene,
-    cameras=("di", "ddoc"),
+    scene: SceneLike,
+    cameras: CameraLike | Sequence[CameraLike] = ("di", "ddoc"),
     *,
-    view=None,
-    size=(720, 480),
-    cell_side=1.6,
-    cell_shape="cube",
-    interior_views=12,
-    edge_views=1,
-    seed=1,
-    compare_images=True,
-    runs=3,
-    progress=None,
-):
+    view: ViewLike = None,
+    size: Size = (720, 480),
+    cell_side: float = 1.6,
+    cell_shape: str = "cube",
+    interior_views: int = 12,
+    edge_views: int = 1,
+    seed: int = 1,
+    compare_images: bool = True,
+    runs: int = 3,
+    progress: Progress = None,
+) -> list[dict[str, Any]]:
     """Measures representations against the scene, over the viewpoints of a cell.
 
     Args:
@@ -29,8 +34,9 @@ def evaluate(
         size: (width, height), pixels.
         cell_side: of the cell, display radii; 1.6 are 8 inches at the reference display.
         cell_shape: "cube", "sphere" or "segment".
-        interior_views: viewpoints inside the cell, from `seed`.
+        interior_views: viewpoints inside the cell.
         edge_views: viewpoints between the corners of each edge of a cube.
+        seed: of the viewpoints inside the cell.
         compare_images: measure PSNR, SSIM and FLIP too, which takes most of the time.
         runs: how often each representation is made; the best times count.
         progress: None, True, False or a function `progress(stage, fraction)`.

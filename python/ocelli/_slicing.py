@@ -1,14 +1,22 @@
+from __future__ import annotations
+
+import os
+
 from ocelli import _ocelli
 from ocelli._arguments import mesh_of, size_of
+from ocelli._ocelli import DisplayVolume
 from ocelli._progress import Shown
+from ocelli._types import Floats, Path, Progress, SceneLike, Size
 
 
-def profiles():
+def profiles() -> list[str]:
     """Names of the displays that are known by name."""
     return list(_ocelli.profiles())
 
 
-def slice(scene, profile="perspecta", *, exact=False, progress=None):  # noqa: A001 - as the command is called
+def slice(  # noqa: A001 - as the command is called
+    scene: SceneLike, profile: Path = "perspecta", *, exact: bool = False, progress: Progress = None
+) -> DisplayVolume:
     """Slices a scene for a swept-screen display.
 
     Args:
@@ -21,10 +29,18 @@ def slice(scene, profile="perspecta", *, exact=False, progress=None):  # noqa: A
         `DisplayVolume`: `.levels(i)` is slice i, shape (height, width, 3), bytes; `.write(path)` makes an .svol file.
     """
     with Shown(progress) as callback:
-        return _ocelli.slice(mesh_of(scene, callback), profile, exact)
+        return _ocelli.slice(mesh_of(scene, callback), os.fspath(profile), exact)
 
 
-def observe(volume, *, eye=None, size=(768, 768), fov_vertical_degrees=0, exposure_seconds=0, gain=0):
+def observe(
+    volume: DisplayVolume,
+    *,
+    eye: tuple[float, float, float] | None = None,
+    size: Size = (768, 768),
+    fov_vertical_degrees: float = 0,
+    exposure_seconds: float = 0,
+    gain: float = 0,
+) -> Floats:
     """What an eye sees of a volume on its display.
 
     Args:

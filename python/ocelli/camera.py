@@ -25,20 +25,25 @@ origins), `frame` ("world", or "view": right, up and backward from the eye of th
 `rays()` gives those of the toolkit's own cameras.
 """
 
+from __future__ import annotations
+
+from typing import Any
+
 from ocelli import _ocelli
 from ocelli._arguments import camera_of, constructor_of, mesh_of, scene_of, size_of, view_of
 from ocelli._ocelli import Rays
 from ocelli._progress import Shown
+from ocelli._types import CameraLike, Progress, SceneLike, Size, ViewLike
 
 __all__ = ["Rays", "constructors", "options", "rays", "representations"]
 
 
-def representations():
+def representations() -> dict[str, str]:
     """Cameras whose reference images stand for a scene: {name: what it is}."""
     return dict(_ocelli.representations())
 
 
-def options(name):
+def options(name: str) -> list[dict[str, Any]]:
     """What a representation may be told, by keywords: a list of dicts with name, meaning, unit, default, min and max.
 
     Raises:
@@ -47,12 +52,21 @@ def options(name):
     return _ocelli.camera_options(name)
 
 
-def constructors():
+def constructors() -> dict[str, str]:
     """Constructors of graph and curved ray cameras: {name: what it is}."""
     return dict(_ocelli.constructors())
 
 
-def rays(camera, *, scene=None, view=None, size=(720, 480), image=0, progress=None, **options):
+def rays(
+    camera: CameraLike,
+    *,
+    scene: SceneLike | None = None,
+    view: ViewLike = None,
+    size: Size = (720, 480),
+    image: int = 0,
+    progress: Progress = None,
+    **options: object,
+) -> Rays:
     """The ray of each pixel of any camera, as ray casting follows it.
 
     Args:

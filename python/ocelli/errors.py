@@ -15,7 +15,7 @@ class Error(Exception):
         details: lines below `what`; mostly "".
     """
 
-    def __init__(self, what, where="", next="", details="", text=None):  # noqa: A002 - the name that users read
+    def __init__(self, what: str, where: str = "", next: str = "", details: str = "", text: str | None = None):  # noqa: A002 - the name that users read
         self.what = what
         self.where = where
         self.next = next
@@ -30,5 +30,5 @@ class InputError(Error, ValueError):
 class WorkError(Error, OSError):
     """The work itself failed: a full disk, an output that cannot be written."""
 
-    def __str__(self):
+    def __str__(self) -> str:
         return str(self.args[0]) if self.args else ""

@@ -6,14 +6,29 @@
     mesh = ocelli.ocri.mesh(images)
 """
 
+from __future__ import annotations
+
 import os
 
 from ocelli import _ocelli
 from ocelli._arguments import camera_of, constructor_of, mesh_of, scene_of, size_of, view_of
+from ocelli._ocelli import Mesh, ReferenceImages
 from ocelli._progress import Shown
+from ocelli._types import CameraLike, Path, Progress, SceneLike, Size, ViewLike
+
+__all__ = ["build", "mesh", "read", "write"]
 
 
-def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="auto", progress=None, **options):
+def build(
+    scene: SceneLike,
+    camera: CameraLike = "ddoc",
+    *,
+    view: ViewLike = None,
+    size: Size = (720, 480),
+    construction: str = "auto",
+    progress: Progress = None,
+    **options: object,
+) -> ReferenceImages:
     """Builds the reference images of a scene: one, or those of a union.
 
     Args:
@@ -41,12 +56,12 @@ def build(scene, camera="ddoc", *, view=None, size=(720, 480), construction="aut
         return _ocelli.build_images(mesh, chosen, view_of(view), width, height, construction, callback)
 
 
-def mesh(images):
+def mesh(images: ReferenceImages) -> Mesh:
     """The bounded mesh of reference images: a `Mesh` in world coordinates."""
     return images.mesh()
 
 
-def read(path):
+def read(path: Path) -> ReferenceImages:
     """`ReferenceImages` of a file that `images.write()` or `ocelli ocri build` wrote.
 
     Raises:
@@ -55,6 +70,6 @@ def read(path):
     return _ocelli.read_reference_images(os.fspath(path))
 
 
-def write(path, images):
+def write(path: Path, images: ReferenceImages) -> None:
     """Writes reference images to an OpenEXR file."""
     images.write(os.fspath(path))

@@ -5,13 +5,28 @@
     mine = ocelli.Mesh(positions, triangles, colors)
 """
 
+from __future__ import annotations
+
 import os
 
 from ocelli import _ocelli
+from ocelli._ocelli import Scene
 from ocelli._progress import Shown
+from ocelli._types import Path, Progress
+
+__all__ = ["builtins", "load"]
 
 
-def load(source, *, fit=True, shaded=True, textures=True, seconds=None, iso=None, progress=None):
+def load(
+    source: Path,
+    *,
+    fit: bool = True,
+    shaded: bool = True,
+    textures: bool = True,
+    seconds: float | None = None,
+    iso: float | None = None,
+    progress: Progress = None,
+) -> Scene:
     """Loads a scene as one mesh with a colour at each vertex.
 
     Args:
@@ -33,6 +48,6 @@ def load(source, *, fit=True, shaded=True, textures=True, seconds=None, iso=None
         return _ocelli.load_scene(os.fspath(source), fit, shaded, textures, seconds, iso, callback)
 
 
-def builtins():
+def builtins() -> dict[str, str]:
     """The scenes that the toolkit makes: {name: what it is}."""
     return dict(_ocelli.builtin_scenes())

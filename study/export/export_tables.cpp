@@ -8,6 +8,7 @@
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/csv.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "study/outline/question_kinds.h"
 #include "study/store/sqlite_connection.h"
@@ -155,6 +156,30 @@ ExportTable gazeTable() {
           "SELECT row_number() OVER (ORDER BY trial_id, gaze_index) AS row_id, trial_id, subject_id, simulated, "
           "gaze_index, came_ns, device_time, valid, x_px, y_px, pupil "
           "FROM gaze JOIN (SELECT trial_id, subject_id FROM trial) USING (trial_id) ORDER BY trial_id, gaze_index"};
+}
+
+StudyFacts studyFactsOf(SQLite::Database& database, const std::filesystem::path& path) {
+  SQLite::Statement row(database, "SELECT protocol_name, protocol_sha256, protocol_text FROM study");
+  if (!row.executeStep()) {
+    throw InputError("this database holds no study yet", path.string(), "start a session, which stores the protocol");
+  }
+  return {textOf(row, 0), textOf(row, 1), textOf(row, 2)};
+}
+
+std::vector<ExportTable> tablesBesideTrials(const std::string& protocol, const ExportOptions& options) {
+  std::vector<ExportTable> tables{subjectsTable(), runsTable(),
+                                  answersTable(formsOfProtocolText(protocol, "the stored protocol")),
+                                  eventsTable(options.notes)};
+  if (options.frames) {
+    tables.push_back(framesTable());
+  }
+  if (options.inputs) {
+    tables.push_back(inputsTable());
+  }
+  if (options.gaze) {
+    tables.push_back(gazeTable());
+  }
+  return tables;
 }
 
 std::vector<std::string> tasksOf(SQLite::Database& database) {

@@ -3,7 +3,7 @@
 
 #include <SQLiteCpp/Database.h>
 
-#include <functional>
+#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -29,6 +29,18 @@ ExportTable eventsTable(bool notes);
 ExportTable framesTable();
 ExportTable inputsTable();
 ExportTable gazeTable();
+
+/// What the database says of its study.
+struct StudyFacts {
+  std::string name;      ///< of the protocol
+  std::string sha256;    ///< of the protocol's text
+  std::string protocol;  ///< its text
+};
+/// Throws InputError, naming `path`, where no study stands in it yet.
+StudyFacts studyFactsOf(SQLite::Database& database, const std::filesystem::path& path);
+
+/// All tables but those of trials, of a protocol's text; those that `options` ask for.
+std::vector<ExportTable> tablesBesideTrials(const std::string& protocol, const ExportOptions& options);
 
 /// Names of the tasks that trials were of.
 std::vector<std::string> tasksOf(SQLite::Database& database);

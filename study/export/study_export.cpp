@@ -32,37 +32,7 @@ struct PlannedFile {
   std::string file;
 };
 
-struct Study {
-  std::string name;
-  std::string sha256;
-  std::string protocol;
-};
-
-Study studyOf(SQLite::Database& database, const fs::path& path) {
-  SQLite::Statement row(database, "SELECT protocol_name, protocol_sha256, protocol_text FROM study");
-  if (!row.executeStep()) {
-    throw InputError("this database holds no study yet", path.string(), "start a session, which stores the protocol");
-  }
-  return {textOf(row, 0), textOf(row, 1), textOf(row, 2)};
-}
-
-std::vector<ExportTable> tablesBesideTrials(const Study& study, const ExportOptions& options) {
-  std::vector<ExportTable> tables{subjectsTable(), runsTable(),
-                                  answersTable(formsOfProtocolText(study.protocol, "the stored protocol")),
-                                  eventsTable(options.notes)};
-  if (options.frames) {
-    tables.push_back(framesTable());
-  }
-  if (options.inputs) {
-    tables.push_back(inputsTable());
-  }
-  if (options.gaze) {
-    tables.push_back(gazeTable());
-  }
-  return tables;
-}
-
-std::vector<PlannedFile> planFiles(SQLite::Database& database, const Study& study, const ExportOptions& options) {
+std::vector<PlannedFile> planFiles(SQLite::Database& database, const StudyFacts& study, const ExportOptions& options) {
   std::vector<PlannedFile> files;
   const bool isPsychDs = options.form == ExportForm::kPsychDs;
   if (isPsychDs) {
@@ -72,7 +42,7 @@ std::vector<PlannedFile> planFiles(SQLite::Database& database, const Study& stud
   } else {
     files.push_back({trialsTable(database, ""), "trials.csv"});
   }
-  for (ExportTable& table : tablesBesideTrials(study, options)) {
+  for (ExportTable& table : tablesBesideTrials(study.protocol, options)) {
     std::string file =
         isPsychDs ? "data/" + psychDsFileName(study.name, "description", table.name) : table.name + ".csv";
     files.push_back({std::move(table), std::move(file)});
@@ -166,7 +136,7 @@ void writeColumns(SQLite::Database& database, const std::vector<PlannedFile>& fi
   writeFile(path, text);
 }
 
-void writePsychDsTexts(SQLite::Database& database, const Study& study, const std::vector<PlannedFile>& files,
+void writePsychDsTexts(SQLite::Database& database, const StudyFacts& study, const std::vector<PlannedFile>& files,
                        const ExportReport& report, const fs::path& folder) {
   PsychDsText text;
   text.studyTitle = study.name;
@@ -201,7 +171,7 @@ ExportReport exportStudy(const fs::path& path, const fs::path& target, const Exp
   }
   SQLite::Database database = connectStudy(path, report.recorded ? DatabaseAccess::kWrite : DatabaseAccess::kRead);
   return withSqliteErrors("export this database", path, [&] {
-    const Study study = studyOf(database, path);
+    const StudyFacts study = studyFactsOf(database, path);
     prepareFolder(database, folder, options);
     report.files = otherFiles(options.form);
     // All tables are of the same moment, though a session may go on meanwhile. What is planned with, and what is
