@@ -96,5 +96,6 @@ void addViewCommand(CLI::App& program, const CommandContext& context);
 void addStudyCommand(CLI::App& program, const CommandContext& context);
 void addAnalyseCommand(CLI::App& program, const CommandContext& context);
 void addPowerCommand(CLI::App& program, const CommandContext& context);
+void addManualCommands(CLI::App& program, const CommandContext& context);
 
 }  // namespace ocelli

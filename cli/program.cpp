@@ -50,6 +50,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addAnalyseCommand(program, context);
   addPowerCommand(program, context);
   addDoctorCommand(program, context);
+  addManualCommands(program, context);
 }
 
 // A closed standard stream would hand its number to the next file that is opened, and our messages would end up in
@@ -83,6 +84,21 @@ std::string namedCommand(const CLI::App& program) {
   return name;
 }
 
+/// What `ocelli` alone says.
+constexpr const char* kFirstSteps = R"(Ocelli: non-pinhole cameras, from a scene to a volumetric display.
+
+Try first:
+  ocelli demo                                          the whole way, and a page that shows it
+  ocelli scene list                                    scenes that need no file
+  ocelli render builtin:statues --camera ddoc -o statues.png
+                                                       an image by an occlusion camera
+  ocelli explore builtin:maze                          walk around corners, in a window
+  ocelli evaluate builtin:statues --cameras di,ddoc    what cameras miss, in figures
+  ocelli doctor                                        what works on this machine
+
+`ocelli --help` lists all commands, `ocelli COMMAND --help` the options of one, with examples.
+)";
+
 int runCommand(int argumentCount, char** arguments) {
   const CommandContext context;
   CLI::App program("Ocelli: non-pinhole cameras, from a scene to a volumetric display.", "ocelli");
@@ -93,6 +109,11 @@ int runCommand(int argumentCount, char** arguments) {
   context.addCommonOptions(program);
   addCommands(program, context);
   try {
+    if (argumentCount < 2) {
+      context.print(kFirstSteps);
+      flushStandardOutput();
+      return 0;
+    }
     program.parse(argumentCount, arguments);
     context.run();
     flushStandardOutput();

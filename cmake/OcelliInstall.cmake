@@ -57,3 +57,18 @@ foreach(schema IN ITEMS
   install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder})
 endforeach()
 install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+
+# Manual pages, and what shells complete: by the program, of its own options. Sanitized programs are slow, and no package.
+if(NOT OCELLI_SANITIZE)
+  set(manual ${PROJECT_BINARY_DIR}/manual)
+  add_custom_command(OUTPUT ${manual}/ocelli.bash
+    COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}/man1
+    COMMAND ocelli man --quiet -o ${manual}/man1
+    COMMAND ocelli completion zsh > ${manual}/_ocelli
+    COMMAND ocelli completion bash > ${manual}/ocelli.bash
+    DEPENDS ocelli)
+  add_custom_target(ocelli_manual ALL DEPENDS ${manual}/ocelli.bash)
+  install(DIRECTORY ${manual}/man1/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
+  install(FILES ${manual}/ocelli.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ocelli)
+  install(FILES ${manual}/_ocelli DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+endif()
