@@ -1,25 +1,27 @@
 # Installs the program, one library a room and their headers, and what find_package(Ocelli) needs.
 include(CMakePackageConfigHelpers)
 
-install(TARGETS ocelli)
-install(TARGETS ocelli_read_scene DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli)
+install(TARGETS ocelli COMPONENT program)
+install(TARGETS ocelli_read_scene DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli COMPONENT program)
 if(OCELLI_WITH_VOLUME_IMPORT)
-  install(TARGETS ocelli_read_volume DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli)
+  install(TARGETS ocelli_read_volume DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli COMPONENT program)
 endif()
 foreach(room IN LISTS rooms)
   get_target_property(folder ${room} OCELLI_FOLDER)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ocelli/${folder}
+    COMPONENT development
     FILES_MATCHING PATTERN "*.h" PATTERN gl_api.h EXCLUDE)
 endforeach()
 
 set(package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/Ocelli)
 # What all components share, then a file of targets for each.
-install(TARGETS ocelli_settings EXPORT OcelliTargets-settings)
-install(EXPORT OcelliTargets-settings NAMESPACE Ocelli:: DESTINATION ${package_folder})
+install(TARGETS ocelli_settings EXPORT OcelliTargets-settings COMPONENT development)
+install(EXPORT OcelliTargets-settings NAMESPACE Ocelli:: DESTINATION ${package_folder} COMPONENT development)
 set(component_rows "")
 foreach(component IN LISTS OCELLI_COMPONENTS)
-  install(TARGETS ${OCELLI_${component}_ROOMS} ocelli_component_${component} EXPORT OcelliTargets-${component})
-  install(EXPORT OcelliTargets-${component} NAMESPACE Ocelli:: DESTINATION ${package_folder})
+  install(TARGETS ${OCELLI_${component}_ROOMS} ocelli_component_${component} EXPORT OcelliTargets-${component}
+    COMPONENT development)
+  install(EXPORT OcelliTargets-${component} NAMESPACE Ocelli:: DESTINATION ${package_folder} COMPONENT development)
   string(APPEND component_rows "set(OCELLI_${component}_NEEDS ${OCELLI_${component}_NEEDS})\n")
   string(APPEND component_rows "set(OCELLI_${component}_PACKAGES ${OCELLI_${component}_PACKAGES})\n")
 endforeach()
@@ -33,7 +35,7 @@ install(FILES
   ${CMAKE_CURRENT_BINARY_DIR}/OcelliConfig.cmake
   ${CMAKE_CURRENT_BINARY_DIR}/OcelliConfigVersion.cmake
   cmake/OcelliPackages.cmake
-  DESTINATION ${package_folder})
+  DESTINATION ${package_folder} COMPONENT development)
 # What error messages and docs/files.md call by their paths here.
 foreach(schema IN ITEMS
     display_sim/frames/profiles/display_profile.schema.json
@@ -54,9 +56,8 @@ foreach(schema IN ITEMS
     protocols/protocol.schema.json
     protocols/questionnaire.schema.json)
   get_filename_component(folder ${schema} DIRECTORY)
-  install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder})
+  install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder} COMPONENT program)
 endforeach()
-install(FILES LICENSE README.md CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 
 # Manual pages, and what shells complete: by the program, of its own options. Sanitized programs are slow, and no package.
 if(NOT OCELLI_SANITIZE)
@@ -64,11 +65,13 @@ if(NOT OCELLI_SANITIZE)
   add_custom_command(OUTPUT ${manual}/ocelli.bash
     COMMAND ${CMAKE_COMMAND} -E rm -rf ${manual}/man1
     COMMAND ocelli man --quiet -o ${manual}/man1
+    COMMAND gzip -9nr ${manual}/man1
     COMMAND ocelli completion zsh > ${manual}/_ocelli
     COMMAND ocelli completion bash > ${manual}/ocelli.bash
     DEPENDS ocelli)
   add_custom_target(ocelli_manual ALL DEPENDS ${manual}/ocelli.bash)
-  install(DIRECTORY ${manual}/man1/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1)
-  install(FILES ${manual}/ocelli.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ocelli)
-  install(FILES ${manual}/_ocelli DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions)
+  install(DIRECTORY ${manual}/man1/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+  install(FILES ${manual}/ocelli.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions RENAME ocelli
+    COMPONENT program)
+  install(FILES ${manual}/_ocelli DESTINATION ${CMAKE_INSTALL_DATADIR}/zsh/vendor-completions COMPONENT program)
 endif()
