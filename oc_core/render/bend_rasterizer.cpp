@@ -10,6 +10,13 @@ constexpr int kDeepest = 24;  // only guards against numbers gone wrong
 /// An edge that might bend more than this is split without a look at its middle, which tells of one bend alone.
 constexpr double kMaxBendPixels = 16;
 
+/// Bends of less, for certain: what rounding takes from it.
+constexpr double kSurelyStraightPixels = 0.999 * BendRasterizer::kErrorPixels;
+
+// Where a vertex lies outside of the bend.
+constexpr unsigned kBeforeFirst = 1;  // its first plane
+constexpr unsigned kBeyondLast = 2;   // its last plane
+
 /// What rounding to single precision may take from shares, a thousand times.
 constexpr double kShareRoom = 1e-4;
 
@@ -30,13 +37,10 @@ RasterVertex rasterVertex(const BendRasterizer::Vertex& v) {
 }  // namespace
 
 struct BendRasterizer::OwnScratch final : PieceRasterizer::Scratch {
-  struct Entry {
-    uint64_t tag = ~uint64_t{0};
-    Vertex vertex;
-  };
-  static constexpr size_t kVertices = 1024;
-
-  std::vector<Entry> cache{kVertices};
+  BlockVertices points;
+  BendImages images;
+  std::array<CentreCell, BlockVertices::kMaxCount> cells;      ///< unknown() without an image
+  std::array<uint8_t, BlockVertices::kMaxCount> outside{};  ///< kBeforeFirst, kBeyondLast
   Clipper clipper;
   std::vector<Vertex> corners;
 };
@@ -82,42 +86,63 @@ std::unique_ptr<PieceRasterizer::Scratch> BendRasterizer::makeScratch() const {
   return std::make_unique<OwnScratch>();
 }
 
-const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, OwnScratch& scratch) const {
-  OwnScratch::Entry& held = scratch.cache[index % OwnScratch::kVertices];
-  if (held.tag != index) {
-    held = {index, vertex(glm::dvec3(mesh_.positions[index]), {0, 0})};
+/// Projects the vertices of a block.
+void BendRasterizer::place(uint32_t block, OwnScratch& scratch) const {
+  scratch.points.collect(mesh_, blocks_, block);
+  projection_.project(scratch.points, scratch.images);
+  const HalfSpaces& slab = bounds().slab();
+  for (size_t i = 0; i < scratch.points.size(); ++i) {
+    const glm::dvec4 p(scratch.points.position(i), 1);
+    scratch.outside[i] = static_cast<uint8_t>((glm::dot(slab[0], p) < 0 ? kBeforeFirst : 0u) |
+                                              (glm::dot(slab[1], p) < 0 ? kBeyondLast : 0u));
+    scratch.cells[i] = scratch.images.imaged[i] != 0 ? CentreCell::at(static_cast<float>(scratch.images.u[i]),
+                                                                      static_cast<float>(scratch.images.v[i]))
+                                                     : CentreCell::unknown();
   }
-  return held.vertex;
+}
+
+/// Whether a triangle comes out as it is, in one piece, and covers no pixel centre. Its corners have images.
+bool BendRasterizer::liesBetweenCentres(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const {
+  const auto [a, b, c] = triangle.corners;
+  if (!CentreCell::missCentres(scratch.cells[a], scratch.cells[b], scratch.cells[c])) {
+    return false;
+  }
+  // No edge is longer than that, or passes more of the bend.
+  const auto extent = [&](const BendImages::Numbers& n) {
+    return std::max({n[a], n[b], n[c]}) - std::min({n[a], n[b], n[c]});
+  };
+  const BendImages& images = scratch.images;
+  return projection_.greatestBend(extent(images.u) + extent(images.v), extent(images.share)) <= kSurelyStraightPixels;
+}
+
+BendRasterizer::Vertex BendRasterizer::meshVertex(size_t i, const glm::dvec2& b, const OwnScratch& scratch) const {
+  const BendImages& images = scratch.images;
+  return {glm::dvec3(scratch.points.position(i)),
+          b,
+          {{images.u[i], images.v[i]},
+           images.weight[i],
+           images.behindFirst[i],
+           images.beforeLast[i],
+           images.imaged[i] != 0}};
 }
 
 void BendRasterizer::begin(const RegionBuffer& /*region*/, uint64_t /*kinds*/, Scratch& /*scratch*/) const {}
 
 void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const {
   auto& own = static_cast<OwnScratch&>(scratch);
-  const HalfSpaces& slab = bounds().slab();
-  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
-    const Sink sink{region, triangle};
-    const glm::uvec3& t = mesh_.triangles[triangle];
-    std::array<int, 2> outside{};
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec4 p(mesh_.positions[t[k]], 1);
-      outside[0] += glm::dot(slab[0], p) < 0;
-      outside[1] += glm::dot(slab[1], p) < 0;
+  place(task.block, own);
+  for (const BlockVertices::Triangle& triangle : own.points.triangles()) {
+    const auto [a, b, c] = triangle.corners;
+    if ((own.outside[a] & own.outside[b] & own.outside[c]) != 0) {
+      continue;
     }
-    if (outside[0] == 3 || outside[1] == 3) {
-      return;
-    }
-    if (outside[0] + outside[1] > 0) {
+    const Sink sink{region, triangle.index};
+    if ((own.outside[a] | own.outside[b] | own.outside[c]) != 0) {
       drawClipped(sink, own);
-      return;
+    } else if (!liesBetweenCentres(triangle, own)) {
+      refine(sink, meshVertex(a, {0, 0}, own), meshVertex(b, {1, 0}, own), meshVertex(c, {0, 1}, own), 0);
     }
-    const Vertex a = meshVertex(t.x, own);
-    Vertex b = meshVertex(t.y, own);
-    Vertex c = meshVertex(t.z, own);
-    b.b.x = 1;
-    c.b.y = 1;
-    refine(sink, a, b, c, 0);
-  });
+  }
 }
 
 void BendRasterizer::drawClipped(const Sink& sink, OwnScratch& scratch) const {

@@ -114,6 +114,8 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
   glm::dvec2 upper{0};
 
   uint64_t serial = 0;
+  BlockVertices points;
+  SegmentImages images;
   std::array<Vertex, kVertices> cache;
   Clipper clipper;
   std::vector<RasterVertex> corners;
@@ -142,9 +144,10 @@ class SegmentRasterizer::Drawing {
         inside_(task.within && (scratch.kinds & ~task.clear) == 0),
         scratch_(scratch) {}
 
-  void draw(uint32_t triangle);
+  void draw(const BlockVertices::Triangle& triangle);
 
  private:
+  void drawAcross(uint32_t triangle);
   using Vertex = SegmentScratch::Vertex;
 
   const Vertex& vertex(uint32_t index);
@@ -173,9 +176,18 @@ SegmentRasterizer::SegmentRasterizer(const StraightSegment& segment, const Mesh&
       bounds_(segment),
       rect_(bounds_.rectIn(width, height)) {
   const glm::dmat4 rows = glm::transpose(segment.pixelFromWorld);
-  uRow_ = rows[0];
-  vRow_ = rows[1];
-  weightRow_ = rows[3];
+  const auto upper = [](int pixels) {
+    return std::min(static_cast<float>(pixels) + kGuardPixels, CentreCell::kMaxPixels);
+  };
+  setup_ = {rows[0],
+            rows[1],
+            rows[3],
+            segment.begin.normal,
+            segment.begin.distance,
+            -bounds_.margin(),
+            -kGuardPixels,
+            upper(width),
+            upper(height)};
 }
 
 void SegmentRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& /*grid*/,
@@ -206,13 +218,17 @@ void SegmentRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratc
   auto& own = static_cast<SegmentScratch&>(scratch);
   ++own.serial;
   Drawing drawing(*this, region, task, own);
-  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) { drawing.draw(triangle); });
+  own.points.collect(mesh_, blocks_, task.block);
+  projectBlock(setup_, own.points, own.images);
+  for (const BlockVertices::Triangle& triangle : own.points.triangles()) {
+    drawing.draw(triangle);
+  }
   region.touch(task.rect);
 }
 
 glm::dvec3 SegmentRasterizer::image(const glm::dvec3& p) const {
   const auto row = [&](const glm::dvec4& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
-  return {row(uRow_), row(vRow_), row(weightRow_)};
+  return {row(setup_.uRow), row(setup_.vRow), row(setup_.weightRow)};
 }
 
 const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index) {
@@ -222,9 +238,7 @@ const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index)
     const glm::dvec3 p(of_.mesh_.positions[index]);
     const glm::dvec3 image = of_.image(p);
     held = {tag, rasterVertex(image), 0, 0};
-    if (!inside_) {
-      place(p, image, held);
-    }
+    place(p, image, held);
   }
   return held;
 }
@@ -257,7 +271,23 @@ void SegmentRasterizer::Drawing::place(const glm::dvec3& p, const glm::dvec3& im
   vertex.flags = static_cast<uint8_t>(flags);
 }
 
-void SegmentRasterizer::Drawing::draw(uint32_t triangle) {
+void SegmentRasterizer::Drawing::draw(const BlockVertices::Triangle& triangle) {
+  const SegmentImages& images = scratch_.images;
+  const auto [a, b, c] = triangle.corners;
+  if (CentreCell::missCentres(images.cells[a], images.cells[b], images.cells[c])) {
+    return;
+  }
+  if (!inside_) {
+    drawAcross(triangle.index);
+    return;
+  }
+  fill(triangle.index, {RasterVertex{images.u[a], images.v[a], images.inverseZ[a], 0, 0},
+                        RasterVertex{images.u[b], images.v[b], images.inverseZ[b], 1, 0},
+                        RasterVertex{images.u[c], images.v[c], images.inverseZ[c], 0, 1}});
+}
+
+/// A triangle of a block that is not wholly within.
+void SegmentRasterizer::Drawing::drawAcross(uint32_t triangle) {
   const glm::uvec3& t = of_.mesh_.triangles[triangle];
   const Vertex a = vertex(t.x);
   Vertex b = vertex(t.y);
