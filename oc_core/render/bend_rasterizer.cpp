@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ocelli {
 namespace {
@@ -41,6 +42,8 @@ struct BendRasterizer::OwnScratch final : PieceRasterizer::Scratch {
   BendImages images;
   std::array<CentreCell, BlockVertices::kMaxCount> cells;      ///< unknown() without an image
   std::array<uint8_t, BlockVertices::kMaxCount> outside{};  ///< kBeforeFirst, kBeyondLast
+  glm::dvec2 lower{std::numeric_limits<double>::infinity()};  ///< around what was drawn of a block
+  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
   Clipper clipper;
   std::vector<Vertex> corners;
 };
@@ -101,10 +104,10 @@ void BendRasterizer::place(uint32_t block, OwnScratch& scratch) const {
   }
 }
 
-/// Whether a triangle comes out as it is, in one piece, and covers no pixel centre. Its corners have images.
-bool BendRasterizer::liesBetweenCentres(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const {
+/// Whether no edge of a triangle is to be split, for certain.
+bool BendRasterizer::isStraight(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const {
   const auto [a, b, c] = triangle.corners;
-  if (!CentreCell::missCentres(scratch.cells[a], scratch.cells[b], scratch.cells[c])) {
+  if (!scratch.cells[a].isKnown() || !scratch.cells[b].isKnown() || !scratch.cells[c].isKnown()) {
     return false;
   }
   // No edge is longer than that, or passes more of the bend.
@@ -113,6 +116,37 @@ bool BendRasterizer::liesBetweenCentres(const BlockVertices::Triangle& triangle,
   };
   const BendImages& images = scratch.images;
   return projection_.greatestBend(extent(images.u) + extent(images.v), extent(images.share)) <= kSurelyStraightPixels;
+}
+
+/// Draws a triangle that is not to be split.
+void BendRasterizer::drawStraight(const Sink& sink, const BlockVertices::Triangle& triangle,
+                                  OwnScratch& scratch) const {
+  const auto [a, b, c] = triangle.corners;
+  if (CentreCell::missCentres(scratch.cells[a], scratch.cells[b], scratch.cells[c])) {
+    return;
+  }
+  const BendImages& images = scratch.images;
+  const auto corner = [&](size_t i) {
+    return RasterVertex{static_cast<float>(images.u[i]), static_cast<float>(images.v[i]), 0, 0, 0};
+  };
+  const double share = std::min({images.share[a], images.share[b], images.share[c]});
+  if (!sink.region.missesAll(sink.region.rect(), corner(a), corner(b), corner(c),
+                             static_cast<float>(share * (1 - kShareRoom)))) {
+    fill(sink, meshVertex(a, {0, 0}, scratch), meshVertex(b, {1, 0}, scratch), meshVertex(c, {0, 1}, scratch));
+    for (const size_t i : {a, b, c}) {
+      scratch.lower = glm::min(scratch.lower, glm::dvec2(images.u[i], images.v[i]));
+      scratch.upper = glm::max(scratch.upper, glm::dvec2(images.u[i], images.v[i]));
+    }
+  }
+}
+
+/// What drawStraight() has drawn of a block.
+void BendRasterizer::touch(RegionBuffer& region, OwnScratch& scratch) const {
+  if (scratch.lower.x <= scratch.upper.x) {
+    region.touch(pixelsAround(scratch.lower - 1.0, scratch.upper + 1.0, region.rect()));
+  }
+  scratch.lower = glm::dvec2(std::numeric_limits<double>::infinity());
+  scratch.upper = -scratch.lower;
 }
 
 BendRasterizer::Vertex BendRasterizer::meshVertex(size_t i, const glm::dvec2& b, const OwnScratch& scratch) const {
@@ -139,10 +173,13 @@ void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& 
     const Sink sink{region, triangle.index};
     if ((own.outside[a] | own.outside[b] | own.outside[c]) != 0) {
       drawClipped(sink, own);
-    } else if (!liesBetweenCentres(triangle, own)) {
+    } else if (isStraight(triangle, own)) {
+      drawStraight(sink, triangle, own);
+    } else {
       refine(sink, meshVertex(a, {0, 0}, own), meshVertex(b, {1, 0}, own), meshVertex(c, {0, 1}, own), 0);
     }
   }
+  touch(region, own);
 }
 
 void BendRasterizer::drawClipped(const Sink& sink, OwnScratch& scratch) const {
@@ -195,6 +232,16 @@ std::optional<BendRasterizer::Vertex> BendRasterizer::splitOf(const Vertex& a, c
   return isStraight ? std::nullopt : std::optional(middle);
 }
 
+void BendRasterizer::fillAndTouch(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
+  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
+    return;
+  }
+  fill(sink, a, b, c);
+  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
+  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
+  sink.region.touch(pixelsAround(lower - 1.0, upper + 1.0, sink.region.rect()));
+}
+
 void BendRasterizer::refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
                                int depth) const {
   refine(sink, a, ab, c, depth + 1);
@@ -213,7 +260,7 @@ void BendRasterizer::refine(const Sink& sink, const Vertex& a, const Vertex& b, 
     return;
   }
   if (depth >= kDeepest) {
-    fill(sink, a, b, c);
+    fillAndTouch(sink, a, b, c);
     return;
   }
   const std::optional<Vertex> ab = splitOf(a, b);
@@ -237,14 +284,11 @@ void BendRasterizer::refine(const Sink& sink, const Vertex& a, const Vertex& b, 
   } else if (ca) {
     refineOne(sink, c, a, b, *ca, depth);
   } else {
-    fill(sink, a, b, c);
+    fillAndTouch(sink, a, b, c);
   }
 }
 
 void BendRasterizer::fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
-  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
-    return;
-  }
   const auto inSingle = [](double atA, double atB, double atC) {
     return std::array{static_cast<float>(atA), static_cast<float>(atB), static_cast<float>(atC)};
   };
@@ -261,9 +305,6 @@ void BendRasterizer::fill(const Sink& sink, const Vertex& a, const Vertex& b, co
                        sink.region.put(pixel, depth, sink.triangle, weights());
                      }
                    });
-  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
-  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
-  sink.region.touch(pixelsAround(lower - 1.0, upper + 1.0, sink.region.rect()));
 }
 
 }  // namespace ocelli

@@ -53,7 +53,9 @@ class BendRasterizer final : public PieceRasterizer {
   Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const { return {p, b, projection_.project(p)}; }
   Vertex meshVertex(size_t i, const glm::dvec2& b, const OwnScratch& scratch) const;
   void place(uint32_t block, OwnScratch& scratch) const;
-  bool liesBetweenCentres(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const;
+  bool isStraight(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const;
+  void drawStraight(const Sink& sink, const BlockVertices::Triangle& triangle, OwnScratch& scratch) const;
+  void touch(RegionBuffer& region, OwnScratch& scratch) const;
   void drawClipped(const Sink& sink, OwnScratch& scratch) const;
   bool isUnseen(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
   std::optional<Vertex> splitOf(const Vertex& a, const Vertex& b) const;
@@ -63,6 +65,7 @@ class BendRasterizer final : public PieceRasterizer {
   void refineTwo(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
                  const Vertex& bc, int depth) const;
   void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
+  void fillAndTouch(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
 
   const BendBounds& bounds() const { return projection_.bounds(); }
 

@@ -26,6 +26,8 @@ constexpr uint8_t kBelow = 64;
 constexpr uint8_t kHidden = 128;  // farther before the first plane than triangles are drawn
 /// Nothing is seen of a triangle all of whose corners have one of these.
 constexpr uint8_t kUnseen = kLeft | kRight | kAbove | kBelow | kHidden;
+/// Depths of pixels are at least this part of the nearest corner's: rounding takes a thousandth of the rest.
+constexpr float kNearer = 0.9999f;
 /// As far outside of a region, in pixels, snapping and cut edges do not matter.
 constexpr double kRegionMargin = 2;
 
@@ -277,13 +279,21 @@ void SegmentRasterizer::Drawing::draw(const BlockVertices::Triangle& triangle) {
   if (CentreCell::missCentres(images.cells[a], images.cells[b], images.cells[c])) {
     return;
   }
-  if (!inside_) {
-    drawAcross(triangle.index);
-    return;
+  const auto corner = [&](size_t i, float b1, float b2) {
+    return RasterVertex{images.u[i], images.v[i], images.inverseZ[i], b1, b2};
+  };
+  const std::array<RasterVertex, 3> vertices{corner(a, 0, 0), corner(b, 1, 0), corner(c, 0, 1)};
+  if (images.cells[a].isKnown() && images.cells[b].isKnown() && images.cells[c].isKnown()) {
+    const float nearest = kNearer / std::max({vertices[0].inverseZ, vertices[1].inverseZ, vertices[2].inverseZ});
+    if (region_.missesAll(rect_, vertices[0], vertices[1], vertices[2], nearest)) {
+      return;
+    }
   }
-  fill(triangle.index, {RasterVertex{images.u[a], images.v[a], images.inverseZ[a], 0, 0},
-                        RasterVertex{images.u[b], images.v[b], images.inverseZ[b], 1, 0},
-                        RasterVertex{images.u[c], images.v[c], images.inverseZ[c], 0, 1}});
+  if (inside_) {
+    fill(triangle.index, vertices);
+  } else {
+    drawAcross(triangle.index);
+  }
 }
 
 /// A triangle of a block that is not wholly within.
