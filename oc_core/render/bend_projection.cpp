@@ -117,7 +117,11 @@ void BendProjection::project(const BlockVertices& points, BendImages& images) co
     images.beforeLast[i] = image.beforeLast;
     images.share[i] = image.share();
     images.imaged[i] = image.imaged ? ~uint64_t{0} : 0;
+    const glm::dvec4 p(points.position(i), 1);
+    images.outside[i] = (glm::dot(setup_.first, p) < 0 ? BendImages::kBeforeFirst : 0) |
+                        (glm::dot(setup_.last, p) < 0 ? BendImages::kBeyondLast : 0);
   }
+  images.findCells(points.size());
 }
 
 double BendProjection::deviation(const BendImage& a, const BendImage& b, const BendImage& middle) const {

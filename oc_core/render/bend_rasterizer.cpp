@@ -14,10 +14,6 @@ constexpr double kMaxBendPixels = 16;
 /// Bends of less, for certain: what rounding takes from it.
 constexpr double kSurelyStraightPixels = 0.999 * BendRasterizer::kErrorPixels;
 
-// Where a vertex lies outside of the bend.
-constexpr unsigned kBeforeFirst = 1;  // its first plane
-constexpr unsigned kBeyondLast = 2;   // its last plane
-
 /// What rounding to single precision may take from shares, a thousand times.
 constexpr double kShareRoom = 1e-4;
 
@@ -40,8 +36,7 @@ RasterVertex rasterVertex(const BendRasterizer::Vertex& v) {
 struct BendRasterizer::OwnScratch final : PieceRasterizer::Scratch {
   BlockVertices points;
   BendImages images;
-  std::array<CentreCell, BlockVertices::kMaxCount> cells;      ///< unknown() without an image
-  std::array<uint8_t, BlockVertices::kMaxCount> outside{};  ///< kBeforeFirst, kBeyondLast
+  bool isStraight = false;                                    ///< no edge of the block is to be split, for certain
   glm::dvec2 lower{std::numeric_limits<double>::infinity()};  ///< around what was drawn of a block
   glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
   Clipper clipper;
@@ -93,21 +88,25 @@ std::unique_ptr<PieceRasterizer::Scratch> BendRasterizer::makeScratch() const {
 void BendRasterizer::place(uint32_t block, OwnScratch& scratch) const {
   scratch.points.collect(mesh_, blocks_, block);
   projection_.project(scratch.points, scratch.images);
-  const HalfSpaces& slab = bounds().slab();
-  for (size_t i = 0; i < scratch.points.size(); ++i) {
-    const glm::dvec4 p(scratch.points.position(i), 1);
-    scratch.outside[i] = static_cast<uint8_t>((glm::dot(slab[0], p) < 0 ? kBeforeFirst : 0u) |
-                                              (glm::dot(slab[1], p) < 0 ? kBeyondLast : 0u));
-    scratch.cells[i] = scratch.images.imaged[i] != 0 ? CentreCell::at(static_cast<float>(scratch.images.u[i]),
-                                                                      static_cast<float>(scratch.images.v[i]))
-                                                     : CentreCell::unknown();
-  }
+  const BendImages& images = scratch.images;
+  const size_t count = scratch.points.size();
+  const auto extent = [&](const BendImages::Numbers& n) {
+    const auto [least, most] = std::minmax_element(n.begin(), n.begin() + static_cast<std::ptrdiff_t>(count));
+    return *most - *least;
+  };
+  scratch.isStraight =
+      std::all_of(images.cells.begin(), images.cells.begin() + static_cast<std::ptrdiff_t>(count),
+                  [](CentreCell cell) { return cell.isKnown(); }) &&
+      projection_.greatestBend(extent(images.u) + extent(images.v), extent(images.share)) <= kSurelyStraightPixels;
 }
 
 /// Whether no edge of a triangle is to be split, for certain.
 bool BendRasterizer::isStraight(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const {
+  if (scratch.isStraight) {
+    return true;
+  }
   const auto [a, b, c] = triangle.corners;
-  if (!scratch.cells[a].isKnown() || !scratch.cells[b].isKnown() || !scratch.cells[c].isKnown()) {
+  if (!scratch.images.cells[a].isKnown() || !scratch.images.cells[b].isKnown() || !scratch.images.cells[c].isKnown()) {
     return false;
   }
   // No edge is longer than that, or passes more of the bend.
@@ -122,7 +121,7 @@ bool BendRasterizer::isStraight(const BlockVertices::Triangle& triangle, const O
 void BendRasterizer::drawStraight(const Sink& sink, const BlockVertices::Triangle& triangle,
                                   OwnScratch& scratch) const {
   const auto [a, b, c] = triangle.corners;
-  if (CentreCell::missCentres(scratch.cells[a], scratch.cells[b], scratch.cells[c])) {
+  if (CentreCell::missCentres(scratch.images.cells[a], scratch.images.cells[b], scratch.images.cells[c])) {
     return;
   }
   const BendImages& images = scratch.images;
@@ -167,11 +166,11 @@ void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& 
   place(task.block, own);
   for (const BlockVertices::Triangle& triangle : own.points.triangles()) {
     const auto [a, b, c] = triangle.corners;
-    if ((own.outside[a] & own.outside[b] & own.outside[c]) != 0) {
+    if ((own.images.outside[a] & own.images.outside[b] & own.images.outside[c]) != 0) {
       continue;
     }
     const Sink sink{region, triangle.index};
-    if ((own.outside[a] | own.outside[b] | own.outside[c]) != 0) {
+    if ((own.images.outside[a] | own.images.outside[b] | own.images.outside[c]) != 0) {
       drawClipped(sink, own);
     } else if (isStraight(triangle, own)) {
       drawStraight(sink, triangle, own);

@@ -30,9 +30,8 @@ HWY_ATTR HWY_INLINE BlockVec3 numbers(const glm::dvec3& p) {
   return {numbers(p.x), numbers(p.y), numbers(p.z)};
 }
 HWY_ATTR HWY_INLINE BlockVec3 positions(const BlockVertices& points, size_t i) {
-  const auto read = [i](const float* from) HWY_ATTR {
-    return hn::PromoteTo(BlockDoubles(), hn::Load(BlockFloats(), from + i));
-  };
+  const auto read = [i](const float* from)
+                        HWY_ATTR { return hn::PromoteTo(BlockDoubles(), hn::Load(BlockFloats(), from + i)); };
   return {read(points.x()), read(points.y()), read(points.z())};
 }
 // As glm has them: the order of sums counts.
@@ -75,8 +74,7 @@ HWY_ATTR HWY_INLINE BlockVec atLeast(BlockVec value, BlockVec least) {
 HWY_ATTR void projectSegment(const SegmentSetup& setup, const BlockVertices& points, SegmentImages& images) {
   const BlockDoubles d;
   const BlockFloats f;
-  const auto row = [](const glm::dvec4& r, const BlockVec3& p)
-                       HWY_ATTR { return affine(r.x, r.y, r.z, r.w, p); };
+  const auto row = [](const glm::dvec4& r, const BlockVec3& p) HWY_ATTR { return affine(r.x, r.y, r.z, r.w, p); };
   // Where a coordinate is this, the cell is unknown().
   const auto noCell = hn::Set(f, 0.5f);
   alignas(64) float cellU[BlockVertices::kMaxCount];
@@ -110,9 +108,8 @@ HWY_ATTR HWY_INLINE BlockVec rootOf(BlockVec b0, BlockVec b1, BlockVec b2) {
   const BlockVec zero = numbers(0);
   const BlockVec one = numbers(1);
   const BlockVec minus = numbers(-1);
-  const BlockVec sign =
-      hn::IfThenElse(hn::Gt(hn::Abs(b0), hn::Abs(b2)), hn::IfThenElse(hn::Gt(b0, zero), one, minus),
-                     hn::IfThenElse(hn::Lt(b2, zero), one, minus));
+  const BlockVec sign = hn::IfThenElse(hn::Gt(hn::Abs(b0), hn::Abs(b2)), hn::IfThenElse(hn::Gt(b0, zero), one, minus),
+                                       hn::IfThenElse(hn::Lt(b2, zero), one, minus));
   b0 = hn::Mul(b0, sign);
   b1 = hn::Mul(b1, sign);
   b2 = hn::Mul(b2, sign);
@@ -147,11 +144,10 @@ HWY_ATTR HWY_INLINE BlockMask middlesOf(const BendSetup& setup, const BlockVec3&
   const BlockVec3 q = over(difference(times(s, heightBeyond), times(beyond, heightS)), hn::Sub(heightBeyond, heightS));
   const BlockVec3 up = cross(normal, axis);
   const BlockVec3 side = cross(normal, difference(p, a));
-  const BlockVec u =
-      rootOf(dot(side, difference(t, a)), dot(side, difference(s, a)), dot(side, difference(q, a)));
+  const BlockVec u = rootOf(dot(side, difference(t, a)), dot(side, difference(s, a)), dot(side, difference(q, a)));
   const BlockVec rest = hn::Sub(one, u);
-  const BlockVec3 onB = sum(sum(times(t, hn::Mul(rest, rest)), times(s, hn::Mul(hn::Mul(numbers(2), u), rest))),
-                            times(q, hn::Mul(u, u)));
+  const BlockVec3 onB =
+      sum(sum(times(t, hn::Mul(rest, rest)), times(s, hn::Mul(hn::Mul(numbers(2), u), rest))), times(q, hn::Mul(u, u)));
   const BlockVec3 towards = difference(a, onB);
   const BlockVec share = hn::Div(dot(difference(p, onB), towards), dot(towards, towards));
   const BlockVec mu = hn::Div(hn::Mul(hn::Div(share, hn::Sub(one, share)), dot(up, s)), dot(up, onB));
@@ -168,8 +164,8 @@ HWY_ATTR void projectBend(const BendSetup& setup, const BlockVertices& points, B
     const BlockVec3 point = positions(points, i);
     const BlockVec behindFirst = atLeast(heightOver(setup.first, point), zero);
     const BlockVec beforeLast = atLeast(heightOver(setup.last, point), zero);
-    const BlockVec share = hn::IfThenElse(hn::Gt(behindFirst, zero),
-                                          hn::Div(behindFirst, hn::Add(behindFirst, beforeLast)), zero);
+    const BlockVec share =
+        hn::IfThenElse(hn::Gt(behindFirst, zero), hn::Div(behindFirst, hn::Add(behindFirst, beforeLast)), zero);
     BlockVec3 middle;
     const BlockMask isHeld = middlesOf(setup, point, middle);
     const BlockVec w = rowTimes(setup.before, 3, middle);
@@ -179,11 +175,11 @@ HWY_ATTR void projectBend(const BendSetup& setup, const BlockVertices& points, B
     const auto weightBy = [&](const glm::dmat4& m) HWY_ATTR {
       return atLeast(affine(m[0][3], m[1][3], m[2][3], m[3][3], point), leastWeight);
     };
-    const BlockVec weight = hn::Add(hn::Mul(hn::Sub(numbers(1), share), weightBy(setup.before)),
-                                    hn::Mul(share, weightBy(setup.after)));
+    const BlockVec weight =
+        hn::Add(hn::Mul(hn::Sub(numbers(1), share), weightBy(setup.before)), hn::Mul(share, weightBy(setup.after)));
     const BlockVec most = numbers(setup.maxPixels);
-    const BlockMask isImaged = hn::And(hn::And(isHeld, hn::Gt(w, zero)),
-                                       hn::And(hn::Lt(hn::Abs(u), most), hn::Lt(hn::Abs(v), most)));
+    const BlockMask isImaged =
+        hn::And(hn::And(isHeld, hn::Gt(w, zero)), hn::And(hn::Lt(hn::Abs(u), most), hn::Lt(hn::Abs(v), most)));
     hn::Store(hn::IfThenElse(isHeld, u, zero), d, images.u.data() + i);
     hn::Store(hn::IfThenElse(isHeld, v, zero), d, images.v.data() + i);
     hn::Store(hn::IfThenElse(isHeld, weight, zero), d, images.weight.data() + i);
@@ -191,7 +187,15 @@ HWY_ATTR void projectBend(const BendSetup& setup, const BlockVertices& points, B
     hn::Store(beforeLast, d, images.beforeLast.data() + i);
     hn::Store(share, d, images.share.data() + i);
     hn::Store(hn::BitCast(bits, hn::VecFromMask(d, isImaged)), bits, images.imaged.data() + i);
+    const auto outside = [&](const HalfSpace& space, uint64_t flag) HWY_ATTR {
+      const BlockVec height = hn::Add(hn::Add(hn::Mul(numbers(space.x), point.x), hn::Mul(numbers(space.y), point.y)),
+                                      hn::Add(hn::Mul(numbers(space.z), point.z), numbers(space.w)));
+      return hn::And(hn::BitCast(bits, hn::VecFromMask(d, hn::Lt(height, zero))), hn::Set(bits, flag));
+    };
+    hn::Store(hn::Or(outside(setup.first, BendImages::kBeforeFirst), outside(setup.last, BendImages::kBeyondLast)),
+              bits, images.outside.data() + i);
   }
+  images.findCells(points.size());
 }
 
 }  // namespace ocelli::HWY_NAMESPACE

@@ -62,7 +62,20 @@ struct BendImages {
   alignas(64) Numbers behindFirst;
   alignas(64) Numbers beforeLast;
   alignas(64) Numbers share;
-  alignas(64) std::array<uint64_t, BlockVertices::kMaxCount> imaged;  ///< 0 or not
+  alignas(64) std::array<uint64_t, BlockVertices::kMaxCount> imaged;   ///< 0 or not
+  alignas(64) std::array<uint64_t, BlockVertices::kMaxCount> outside;  ///< kBeforeFirst and kBeyondLast, or 0
+  std::array<CentreCell, BlockVertices::kMaxCount> cells;              ///< unknown() without an image
+
+  static constexpr uint64_t kBeforeFirst = 1;  ///< before the first plane of the bend
+  static constexpr uint64_t kBeyondLast = 2;
+
+  /// Finds the cells of so many.
+  void findCells(size_t count) {
+    for (size_t i = 0; i < count; ++i) {
+      cells[i] =
+          imaged[i] != 0 ? CentreCell::at(static_cast<float>(u[i]), static_cast<float>(v[i])) : CentreCell::unknown();
+    }
+  }
 };
 
 void projectBlock(const BendSetup& setup, const BlockVertices& points, BendImages& images);

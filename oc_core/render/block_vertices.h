@@ -14,7 +14,7 @@ class BlockVertices {
   static constexpr size_t kMaxCount = 3 * MeshBlocks::kTriangles;
 
   struct Triangle {
-    uint32_t index = 0;                 ///< in the mesh
+    uint32_t index = 0;                ///< in the mesh
     std::array<uint8_t, 3> corners{};  ///< of the vertices here
   };
 
@@ -36,8 +36,6 @@ class BlockVertices {
     uint8_t place = 0;
   };
   static constexpr size_t kSlots = 128;
-
-  uint8_t placeOf(const Mesh& mesh, uint32_t vertex);
 
   uint64_t serial_ = 0;  ///< of the block: slots of others are empty
   std::array<Slot, kSlots> slots_;

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ocelli {
 namespace {
@@ -28,6 +29,8 @@ constexpr uint8_t kHidden = 128;  // farther before the first plane than triangl
 constexpr uint8_t kUnseen = kLeft | kRight | kAbove | kBelow | kHidden;
 /// Depths of pixels are at least this part of the nearest corner's: rounding takes a thousandth of the rest.
 constexpr float kNearer = 0.9999f;
+/// Triangles that cover a few pixels at most.
+constexpr float kSmallPixels = 2;
 /// As far outside of a region, in pixels, snapping and cut edges do not matter.
 constexpr double kRegionMargin = 2;
 
@@ -97,6 +100,13 @@ RasterVertex rasterVertex(const glm::dvec3& image) {
   const double inverse = 1 / image.z;
   return {static_cast<float>(image.x * inverse), static_cast<float>(image.y * inverse), static_cast<float>(inverse), 0,
           0};
+}
+
+/// The longer side of the box around a triangle, pixels.
+float extentOf(const std::array<RasterVertex, 3>& v) {
+  const auto [leftmost, rightmost] = std::minmax({v[0].u, v[1].u, v[2].u});
+  const auto [highest, lowest] = std::minmax({v[0].v, v[1].v, v[2].v});
+  return std::max(rightmost - leftmost, lowest - highest);
 }
 
 struct SegmentScratch final : PieceRasterizer::Scratch {
@@ -181,15 +191,8 @@ SegmentRasterizer::SegmentRasterizer(const StraightSegment& segment, const Mesh&
   const auto upper = [](int pixels) {
     return std::min(static_cast<float>(pixels) + kGuardPixels, CentreCell::kMaxPixels);
   };
-  setup_ = {rows[0],
-            rows[1],
-            rows[3],
-            segment.begin.normal,
-            segment.begin.distance,
-            -bounds_.margin(),
-            -kGuardPixels,
-            upper(width),
-            upper(height)};
+  setup_ = {rows[0],           rows[1],       rows[3],      segment.begin.normal, segment.begin.distance,
+            -bounds_.margin(), -kGuardPixels, upper(width), upper(height)};
 }
 
 void SegmentRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& /*grid*/,
@@ -366,9 +369,14 @@ void SegmentRasterizer::Drawing::drawClipped(uint32_t triangle) {
 
 void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
                                             const std::array<glm::dvec3, 3>& points) {
-  const HeightOver begin(segment_.begin, vertices, points);
-  if (begin.isBeforeAll()) {
-    return;
+  // Of a small triangle few pixels ask for heights, so they are not worked out ahead.
+  const bool isSmall = extentOf(vertices) <= kSmallPixels;
+  std::optional<HeightOver> begin;
+  if (!isSmall) {
+    begin.emplace(segment_.begin, vertices, points);
+    if (begin->isBeforeAll()) {
+      return;
+    }
   }
   int held = -1;  // the kind of rays whose ends these are
   std::vector<HeightOver>& ends = scratch_.heights;
@@ -379,7 +387,7 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
       ends.emplace_back(plane, vertices, points);
     }
   };
-  bool endsBefore = true;
+  bool endsBefore = !isSmall;
   for (auto kind = scratch_.ends.begin(); kind != scratch_.ends.end() && endsBefore; ++kind) {
     hold(kind->first);
     endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
@@ -389,7 +397,13 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
   }
   region_.scan(
       rect_, vertices[0], vertices[1], vertices[2], [&](size_t pixel, float weight, const PixelWeights& weights) {
-        if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
+        if (!region_.isNearest(pixel, weight, triangle)) {
+          return;
+        }
+        if (!begin) {
+          begin.emplace(segment_.begin, vertices, points);
+        }
+        if (begin->isBefore(weights)) {
           return;
         }
         const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];
