@@ -28,39 +28,51 @@ double height(const HalfSpace& space, const glm::dvec3& p) {
 BendProjection::BendProjection(const CurvedRayCamera& camera, size_t bend)
     : transition_(camera.bends()[bend]),
       bounds_(camera, bend),
-      origin_(transition_.before()),
-      beyond_(transition_.beyond() - origin_),
-      axis_(transition_.isStraight() ? glm::dvec3(0) : glm::normalize(beyond_)),
-      linePoint_(transition_.linePoint() - origin_),
-      lineDirection_(transition_.lineDirection()),
-      border_(transition_.border() - origin_),
-      from_(moved(beyond(transition_.planes().from), origin_)),
-      to_(moved(beyond(transition_.planes().to), origin_)),
+      setup_(makeSetup()),
       widthPixels_(camera.width() / 4.0),
       bendFactor_(measureBends(camera, bend)) {}
 
+BendSetup BendProjection::makeSetup() const {
+  const glm::dvec3 origin = transition_.before();
+  const glm::dvec3 beyondOrigin = transition_.beyond() - origin;
+  return {origin,
+          beyondOrigin,
+          transition_.isStraight() ? glm::dvec3(0) : glm::normalize(beyondOrigin),
+          transition_.linePoint() - origin,
+          transition_.lineDirection(),
+          transition_.border() - origin,
+          moved(beyond(transition_.planes().from), origin),
+          moved(beyond(transition_.planes().to), origin),
+          bounds_.slab()[0],
+          bounds_.slab()[1],
+          bounds_.before(),
+          bounds_.after(),
+          kMaxPixels,
+          kMinWeight};
+}
+
 /// Where the ray of a point meets the middle plane.
 std::optional<glm::dvec3> BendProjection::middleOf(const glm::dvec3& point) const {
-  if (transition_.model() == ArcModel::kBezier || transition_.isStraight()) {
+  if (!isClosedForm()) {
     const std::optional<RayTransition::Place> place = transition_.find(point);
     return place ? std::optional(place->arc.s) : std::nullopt;
   }
   // As RayTransition::find(): the epipolar plane, A, the control points of b, and the collineation that takes b to the
   // arc of the point.
-  const glm::dvec3 p = point - origin_;
-  const glm::dvec3 normal = glm::cross(axis_, p);
-  const double along = glm::dot(normal, lineDirection_);
+  const glm::dvec3 p = point - setup_.origin;
+  const glm::dvec3 normal = glm::cross(setup_.axis, p);
+  const double along = glm::dot(normal, setup_.lineDirection);
   if (!(along * along > 1e-24 * glm::dot(normal, normal))) {
     return std::nullopt;
   }
   const double perAlong = 1 / along;
-  const glm::dvec3 a = linePoint_ - lineDirection_ * (glm::dot(normal, linePoint_) * perAlong);
-  const glm::dvec3 s = border_ - lineDirection_ * (glm::dot(normal, border_) * perAlong);
-  const glm::dvec3 t = s * (from_.w / (from_.w - height(from_, s)));
-  const double heightBeyond = height(to_, beyond_);
-  const double heightS = height(to_, s);
-  const glm::dvec3 q = (s * heightBeyond - beyond_ * heightS) / (heightBeyond - heightS);
-  const glm::dvec3 up = glm::cross(normal, axis_);
+  const glm::dvec3 a = setup_.linePoint - setup_.lineDirection * (glm::dot(normal, setup_.linePoint) * perAlong);
+  const glm::dvec3 s = setup_.border - setup_.lineDirection * (glm::dot(normal, setup_.border) * perAlong);
+  const glm::dvec3 t = s * (setup_.from.w / (setup_.from.w - height(setup_.from, s)));
+  const double heightBeyond = height(setup_.to, setup_.beyond);
+  const double heightS = height(setup_.to, s);
+  const glm::dvec3 q = (s * heightBeyond - setup_.beyond * heightS) / (heightBeyond - heightS);
+  const glm::dvec3 up = glm::cross(normal, setup_.axis);
   const glm::dvec3 side = glm::cross(normal, p - a);
   const double u = bernsteinRoot(glm::dot(side, t - a), glm::dot(side, s - a), glm::dot(side, q - a));
   const glm::dvec3 onB = t * ((1 - u) * (1 - u)) + s * (2 * u * (1 - u)) + q * (u * u);
@@ -68,7 +80,7 @@ std::optional<glm::dvec3> BendProjection::middleOf(const glm::dvec3& point) cons
   const double share = glm::dot(p - onB, towards) / glm::dot(towards, towards);
   const double mu = share / (1 - share) * glm::dot(up, s) / glm::dot(up, onB);
   const bool isHeld = share < 1 && 1 + mu > 0;
-  return isHeld ? std::optional(origin_ + (s + a * mu) / (1 + mu)) : std::nullopt;
+  return isHeld ? std::optional(setup_.origin + (s + a * mu) / (1 + mu)) : std::nullopt;
 }
 
 BendImage BendProjection::project(const glm::dvec3& point) const {
@@ -89,6 +101,27 @@ BendImage BendProjection::project(const glm::dvec3& point) const {
   image.weight = (1 - share) * weightBy(bounds_.before()) + share * weightBy(bounds_.after());
   image.imaged = h.w > 0 && std::abs(image.pixel.x) < kMaxPixels && std::abs(image.pixel.y) < kMaxPixels;
   return image;
+}
+
+void BendProjection::project(const BlockVertices& points, BendImages& images) const {
+  if (isClosedForm()) {
+    projectBlock(setup_, points, images);
+    return;
+  }
+  for (size_t i = 0; i < points.size(); ++i) {
+    const BendImage image = project(glm::dvec3(points.position(i)));
+    images.u[i] = image.pixel.x;
+    images.v[i] = image.pixel.y;
+    images.weight[i] = image.weight;
+    images.behindFirst[i] = image.behindFirst;
+    images.beforeLast[i] = image.beforeLast;
+    images.share[i] = image.share();
+    images.imaged[i] = image.imaged ? ~uint64_t{0} : 0;
+    const glm::dvec4 p(points.position(i), 1);
+    images.outside[i] = (glm::dot(setup_.first, p) < 0 ? BendImages::kBeforeFirst : 0) |
+                        (glm::dot(setup_.last, p) < 0 ? BendImages::kBeyondLast : 0);
+  }
+  images.findCells(points.size());
 }
 
 double BendProjection::deviation(const BendImage& a, const BendImage& b, const BendImage& middle) const {

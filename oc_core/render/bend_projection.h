@@ -3,6 +3,7 @@
 #pragma once
 
 #include "oc_core/render/bend_bounds.h"
+#include "oc_core/render/block_projection.h"
 
 namespace ocelli {
 
@@ -27,6 +28,8 @@ class BendProjection {
 
   /// Of a point between the first and the last plane, but for rounding.
   BendImage project(const glm::dvec3& point) const;
+  /// The same of all vertices of a block.
+  void project(const BlockVertices& points, BendImages& images) const;
 
   /// How far the middle of an edge comes out from where a straight one, in perspective, would have it, pixels.
   double deviation(const BendImage& a, const BendImage& b, const BendImage& middle) const;
@@ -42,20 +45,15 @@ class BendProjection {
   double bendScale(double lengthPixels, double share) const {
     return share * (lengthPixels + widthPixels_ * share) + lengthPixels * lengthPixels / (16 * widthPixels_);
   }
+  /// Whether all points are projected by the closed form.
+  bool isClosedForm() const { return transition_.model() == ArcModel::kConic && !transition_.isStraight(); }
+  BendSetup makeSetup() const;
   std::optional<glm::dvec3> middleOf(const glm::dvec3& point) const;
   double measureBends(const CurvedRayCamera& camera, size_t bend) const;
 
   RayTransition transition_;
   BendBounds bounds_;
-  // Places are taken from C0.
-  glm::dvec3 origin_;
-  glm::dvec3 beyond_;  ///< C1
-  glm::dvec3 axis_;
-  glm::dvec3 linePoint_;
-  glm::dvec3 lineDirection_;
-  glm::dvec3 border_;
-  HalfSpace from_;
-  HalfSpace to_;
+  BendSetup setup_;
   double widthPixels_;
   double bendFactor_ = 0;
 };

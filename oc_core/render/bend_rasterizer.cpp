@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace ocelli {
 namespace {
@@ -9,6 +10,9 @@ namespace {
 constexpr int kDeepest = 24;  // only guards against numbers gone wrong
 /// An edge that might bend more than this is split without a look at its middle, which tells of one bend alone.
 constexpr double kMaxBendPixels = 16;
+
+/// Bends of less, for certain: what rounding takes from it.
+constexpr double kSurelyStraightPixels = 0.999 * BendRasterizer::kErrorPixels;
 
 /// What rounding to single precision may take from shares, a thousand times.
 constexpr double kShareRoom = 1e-4;
@@ -30,13 +34,11 @@ RasterVertex rasterVertex(const BendRasterizer::Vertex& v) {
 }  // namespace
 
 struct BendRasterizer::OwnScratch final : PieceRasterizer::Scratch {
-  struct Entry {
-    uint64_t tag = ~uint64_t{0};
-    Vertex vertex;
-  };
-  static constexpr size_t kVertices = 1024;
-
-  std::vector<Entry> cache{kVertices};
+  BlockVertices points;
+  BendImages images;
+  bool isStraight = false;                                    ///< no edge of the block is to be split, for certain
+  glm::dvec2 lower{std::numeric_limits<double>::infinity()};  ///< around what was drawn of a block
+  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
   Clipper clipper;
   std::vector<Vertex> corners;
 };
@@ -82,42 +84,101 @@ std::unique_ptr<PieceRasterizer::Scratch> BendRasterizer::makeScratch() const {
   return std::make_unique<OwnScratch>();
 }
 
-const BendRasterizer::Vertex& BendRasterizer::meshVertex(uint32_t index, OwnScratch& scratch) const {
-  OwnScratch::Entry& held = scratch.cache[index % OwnScratch::kVertices];
-  if (held.tag != index) {
-    held = {index, vertex(glm::dvec3(mesh_.positions[index]), {0, 0})};
+/// Projects the vertices of a block.
+void BendRasterizer::place(uint32_t block, OwnScratch& scratch) const {
+  scratch.points.collect(mesh_, blocks_, block);
+  projection_.project(scratch.points, scratch.images);
+  const BendImages& images = scratch.images;
+  const size_t count = scratch.points.size();
+  const auto extent = [&](const BendImages::Numbers& n) {
+    const auto [least, most] = std::minmax_element(n.begin(), n.begin() + static_cast<std::ptrdiff_t>(count));
+    return *most - *least;
+  };
+  scratch.isStraight =
+      std::all_of(images.cells.begin(), images.cells.begin() + static_cast<std::ptrdiff_t>(count),
+                  [](CentreCell cell) { return cell.isKnown(); }) &&
+      projection_.greatestBend(extent(images.u) + extent(images.v), extent(images.share)) <= kSurelyStraightPixels;
+}
+
+/// Whether no edge of a triangle is to be split, for certain.
+bool BendRasterizer::isStraight(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const {
+  if (scratch.isStraight) {
+    return true;
   }
-  return held.vertex;
+  const auto [a, b, c] = triangle.corners;
+  if (!scratch.images.cells[a].isKnown() || !scratch.images.cells[b].isKnown() || !scratch.images.cells[c].isKnown()) {
+    return false;
+  }
+  // No edge is longer than that, or passes more of the bend.
+  const auto extent = [&](const BendImages::Numbers& n) {
+    return std::max({n[a], n[b], n[c]}) - std::min({n[a], n[b], n[c]});
+  };
+  const BendImages& images = scratch.images;
+  return projection_.greatestBend(extent(images.u) + extent(images.v), extent(images.share)) <= kSurelyStraightPixels;
+}
+
+/// Draws a triangle that is not to be split.
+void BendRasterizer::drawStraight(const Sink& sink, const BlockVertices::Triangle& triangle,
+                                  OwnScratch& scratch) const {
+  const auto [a, b, c] = triangle.corners;
+  if (CentreCell::missCentres(scratch.images.cells[a], scratch.images.cells[b], scratch.images.cells[c])) {
+    return;
+  }
+  const BendImages& images = scratch.images;
+  const auto corner = [&](size_t i) {
+    return RasterVertex{static_cast<float>(images.u[i]), static_cast<float>(images.v[i]), 0, 0, 0};
+  };
+  const double share = std::min({images.share[a], images.share[b], images.share[c]});
+  if (!sink.region.missesAll(sink.region.rect(), corner(a), corner(b), corner(c),
+                             static_cast<float>(share * (1 - kShareRoom)))) {
+    fill(sink, meshVertex(a, {0, 0}, scratch), meshVertex(b, {1, 0}, scratch), meshVertex(c, {0, 1}, scratch));
+    for (const size_t i : {a, b, c}) {
+      scratch.lower = glm::min(scratch.lower, glm::dvec2(images.u[i], images.v[i]));
+      scratch.upper = glm::max(scratch.upper, glm::dvec2(images.u[i], images.v[i]));
+    }
+  }
+}
+
+/// What drawStraight() has drawn of a block.
+void BendRasterizer::touch(RegionBuffer& region, OwnScratch& scratch) const {
+  if (scratch.lower.x <= scratch.upper.x) {
+    region.touch(pixelsAround(scratch.lower - 1.0, scratch.upper + 1.0, region.rect()));
+  }
+  scratch.lower = glm::dvec2(std::numeric_limits<double>::infinity());
+  scratch.upper = -scratch.lower;
+}
+
+BendRasterizer::Vertex BendRasterizer::meshVertex(size_t i, const glm::dvec2& b, const OwnScratch& scratch) const {
+  const BendImages& images = scratch.images;
+  return {glm::dvec3(scratch.points.position(i)),
+          b,
+          {{images.u[i], images.v[i]},
+           images.weight[i],
+           images.behindFirst[i],
+           images.beforeLast[i],
+           images.imaged[i] != 0}};
 }
 
 void BendRasterizer::begin(const RegionBuffer& /*region*/, uint64_t /*kinds*/, Scratch& /*scratch*/) const {}
 
 void BendRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratch& scratch) const {
   auto& own = static_cast<OwnScratch&>(scratch);
-  const HalfSpaces& slab = bounds().slab();
-  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) {
-    const Sink sink{region, triangle};
-    const glm::uvec3& t = mesh_.triangles[triangle];
-    std::array<int, 2> outside{};
-    for (int k = 0; k < 3; ++k) {
-      const glm::dvec4 p(mesh_.positions[t[k]], 1);
-      outside[0] += glm::dot(slab[0], p) < 0;
-      outside[1] += glm::dot(slab[1], p) < 0;
+  place(task.block, own);
+  for (const BlockVertices::Triangle& triangle : own.points.triangles()) {
+    const auto [a, b, c] = triangle.corners;
+    if ((own.images.outside[a] & own.images.outside[b] & own.images.outside[c]) != 0) {
+      continue;
     }
-    if (outside[0] == 3 || outside[1] == 3) {
-      return;
-    }
-    if (outside[0] + outside[1] > 0) {
+    const Sink sink{region, triangle.index};
+    if ((own.images.outside[a] | own.images.outside[b] | own.images.outside[c]) != 0) {
       drawClipped(sink, own);
-      return;
+    } else if (isStraight(triangle, own)) {
+      drawStraight(sink, triangle, own);
+    } else {
+      refine(sink, meshVertex(a, {0, 0}, own), meshVertex(b, {1, 0}, own), meshVertex(c, {0, 1}, own), 0);
     }
-    const Vertex a = meshVertex(t.x, own);
-    Vertex b = meshVertex(t.y, own);
-    Vertex c = meshVertex(t.z, own);
-    b.b.x = 1;
-    c.b.y = 1;
-    refine(sink, a, b, c, 0);
-  });
+  }
+  touch(region, own);
 }
 
 void BendRasterizer::drawClipped(const Sink& sink, OwnScratch& scratch) const {
@@ -170,6 +231,16 @@ std::optional<BendRasterizer::Vertex> BendRasterizer::splitOf(const Vertex& a, c
   return isStraight ? std::nullopt : std::optional(middle);
 }
 
+void BendRasterizer::fillAndTouch(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
+  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
+    return;
+  }
+  fill(sink, a, b, c);
+  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
+  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
+  sink.region.touch(pixelsAround(lower - 1.0, upper + 1.0, sink.region.rect()));
+}
+
 void BendRasterizer::refineOne(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
                                int depth) const {
   refine(sink, a, ab, c, depth + 1);
@@ -188,7 +259,7 @@ void BendRasterizer::refine(const Sink& sink, const Vertex& a, const Vertex& b, 
     return;
   }
   if (depth >= kDeepest) {
-    fill(sink, a, b, c);
+    fillAndTouch(sink, a, b, c);
     return;
   }
   const std::optional<Vertex> ab = splitOf(a, b);
@@ -212,14 +283,11 @@ void BendRasterizer::refine(const Sink& sink, const Vertex& a, const Vertex& b, 
   } else if (ca) {
     refineOne(sink, c, a, b, *ca, depth);
   } else {
-    fill(sink, a, b, c);
+    fillAndTouch(sink, a, b, c);
   }
 }
 
 void BendRasterizer::fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const {
-  if (!a.image.imaged || !b.image.imaged || !c.image.imaged) {
-    return;
-  }
   const auto inSingle = [](double atA, double atB, double atC) {
     return std::array{static_cast<float>(atA), static_cast<float>(atB), static_cast<float>(atC)};
   };
@@ -236,9 +304,6 @@ void BendRasterizer::fill(const Sink& sink, const Vertex& a, const Vertex& b, co
                        sink.region.put(pixel, depth, sink.triangle, weights());
                      }
                    });
-  const glm::dvec2 lower = glm::min(a.image.pixel, glm::min(b.image.pixel, c.image.pixel));
-  const glm::dvec2 upper = glm::max(a.image.pixel, glm::max(b.image.pixel, c.image.pixel));
-  sink.region.touch(pixelsAround(lower - 1.0, upper + 1.0, sink.region.rect()));
 }
 
 }  // namespace ocelli

@@ -6,6 +6,9 @@
 // perspective, would have it; edges that cannot bend so much are not looked at (bend_projection.h). So surfaces are
 // shown within about that many pixels of where they are.
 //
+// The vertices of a block are projected together. A triangle that is not split and lies between pixel centres is passed
+// over by the cells of its corners (projected_mesh.h): most of a dense scene.
+//
 // A ray crosses the planes through the line that the planes of the bend have in common one after the other, so the
 // share of the bend that such a plane cuts off orders what is met along the ray.
 #pragma once
@@ -48,7 +51,11 @@ class BendRasterizer final : public PieceRasterizer {
   };
 
   Vertex vertex(const glm::dvec3& p, const glm::dvec2& b) const { return {p, b, projection_.project(p)}; }
-  const Vertex& meshVertex(uint32_t index, OwnScratch& scratch) const;
+  Vertex meshVertex(size_t i, const glm::dvec2& b, const OwnScratch& scratch) const;
+  void place(uint32_t block, OwnScratch& scratch) const;
+  bool isStraight(const BlockVertices::Triangle& triangle, const OwnScratch& scratch) const;
+  void drawStraight(const Sink& sink, const BlockVertices::Triangle& triangle, OwnScratch& scratch) const;
+  void touch(RegionBuffer& region, OwnScratch& scratch) const;
   void drawClipped(const Sink& sink, OwnScratch& scratch) const;
   bool isUnseen(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
   std::optional<Vertex> splitOf(const Vertex& a, const Vertex& b) const;
@@ -58,6 +65,7 @@ class BendRasterizer final : public PieceRasterizer {
   void refineTwo(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c, const Vertex& ab,
                  const Vertex& bc, int depth) const;
   void fill(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
+  void fillAndTouch(const Sink& sink, const Vertex& a, const Vertex& b, const Vertex& c) const;
 
   const BendBounds& bounds() const { return projection_.bounds(); }
 

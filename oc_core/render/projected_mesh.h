@@ -35,6 +35,8 @@ class CentreCell {
   }
   /// The cell of a point that no triangle is left out for.
   static CentreCell unknown() { return {}; }
+  /// False for few of which something is known.
+  bool isKnown() const { return bits_ != 0; }
 
   /// Whether the triangle between three points covers no pixel centre for sure.
   static bool missCentres(CentreCell a, CentreCell b, CentreCell c) {

@@ -132,6 +132,56 @@ void RegionBuffer::touch(const PixelBounds& rect) {
   }
 }
 
+bool RegionBuffer::missesAll(const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b,
+                             const RasterVertex& c, float nearest) const {
+  constexpr int64_t kOne = 1 << kSubPixelBits;
+  constexpr int64_t kMaxPixels = 4;
+  const int64_t ax = snapToSubPixel(a.u);
+  const int64_t ay = snapToSubPixel(a.v);
+  const int64_t bx = snapToSubPixel(b.u);
+  const int64_t by = snapToSubPixel(b.v);
+  const int64_t cx = snapToSubPixel(c.u);
+  const int64_t cy = snapToSubPixel(c.v);
+  // As scanTriangle() has it.
+  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
+  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
+  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), rect.x0);
+  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), rect.x1 - 1);
+  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), rect.y0);
+  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), rect.y1 - 1);
+  if (x0 > x1 || y0 > y1) {
+    return true;
+  }
+  if ((x1 - x0 + 1) * (y1 - y0 + 1) > kMaxPixels) {
+    return false;
+  }
+  const uint32_t front = frontOf(nearest);
+  const int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
+  if (area == 0) {
+    return true;
+  }
+  const int64_t turn = area < 0 ? -1 : 1;
+  // Whether a pixel centre is outside of an edge, or on it and none of the triangle's; `turn` turns edges around.
+  const auto isBeyond = [turn](int64_t px, int64_t py, int64_t qx, int64_t qy, int64_t x, int64_t y) {
+    const int64_t dx = (qx - px) * turn;
+    const int64_t dy = (qy - py) * turn;
+    const bool topOrLeft = dy < 0 || (dy == 0 && dx > 0);
+    return dx * (y - py) - dy * (x - px) - (topOrLeft ? 0 : 1) < 0;
+  };
+  for (int64_t y = y0; y <= y1; ++y) {
+    for (int64_t x = x0; x <= x1; ++x) {
+      const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x) - first_;
+      const int64_t atX = x * kOne + kOne / 2;
+      const int64_t atY = y * kOne + kOne / 2;
+      if (front <= fronts_[pixel] && !isBeyond(ax, ay, bx, by, atX, atY) && !isBeyond(bx, by, cx, cy, atX, atY) &&
+          !isBeyond(cx, cy, ax, ay, atX, atY)) {
+        return false;
+      }
+    }
+  }
+  return true;
+}
+
 /// A triangle on its way into the pixels: scanTriangle() in lanes. Edge functions are held in double precision, in
 /// which they are as exact as in 64 bits, and all else is rounded by the same steps: so the samples are the same, bit
 /// by bit.

@@ -56,6 +56,10 @@ class RegionBuffer {
   /// Draws a triangle to the pixels of `rect`, as scan(), isNearest() and put() would: many pixels at once.
   void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
             const RasterVertex& c);
+  /// Whether a small triangle changes no pixel of `rect` for sure: it covers none, or none that holds something as far
+  /// as `nearest` or farther. Quick; false for triangles that are not small. Corners lie within 2^20 pixels.
+  bool missesAll(const PixelBounds& rect, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
+                 float nearest) const;
   uint16_t leaf(size_t pixel) const { return leaves_[pixel]; }
 
   /// A row of samples of one order, whose rays belong to one leaf.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace ocelli {
 namespace {
@@ -26,6 +27,10 @@ constexpr uint8_t kBelow = 64;
 constexpr uint8_t kHidden = 128;  // farther before the first plane than triangles are drawn
 /// Nothing is seen of a triangle all of whose corners have one of these.
 constexpr uint8_t kUnseen = kLeft | kRight | kAbove | kBelow | kHidden;
+/// Depths of pixels are at least this part of the nearest corner's: rounding takes a thousandth of the rest.
+constexpr float kNearer = 0.9999f;
+/// Triangles that cover a few pixels at most.
+constexpr float kSmallPixels = 2;
 /// As far outside of a region, in pixels, snapping and cut edges do not matter.
 constexpr double kRegionMargin = 2;
 
@@ -97,6 +102,13 @@ RasterVertex rasterVertex(const glm::dvec3& image) {
           0};
 }
 
+/// The longer side of the box around a triangle, pixels.
+float extentOf(const std::array<RasterVertex, 3>& v) {
+  const auto [leftmost, rightmost] = std::minmax({v[0].u, v[1].u, v[2].u});
+  const auto [highest, lowest] = std::minmax({v[0].v, v[1].v, v[2].v});
+  return std::max(rightmost - leftmost, lowest - highest);
+}
+
 struct SegmentScratch final : PieceRasterizer::Scratch {
   struct Vertex {
     uint64_t tag = ~uint64_t{0};
@@ -114,6 +126,8 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
   glm::dvec2 upper{0};
 
   uint64_t serial = 0;
+  BlockVertices points;
+  SegmentImages images;
   std::array<Vertex, kVertices> cache;
   Clipper clipper;
   std::vector<RasterVertex> corners;
@@ -142,9 +156,10 @@ class SegmentRasterizer::Drawing {
         inside_(task.within && (scratch.kinds & ~task.clear) == 0),
         scratch_(scratch) {}
 
-  void draw(uint32_t triangle);
+  void draw(const BlockVertices::Triangle& triangle);
 
  private:
+  void drawAcross(uint32_t triangle);
   using Vertex = SegmentScratch::Vertex;
 
   const Vertex& vertex(uint32_t index);
@@ -173,9 +188,11 @@ SegmentRasterizer::SegmentRasterizer(const StraightSegment& segment, const Mesh&
       bounds_(segment),
       rect_(bounds_.rectIn(width, height)) {
   const glm::dmat4 rows = glm::transpose(segment.pixelFromWorld);
-  uRow_ = rows[0];
-  vRow_ = rows[1];
-  weightRow_ = rows[3];
+  const auto upper = [](int pixels) {
+    return std::min(static_cast<float>(pixels) + kGuardPixels, CentreCell::kMaxPixels);
+  };
+  setup_ = {rows[0],           rows[1],       rows[3],      segment.begin.normal, segment.begin.distance,
+            -bounds_.margin(), -kGuardPixels, upper(width), upper(height)};
 }
 
 void SegmentRasterizer::findBlocks(MeshBlocks::Runs runs, uint32_t piece, const RegionGrid& /*grid*/,
@@ -206,13 +223,17 @@ void SegmentRasterizer::draw(RegionBuffer& region, const BlockTask& task, Scratc
   auto& own = static_cast<SegmentScratch&>(scratch);
   ++own.serial;
   Drawing drawing(*this, region, task, own);
-  blocks_.forEachTriangle(task.block, [&](uint32_t triangle) { drawing.draw(triangle); });
+  own.points.collect(mesh_, blocks_, task.block);
+  projectBlock(setup_, own.points, own.images);
+  for (const BlockVertices::Triangle& triangle : own.points.triangles()) {
+    drawing.draw(triangle);
+  }
   region.touch(task.rect);
 }
 
 glm::dvec3 SegmentRasterizer::image(const glm::dvec3& p) const {
   const auto row = [&](const glm::dvec4& r) { return r.x * p.x + r.y * p.y + r.z * p.z + r.w; };
-  return {row(uRow_), row(vRow_), row(weightRow_)};
+  return {row(setup_.uRow), row(setup_.vRow), row(setup_.weightRow)};
 }
 
 const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index) {
@@ -222,9 +243,7 @@ const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index)
     const glm::dvec3 p(of_.mesh_.positions[index]);
     const glm::dvec3 image = of_.image(p);
     held = {tag, rasterVertex(image), 0, 0};
-    if (!inside_) {
-      place(p, image, held);
-    }
+    place(p, image, held);
   }
   return held;
 }
@@ -257,7 +276,31 @@ void SegmentRasterizer::Drawing::place(const glm::dvec3& p, const glm::dvec3& im
   vertex.flags = static_cast<uint8_t>(flags);
 }
 
-void SegmentRasterizer::Drawing::draw(uint32_t triangle) {
+void SegmentRasterizer::Drawing::draw(const BlockVertices::Triangle& triangle) {
+  const SegmentImages& images = scratch_.images;
+  const auto [a, b, c] = triangle.corners;
+  if (CentreCell::missCentres(images.cells[a], images.cells[b], images.cells[c])) {
+    return;
+  }
+  const auto corner = [&](size_t i, float b1, float b2) {
+    return RasterVertex{images.u[i], images.v[i], images.inverseZ[i], b1, b2};
+  };
+  const std::array<RasterVertex, 3> vertices{corner(a, 0, 0), corner(b, 1, 0), corner(c, 0, 1)};
+  if (images.cells[a].isKnown() && images.cells[b].isKnown() && images.cells[c].isKnown()) {
+    const float nearest = kNearer / std::max({vertices[0].inverseZ, vertices[1].inverseZ, vertices[2].inverseZ});
+    if (region_.missesAll(rect_, vertices[0], vertices[1], vertices[2], nearest)) {
+      return;
+    }
+  }
+  if (inside_) {
+    fill(triangle.index, vertices);
+  } else {
+    drawAcross(triangle.index);
+  }
+}
+
+/// A triangle of a block that is not wholly within.
+void SegmentRasterizer::Drawing::drawAcross(uint32_t triangle) {
   const glm::uvec3& t = of_.mesh_.triangles[triangle];
   const Vertex a = vertex(t.x);
   Vertex b = vertex(t.y);
@@ -326,9 +369,14 @@ void SegmentRasterizer::Drawing::drawClipped(uint32_t triangle) {
 
 void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
                                             const std::array<glm::dvec3, 3>& points) {
-  const HeightOver begin(segment_.begin, vertices, points);
-  if (begin.isBeforeAll()) {
-    return;
+  // Of a small triangle few pixels ask for heights, so they are not worked out ahead.
+  const bool isSmall = extentOf(vertices) <= kSmallPixels;
+  std::optional<HeightOver> begin;
+  if (!isSmall) {
+    begin.emplace(segment_.begin, vertices, points);
+    if (begin->isBeforeAll()) {
+      return;
+    }
   }
   int held = -1;  // the kind of rays whose ends these are
   std::vector<HeightOver>& ends = scratch_.heights;
@@ -339,7 +387,7 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
       ends.emplace_back(plane, vertices, points);
     }
   };
-  bool endsBefore = true;
+  bool endsBefore = !isSmall;
   for (auto kind = scratch_.ends.begin(); kind != scratch_.ends.end() && endsBefore; ++kind) {
     hold(kind->first);
     endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
@@ -349,7 +397,13 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
   }
   region_.scan(
       rect_, vertices[0], vertices[1], vertices[2], [&](size_t pixel, float weight, const PixelWeights& weights) {
-        if (!region_.isNearest(pixel, weight, triangle) || begin.isBefore(weights)) {
+        if (!region_.isNearest(pixel, weight, triangle)) {
+          return;
+        }
+        if (!begin) {
+          begin.emplace(segment_.begin, vertices, points);
+        }
+        if (begin->isBefore(weights)) {
           return;
         }
         const int kind = segment_.endsOfLeaf[region_.leaf(pixel)];

@@ -5,8 +5,12 @@
 // snapped to a grid and cut edges are rounded. So triangles are cut a little beyond both planes, and each pixel is
 // tested: it belongs to the segment up to kOverlapPixels beyond the line where the surface meets the plane. Of two
 // segments that hold a pixel, the earlier one is seen.
+//
+// The vertices of a block are projected together, and triangles that lie between pixel centres are passed over by the
+// cells of their corners (projected_mesh.h) before anything else is found out about them: most of a dense scene.
 #pragma once
 
+#include "oc_core/render/block_projection.h"
 #include "oc_core/render/straight_segment.h"
 
 namespace ocelli {
@@ -36,11 +40,9 @@ class SegmentRasterizer final : public PieceRasterizer {
   const MeshBlocks& blocks_;
   int width_;
   int height_;
-  glm::dvec4 uRow_{0};
-  glm::dvec4 vRow_{0};
-  glm::dvec4 weightRow_{0};
   SegmentBounds bounds_;
   PixelBounds rect_;
+  SegmentSetup setup_;
 };
 
 }  // namespace ocelli
