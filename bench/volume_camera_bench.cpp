@@ -50,7 +50,8 @@ void measureStep(const VolumeCameraBenchChoice& choice, VolumeRenderer& renderer
       double wall = 0;
       const double processor = processorMilliseconds([&] {
         wall = milliseconds([&] {
-          image = renderer.render(each.camera.size.x, each.camera.size.y, each.camera.ray, {}, each.camera.hull);
+          image = renderer.render(each.camera.size.x, each.camera.size.y, each.camera.ray, {}, each.camera.hull,
+                                  each.camera.isSmooth);
         });
       });
       if (run == 0) {

@@ -124,7 +124,7 @@ void renderVolumeScene(const VolumeRender& render, const CommandContext& context
   const auto drawing = std::chrono::steady_clock::now();
   const VolumeImage image =
       gl ? gl->render(camera.size, camera.ray, context.progress())
-         : renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress(), camera.hull);
+         : renderer.render(camera.size.x, camera.size.y, camera.ray, context.progress(), camera.hull, camera.isSmooth);
   const double drawSeconds = secondsSince(drawing);
   const VolumeImageFacts facts = factsOf(image);
   if (facts.touched == 0) {

@@ -36,7 +36,8 @@ Image<Rgb8> VolumePainter::paint(const VolumeWanted& wanted, const glm::ivec2& s
   const VolumeCamera camera = wanted.rays.empty()
                                   ? volumeCamera(wanted.camera, reference, firstHits, progress)
                                   : volumeCamera(wanted.rays, reference, renderer_->scene(), firstHits, progress);
-  const VolumeImage pixels = renderer_->render(camera.size.x, camera.size.y, camera.ray, progress, camera.hull);
+  const VolumeImage pixels =
+      renderer_->render(camera.size.x, camera.size.y, camera.ray, progress, camera.hull, camera.isSmooth);
   return srgbFromLinear(imageBefore(glm::vec3(0), pixels));
 }
 

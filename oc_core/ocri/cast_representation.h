@@ -10,6 +10,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/camera/ray_hull.h"
+#include "oc_core/camera/ray_smoothness.h"
 #include "oc_core/ocri/placed_image.h"
 #include "oc_core/ocri/representation_kind.h"
 #include "oc_core/render/scene_renderer.h"
@@ -36,7 +37,8 @@ CameraMap mapOf(C camera) {
           [shared](const glm::vec3& worldPoint) { return shared->project(worldPoint); },
           {shared->width(), shared->height()},
           rayHullOf(shared),
-          cameraWrapsAround(*shared)};
+          cameraWrapsAround(*shared),
+          kHasSmoothRays<C>};
 }
 
 /// How every camera can be drawn: along its rays, by the renderer, where it casts some.

@@ -50,6 +50,7 @@ struct CameraMap {
   glm::ivec2 size{0};        ///< of its image; 0 where a row from outside does not tell it
   RayHull hull = {};         ///< where its rays run; empty where that is not known
   bool wrapsAround = false;  ///< the last column of its image is next to the first
+  bool isSmooth = false;     ///< kHasSmoothRays
 };
 
 /// One map for each of the images that buildReferenceImages() makes of this choice: as cameraRays(), which are their

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "oc_core/base/error.h"
+#include "oc_core/camera/ray_smoothness.h"
 #include "oc_core/constructor/camera_constructors.h"
 #include "oc_core/constructor/curved_bends.h"
 #include "oc_core/constructor/graph_operations.h"
@@ -45,7 +46,8 @@ VolumeCamera multiperspectiveAt(const std::string& nameOrFile, const PinholeCame
                 jsonText(*shared),
                 {shared->width(), shared->height()},
                 raysOf(shared, scene),
-                rayHullOf(shared)};
+                rayHullOf(shared),
+                kHasSmoothRays<decltype(camera)>};
       },
       constructCamera(nameOrFile, guidedVolume(scene), reference));
 }
@@ -86,9 +88,12 @@ VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& refer
   CameraMap& map = maps.front();
   const nlohmann::ordered_json description{{"camera", choice.name},
                                            {"view", nlohmann::ordered_json::parse(jsonText(reference.view()))}};
-  return {choice.name, description.dump(),
-          map.size.x > 0 ? map.size : glm::ivec2(reference.width(), reference.height()), std::move(map.ray),
-          std::move(map.hull)};
+  return {choice.name,
+          description.dump(),
+          map.size.x > 0 ? map.size : glm::ivec2(reference.width(), reference.height()),
+          std::move(map.ray),
+          std::move(map.hull),
+          map.isSmooth};
 }
 
 }  // namespace ocelli

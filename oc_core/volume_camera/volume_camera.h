@@ -24,6 +24,7 @@ struct VolumeCamera {
   glm::ivec2 size{0};       ///< of its image, pixels
   RayFunction ray;          ///< safe to call from many threads
   RayHull hull = {};        ///< where its rays run, likewise; empty where that is not known
+  bool isSmooth = false;    ///< kHasSmoothRays
 };
 
 /// `firstHits` is called where the camera needs to know what hides what, and must outlive the call alone. Throws

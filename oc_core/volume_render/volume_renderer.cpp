@@ -15,9 +15,19 @@
 #include "oc_core/volume_render/march_kernel.h"
 #include "oc_core/volume_render/optical_table.h"
 #include "oc_core/volume_render/ray_pieces.h"
+#include "oc_core/volume_render/ray_tile.h"
 #include "oc_core/volume_render/volume_occupancy.h"
 
 namespace ocelli {
+namespace {
+
+/// Voxels: of samples' places, which are in single precision.
+constexpr double kRounding = 1e-2;
+/// By so much of a voxel may rays be off that are made from their neighbours.
+constexpr double kTileDeviation = 0.001;
+
+}  // namespace
+
 struct VolumeRenderer::Impl {
   VolumeScene scene;
   VolumeRenderOptions options;
@@ -29,6 +39,9 @@ struct VolumeRenderer::Impl {
   std::optional<OpticalTable> table;
   std::optional<VolumeOccupancy> occupancy;
   MarchSetup setup;
+  std::optional<TileSight> sight;  ///< none: what shows nothing is not left out
+  TileBall ball;
+  double tileDeviation;
 
   Impl(VolumeScene itsScene, const VolumeRenderOptions& itsOptions)
       : scene(std::move(itsScene)),
@@ -36,7 +49,9 @@ struct VolumeRenderer::Impl {
         bricks(*scene.volume),
         range(rangeOf(bricks)),
         surfaces(scene.surfaces.triangles.empty() ? nullptr : std::make_unique<RayScene>(scene.surfaces)),
-        extent(scene) {
+        extent(scene),
+        ball(ballAround()),
+        tileDeviation(kTileDeviation * leastSpacing()) {
     prepare();
   }
 
@@ -53,6 +68,10 @@ struct VolumeRenderer::Impl {
     setup.entries = table->entries().data();
     setup.distances = options.skipEmpty ? occupancy->distances().data() : nullptr;
     setup.bricks = occupancy->size();
+    sight.reset();
+    if (options.skipEmpty) {
+      sight.emplace(*occupancy, glm::inverse(scene.worldFromIndex), kRounding);
+    }
     extent.setSeen(options.skipEmpty ? seenBox() : IndexBox::everywhere());
     setup.step = static_cast<float>(options.step * volume.grid().meanSpacing());
     setup.endTransmittance = static_cast<float>(options.endTransmittance);
@@ -62,9 +81,27 @@ struct VolumeRenderer::Impl {
     setup.light = singleLight(gradientLight(scene.worldFromIndex, shading, range), volume.scale());
   }
 
+  /// Of voxels, in the scene's world.
+  double leastSpacing() const {
+    const glm::dmat3 m(scene.worldFromIndex);
+    return std::min({glm::length(m[0]), glm::length(m[1]), glm::length(m[2])});
+  }
+
+  /// All voxels, and as much again as rays may be off.
+  TileBall ballAround() const {
+    const glm::dvec3 half = glm::dvec3(scene.volume->grid().size) * 0.5;
+    const glm::dvec3 center(scene.worldFromIndex * glm::dvec4(half - 0.5, 1));
+    double radius = 0;
+    for (const double x : {-half.x, half.x}) {
+      for (const double y : {-half.y, half.y}) {
+        radius = std::max(radius, glm::length(glm::dmat3(scene.worldFromIndex) * glm::dvec3(x, y, half.z)));
+      }
+    }
+    return {center, radius * 1.01};
+  }
+
   /// Around the bricks that show something.
   IndexBox seenBox() const {
-    constexpr double kRounding = 1e-2;  // voxels: of samples' places, which are in single precision
     IndexBox box = IndexBox::everywhere();
     for (int axis = 0; axis < 3; ++axis) {
       // The outermost bricks reach as far as the volume does.
@@ -80,6 +117,26 @@ struct VolumeRenderer::Impl {
 
   /// Whether rays in these pieces see nothing.
   bool misses(const HullPieces& hull) const { return surfaces == nullptr && extent.misses(hull); }
+
+  /// The rays of pixels from `first` to before `end`, row by row. None where they see nothing.
+  void makeRays(const glm::ivec2& first, const glm::ivec2& end, const RayTile::Rays& rayPath, const RayHull& hull,
+                bool isSmooth, std::vector<RayPath>& rays) const {
+    if (hull && misses(hull(glm::dvec2(first), glm::dvec2(end)))) {
+      return;
+    }
+    RayTile tile;
+    const bool isFit = isSmooth && surfaces == nullptr &&
+                       tile.fit(rayPath, glm::vec2(first) + 0.5f, glm::vec2(end) - 0.5f, ball, tileDeviation);
+    if (isFit && sight && !sight->meets(tile)) {
+      return;
+    }
+    for (int y = first.y; y < end.y; ++y) {
+      for (int x = first.x; x < end.x; ++x) {
+        const glm::vec2 pixel(static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f);
+        rays.push_back(isFit ? tile.at(pixel) : rayPath(pixel));
+      }
+    }
+  }
 
   void trace(std::span<const RayPath> rays, std::span<VolumePixel> pixels, bool stopsAtDepth) const {
     OC_CHECK(rays.size() == pixels.size(), "one pixel a ray");
@@ -153,7 +210,7 @@ void VolumeRenderer::firstHits(std::span<const RayPath> rays, std::span<VolumePi
 }
 
 VolumeImage VolumeRenderer::render(int width, int height, const std::function<RayPath(const glm::vec2&)>& rayPath,
-                                   const Progress& progress, const RayHull& hull) const {
+                                   const Progress& progress, const RayHull& hull, bool isSmooth) const {
   // Bands of rows, so that progress can be told between them. Without it there is one.
   constexpr int kBand = 64;
   VolumeImage image(width, height);
@@ -161,17 +218,12 @@ VolumeImage VolumeRenderer::render(int width, int height, const std::function<Ra
   for (int first = 0; first < height; first += band) {
     report(progress, "rendering the volume", static_cast<double>(first) / height);
     const int rows = std::min(band, height - first);
-    const TileFilter isCast = [&](const glm::vec2& lower, const glm::vec2& upper) {
-      const glm::dvec2 offset(0, first);
-      return !impl_->misses(hull(glm::dvec2(lower) + offset, glm::dvec2(upper) + offset));
-    };
     const VolumeImage part = castTiles<VolumePixel>(
         width, rows,
-        [&](const glm::vec2& pixel) {
-          return rayPath({pixel.x, pixel.y + static_cast<float>(first)});
+        [&](const glm::ivec2& begin, const glm::ivec2& end, std::vector<RayPath>& rays) {
+          impl_->makeRays({begin.x, begin.y + first}, {end.x, end.y + first}, rayPath, hull, isSmooth, rays);
         },
-        [&](std::span<const RayPath> rays, std::span<VolumePixel> pixels) { impl_->trace(rays, pixels, false); },
-        hull ? isCast : TileFilter{});
+        [&](std::span<const RayPath> rays, std::span<VolumePixel> pixels) { impl_->trace(rays, pixels, false); });
     std::copy(part.begin(), part.end(), image.begin() + static_cast<std::ptrdiff_t>(image.index(0, first)));
   }
   report(progress, "rendering the volume", 1);

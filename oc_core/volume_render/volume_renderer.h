@@ -22,6 +22,7 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/camera.h"
 #include "oc_core/camera/ray_hull.h"
+#include "oc_core/camera/ray_smoothness.h"
 #include "oc_core/volume/volume_scene.h"
 #include "oc_core/volume_render/volume_image.h"
 
@@ -66,9 +67,11 @@ class VolumeRenderer {
 
   /// The rays of the pixel centres, on all threads; the same bytes whatever their number. `progress` is called on the
   /// calling thread, and may throw to end the work. With the hull of the rays, those of parts of the image that see
-  /// nothing are not made.
+  /// nothing are not made. With `isSmooth` (ray_smoothness.h) those of
+  /// small parts of the image are placed between those of its corners where they are off by a thousandth of a voxel at
+  /// most, and parts that see nothing are found by the bricks that they run through.
   VolumeImage render(int width, int height, const std::function<RayPath(const glm::vec2& pixel)>& rayPath,
-                     const Progress& progress = {}, const RayHull& hull = {}) const;
+                     const Progress& progress = {}, const RayHull& hull = {}, bool isSmooth = false) const;
 
  private:
   struct Impl;
@@ -80,7 +83,7 @@ VolumeImage renderVolume(const C& camera, const VolumeRenderer& renderer, const 
   const std::shared_ptr<const C> borrowed(std::shared_ptr<const void>(), &camera);
   return renderer.render(
       camera.width(), camera.height(), [&](const glm::vec2& pixel) { return camera.rayPath(pixel); }, progress,
-      rayHullOf(borrowed));
+      rayHullOf(borrowed), kHasSmoothRays<C>);
 }
 
 template <Camera C>

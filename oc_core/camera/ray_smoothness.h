@@ -1,0 +1,19 @@
+// Which cameras have rays that differ smoothly between neighbours: those of a small part of an image can then be placed
+// between the rays of its corners.
+#pragma once
+
+namespace ocelli {
+
+class PinholeCamera;
+class CurvedRayCamera;
+
+/// Whether all rays of a camera have as many points, each a smooth function of the pixel all over the image. A camera
+/// for which that is so gets a row here.
+template <class C>
+inline constexpr bool kHasSmoothRays = false;
+template <>
+inline constexpr bool kHasSmoothRays<PinholeCamera> = true;
+template <>
+inline constexpr bool kHasSmoothRays<CurvedRayCamera> = true;
+
+}  // namespace ocelli
