@@ -79,7 +79,7 @@ TEST_P(WalkScenes, areSeenInOneImage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, WalkScenes,
-                         testing::Values(SeenShare{"builtin:house", 0.5}, SeenShare{"builtin:house,seed=3", 0.9},
+                         testing::Values(SeenShare{"builtin:house", 0.75}, SeenShare{"builtin:house,seed=3", 0.9},
                                          SeenShare{"builtin:house,seed=7", 0.75}));
 
 }  // namespace
