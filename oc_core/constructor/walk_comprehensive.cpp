@@ -243,7 +243,7 @@ class WalkBuilder {
     const WalkExit* door =
         region == start_.cell ? nullptr : exitTo(static_cast<uint32_t>(tour_.stops[region].parent), region);
     const WalkMouth entry = door != nullptr && !exits.empty() && !isOfTunnel_[region]
-                                ? beyondLeaf(camera, regions_[region], rays, door->mouth.width())
+                                ? beyondLeaf(camera, regions_[region], rays, door->mouth)
                                 : rays.mouth;
     const PieceFans fans = addPiece(camera, regions_[region], border, rays.frustum, entry, exits,
                                     {weights[region] * options_.nearness, options_.evenness});

@@ -20,14 +20,15 @@ bool isDoor(const WalkRegion& region, const WalkMouth& mouth) {
   return mouth.height() < kLintel * region.height;
 }
 
-WalkMouth beyondLeaf(const GraphCamera& camera, const WalkRegion& region, const PieceRays& rays, double doorWidth) {
-  const WalkMouth& door = rays.mouth;
-  if (!isDoor(region, rays.mouth)) {
+WalkMouth beyondLeaf(const GraphCamera& camera, const WalkRegion& region, const PieceRays& rays,
+                     const WalkMouth& whole) {
+  const WalkMouth& door = rays.mouth;  // as much of it as they see
+  if (!isDoor(region, whole)) {
     return door;
   }
   const glm::dvec2 ahead = door.ahead();
   const auto span = planSpan(region.border, door.middle(), door.middle() + ahead, 0);
-  const double leaf = span ? std::min(kLeaf * doorWidth, kDeepest * span->second) : 0;
+  const double leaf = span ? std::min(kLeaf * whole.width(), kDeepest * span->second) : 0;
   const glm::dvec3 viewpoint = camera.frusta()[static_cast<size_t>(rays.frustum)].viewpoint;
   const double before = glm::dot(door.middle() - planOf(viewpoint), ahead);
   if (!(leaf > 0) || !(before > 0)) {

@@ -11,8 +11,8 @@ namespace ocelli {
 /// Whether a leaf may hang in an opening: a lintel is over it, which no joint and no mouth of a street has.
 bool isDoor(const WalkRegion& region, const WalkMouth& mouth);
 
-/// What the rays that come into a region through a door of that width, or a part of it, fill beyond most of its leaf,
+/// What the rays that come into a region through a door, or a part of it, fill beyond most of its leaf,
 /// up to the height of the door. Of other openings, the opening itself.
-WalkMouth beyondLeaf(const GraphCamera& camera, const WalkRegion& region, const PieceRays& rays, double doorWidth);
+WalkMouth beyondLeaf(const GraphCamera& camera, const WalkRegion& region, const PieceRays& rays, const WalkMouth& door);
 
 }  // namespace ocelli

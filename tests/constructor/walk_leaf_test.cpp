@@ -24,12 +24,16 @@ GraphCamera walkerBeforeADoor() {
   return GraphCamera(PinholeCamera(view, 300, 200));
 }
 
+WalkMouth doorOf(double top) {
+  return {{2.5, 0}, {1.5, 0}, 0, top};
+}
+
 PieceRays raysThrough(double top) {
-  return {GraphCamera::kRoot, {{2.5, 0}, {1.5, 0}, 0, top}, 0};
+  return {GraphCamera::kRoot, doorOf(top), 0};
 }
 
 TEST(WalkLeaf, raysThroughADoorPartBeyondMostOfItsLeaf) {
-  const WalkMouth beyond = beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(4), raysThrough(2), 1);
+  const WalkMouth beyond = beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(4), raysThrough(2), doorOf(2));
   // 0.7 m behind the door, where rays from 3 m before it have spread by 3.7 / 3.
   EXPECT_NEAR(beyond.left.x, 2 + 0.5 * 3.7 / 3, kRounding);
   EXPECT_NEAR(beyond.left.y, 0.7, kRounding);
@@ -40,14 +44,17 @@ TEST(WalkLeaf, raysThroughADoorPartBeyondMostOfItsLeaf) {
 }
 
 TEST(WalkLeaf, raysThroughADoorPartWithinTheRoom) {
-  EXPECT_NEAR(beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(1), raysThrough(2), 1).middle().y, 0.4, kRounding);
+  EXPECT_NEAR(beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(1), raysThrough(2), doorOf(2)).middle().y, 0.4,
+              kRounding);
 }
 
 TEST(WalkLeaf, raysThroughWhatHasNoLintelPartAtOnce) {
-  const WalkMouth arch = beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(4), raysThrough(2.7), 1);
+  const WalkMouth arch = beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(4), raysThrough(2.7), doorOf(2.7));
   EXPECT_EQ(arch.left, glm::dvec2(2.5, 0));
   EXPECT_EQ(arch.right, glm::dvec2(1.5, 0));
   EXPECT_EQ(arch.top, 2.7);
+  // Nor where they see the lower part of it alone.
+  EXPECT_EQ(beyondLeaf(walkerBeforeADoor(), roomBeyondADoor(4), raysThrough(1.5), doorOf(2.7)).left, arch.left);
 }
 
 }  // namespace
