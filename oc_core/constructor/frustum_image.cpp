@@ -73,4 +73,12 @@ int bendWhereOneCan(GraphCamera& camera, int i, const GraphCamera::Bend& bend, c
   return -1;
 }
 
+void limitWhereOneCan(GraphCamera& camera, int i, const Plane& limit) {
+  try {
+    camera.limit(i, limit);
+  } catch (const InputError&) {
+    // Rays begin beyond it.
+  }
+}
+
 }  // namespace ocelli

@@ -17,4 +17,7 @@ GraphCamera::Part frustumImage(const GraphCamera& camera, int i, std::span<const
 int bendWhereOneCan(GraphCamera& camera, int i, const GraphCamera::Bend& bend, const std::string& name,
                     const GraphCamera::Part& part);
 
+/// Limits frustum `i`, unless the middle of its rays begins beyond the plane: then it is no limit for them.
+void limitWhereOneCan(GraphCamera& camera, int i, const Plane& limit);
+
 }  // namespace ocelli

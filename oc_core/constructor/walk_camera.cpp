@@ -9,6 +9,7 @@
 
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
+#include "oc_core/constructor/frustum_image.h"
 #include "oc_core/constructor/maze_horizon.h"
 #include "oc_core/constructor/walk_ways.h"
 
@@ -183,7 +184,7 @@ class WalkCameraBuilder {
     result.ways = addCrossingWays(result.camera, space_, *ahead.opening, viewOfWays(region, result.deployed));
     for (const Plane& side : closedSides(space_.regions()[region], result.deployed)) {
       if (std::abs(glm::dot(side.normal, spaceOf(ahead.direction, 0))) < 0.5 && side.height(eye_) < 0) {
-        result.camera.limit(GraphCamera::kRoot, side);
+        limitWhereOneCan(result.camera, GraphCamera::kRoot, side);  // a tall image begins above the ceiling
       }
     }
   }

@@ -329,19 +329,10 @@ class RegionPiece {
       return {};
     }
     for (const Plane& limit : region_.limits) {
-      limitFrustum(rays.frustum, limit);
+      limitWhereOneCan(camera_, rays.frustum, limit);
     }
     rays.turns = turnsOf(camera_, rays.frustum);
     return rays;
-  }
-
-  /// Where the middle of its rays begins within the limit.
-  void limitFrustum(int i, const Plane& limit) {
-    try {
-      camera_.limit(i, limit);
-    } catch (const InputError&) {
-      // Rays begin beyond it, as above a floor that slopes down from the opening: it is no limit for them.
-    }
   }
 
   GraphCamera& camera_;

@@ -115,11 +115,7 @@ class Ways {
   }
   void limit(int i, const std::vector<Plane>& planes) {
     for (const Plane& plane : planes) {
-      try {
-        camera_.limit(i, plane);
-      } catch (const InputError&) {
-        // Rays begin beyond it: it is no limit for them.
-      }
+      limitWhereOneCan(camera_, i, plane);
     }
   }
 

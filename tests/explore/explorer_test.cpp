@@ -427,6 +427,18 @@ TEST(Explorer, whatIsBehindSlidesInEvenly) {
   EXPECT_LE(widest, 1.2 * 640 / frames + 1);
 }
 
+// The image behind begins a few pixels wide, so the middle of its rays begins above the ceiling of the tunnel.
+TEST(Explorer, mazeCamerasComeToRestWhileTheImageBehindIsNarrow) {
+  SceneOptions unfitted;
+  unfitted.fit = false;
+  ExploreScene scene(loadGuidedScene("builtin:maze,seed=2", unfitted));
+  Explorer explorer(scene, {.width = 640, .height = 360});
+  explorer.choose("maze");
+  rest(explorer);
+  EXPECT_EQ(explorer.frame().deployed, 1);
+  EXPECT_TRUE(explorer.frame().behind);
+}
+
 // Section 4.3.1.4: at a crossing the maze camera turns in four steps, into the way that one wants.
 TEST(Explorer, turnsAtACrossingInFourSteps) {
   SceneOptions unfitted;
