@@ -10,7 +10,6 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/frustum_image.h"
-#include "oc_core/constructor/walk_leaf.h"
 #include "oc_core/constructor/walk_piece.h"
 #include "oc_core/constructor/walk_start.h"
 #include "oc_core/constructor/walk_tour.h"
@@ -62,7 +61,6 @@ class WalkBuilder {
       reach_ += 2 * (static_cast<double>(cell.halfLength) + static_cast<double>(cell.halfWidth));
     }
     reachable_ = reachable();
-    isOfTunnel_ = partsOfTunnels();
     // Small cells need more than their share of the floor.
     double sum = 0;
     for (const WalkRegion& region : regions_) {
@@ -154,32 +152,6 @@ class WalkBuilder {
     return can;
   }
 
-  /// Of each region, whether it or what joints join it to is a tunnel: doors open into rooms, not into corridors.
-  std::vector<bool> partsOfTunnels() const {
-    const auto isTunnel = [&](uint32_t region) {
-      return map_.cells[regions_[region].cell].kind == WalkCellKind::kTunnel;
-    };
-    std::vector<bool> parts(regions_.size(), false);
-    std::vector<uint32_t> pending;
-    for (uint32_t region = 0; region < regions_.size(); ++region) {
-      if (isTunnel(region)) {
-        parts[region] = true;
-        pending.push_back(region);
-      }
-    }
-    while (!pending.empty()) {
-      const uint32_t region = pending.back();
-      pending.pop_back();
-      for (const WalkExit& exit : regions_[region].exits) {
-        if (map_.portals[exit.portal].isJoint && !parts[exit.region]) {
-          parts[exit.region] = true;
-          pending.push_back(exit.region);
-        }
-      }
-    }
-    return parts;
-  }
-
   ComprehensiveWalk built(const std::vector<double>& weights) const {
     std::vector<double> after(weights);  // with the region itself, and those after it that can be reached
     for (size_t i = tour_.order.size(); i-- > 1;) {
@@ -238,15 +210,8 @@ class WalkBuilder {
         next.push_back(child);
       }
     }
-    const PieceRays& rays = all[region].rays;
-    // Rays that go on pass the leaf first; where none do, the room itself is seen from the door.
-    const WalkExit* door =
-        region == start_.cell ? nullptr : exitTo(static_cast<uint32_t>(tour_.stops[region].parent), region);
-    const WalkMouth entry = door != nullptr && !exits.empty() && !isOfTunnel_[region]
-                                ? beyondLeaf(camera, regions_[region], rays, door->mouth)
-                                : rays.mouth;
-    const PieceFans fans = addPiece(camera, regions_[region], border, rays.frustum, entry, exits,
-                                    {weights[region] * options_.nearness, options_.evenness});
+    const PieceFans fans = addPiece(camera, regions_[region], border, all[region].rays.frustum, all[region].rays.mouth,
+                                    exits, {weights[region] * options_.nearness, options_.evenness});
     for (size_t i = 0; i < next.size(); ++i) {
       all[next[i]].rays = fans.exits[i];
     }
@@ -299,8 +264,7 @@ class WalkBuilder {
   WalkStart start_;
   WalkTour tour_;
   std::vector<bool> reachable_;  ///< of each region
-  std::vector<bool> isOfTunnel_;
-  std::vector<double> floors_;  ///< of each region: its weight at first
+  std::vector<double> floors_;   ///< of each region: its weight at first
   double reach_ = 0;
 };
 
