@@ -51,7 +51,6 @@ evaluation and displays as NumPy arrays.")
 endif()
 
 install(FILES cmake/package/ocelli.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
-install(FILES cmake/package/60-ocelli.rules DESTINATION lib/udev/rules.d COMPONENT program)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc/docs COMPONENT documentation)
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc/examples COMPONENT documentation
   PATTERN __pycache__ EXCLUDE)
