@@ -84,10 +84,11 @@ std::string namedCommand(const CLI::App& program) {
   return name;
 }
 
-/// What `ocelli` alone says.
-constexpr const char* kFirstSteps = R"(Ocelli: non-pinhole cameras, from a scene to a volumetric display.
+/// What `ocelli` alone says: a command is missing, and what to begin with.
+constexpr const char* kFirstSteps = R"(no command was given
+  try: ocelli --help
 
-Try first:
+Ocelli: non-pinhole cameras, from a scene to a volumetric display. To begin with:
   ocelli demo                                          the whole way, and a page that shows it
   ocelli scene list                                    scenes that need no file
   ocelli render builtin:statues --camera ddoc -o statues.png
@@ -96,8 +97,7 @@ Try first:
   ocelli evaluate builtin:statues --cameras di,ddoc    what cameras miss, in figures
   ocelli doctor                                        what works on this machine
 
-`ocelli --help` lists all commands, `ocelli COMMAND --help` the options of one, with examples.
-)";
+`ocelli --help` lists all commands, `ocelli COMMAND --help` the options of one, with examples.)";
 
 int runCommand(int argumentCount, char** arguments) {
   const CommandContext context;
@@ -110,9 +110,7 @@ int runCommand(int argumentCount, char** arguments) {
   addCommands(program, context);
   try {
     if (argumentCount < 2) {
-      context.print(kFirstSteps);
-      flushStandardOutput();
-      return 0;
+      return fail(context, kInputWrong, kFirstSteps);
     }
     program.parse(argumentCount, arguments);
     context.run();

@@ -136,10 +136,10 @@ TEST(ManualPages, sayWhereTheyCannotBeWritten) {
 
 TEST(Program, aloneSaysWhatToTryFirst) {
   const ProgramResult result = runProgram("");
-  EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.output, AllOf(HasSubstr("ocelli demo"), HasSubstr("--help")));
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.error, AllOf(HasSubstr("ocelli demo"), HasSubstr("--help")));
   // Each command line of it is one.
-  std::istringstream lines(result.output);
+  std::istringstream lines(result.error);
   int commands = 0;
   for (std::string line; std::getline(lines, line);) {
     if (line.starts_with("  ocelli ")) {
