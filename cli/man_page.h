@@ -7,7 +7,7 @@
 
 namespace ocelli {
 
-/// `above` is the command that this one belongs to; null for the program. `version` and `date` stand at the foot.
+/// `above` is the command that this one belongs to; null for the program. `version` stands at the foot.
 std::string manPage(const CommandText& command, const CommandText* above, const std::string& version);
 
 }  // namespace ocelli

@@ -4,6 +4,7 @@
 #   development    libocelli-dev     headers, libraries, what find_package(Ocelli) needs
 #   python         python3-ocelli    the package `ocelli` for Python
 #   documentation  ocelli-doc        the guide with its pictures, and the examples
+
 # Packages for others need an address that works.
 set(OCELLI_PACKAGE_MAINTAINER "The Ocelli authors <ocelli@localhost.localdomain>" CACHE STRING "Whom packages name")
 
