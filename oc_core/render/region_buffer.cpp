@@ -142,17 +142,11 @@ bool RegionBuffer::missesAll(const PixelBounds& rect, const RasterVertex& a, con
   const int64_t by = snapToSubPixel(b.v);
   const int64_t cx = snapToSubPixel(c.u);
   const int64_t cy = snapToSubPixel(c.v);
-  // As scanTriangle() has it.
-  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
-  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
-  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), rect.x0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), rect.x1 - 1);
-  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), rect.y0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), rect.y1 - 1);
-  if (x0 > x1 || y0 > y1) {
+  const CentreBox box(rect, std::minmax({ax, bx, cx}), std::minmax({ay, by, cy}));
+  if (box.empty()) {
     return true;
   }
-  if ((x1 - x0 + 1) * (y1 - y0 + 1) > kMaxPixels) {
+  if (box.count() > kMaxPixels) {
     return false;
   }
   const uint32_t front = frontOf(nearest);
@@ -168,8 +162,8 @@ bool RegionBuffer::missesAll(const PixelBounds& rect, const RasterVertex& a, con
     const bool topOrLeft = dy < 0 || (dy == 0 && dx > 0);
     return dx * (y - py) - dy * (x - px) - (topOrLeft ? 0 : 1) < 0;
   };
-  for (int64_t y = y0; y <= y1; ++y) {
-    for (int64_t x = x0; x <= x1; ++x) {
+  for (int64_t y = box.y0; y <= box.y1; ++y) {
+    for (int64_t x = box.x0; x <= box.x1; ++x) {
       const size_t pixel = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x) - first_;
       const int64_t atX = x * kOne + kOne / 2;
       const int64_t atY = y * kOne + kOne / 2;
@@ -243,17 +237,16 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
   const Corner pa{snapToSubPixel(a.u), snapToSubPixel(a.v)};
   Corner pb{snapToSubPixel(b0.u), snapToSubPixel(b0.v)};
   Corner pc{snapToSubPixel(c0.u), snapToSubPixel(c0.v)};
-  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
-  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
   const auto [leastX, mostX] = std::minmax({pa.x, pb.x, pc.x});
   const auto [leastY, mostY] = std::minmax({pa.y, pb.y, pc.y});
-  const int64_t x0 = std::max<int64_t>(firstCentre(leastX), rect.x0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(mostX), rect.x1 - 1);
-  const int64_t y0 = std::max<int64_t>(firstCentre(leastY), rect.y0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(mostY), rect.y1 - 1);
-  if (x0 > x1 || y0 > y1) {
+  const CentreBox box(rect, {leastX, mostX}, {leastY, mostY});
+  if (box.empty()) {
     return;
   }
+  const int64_t x0 = box.x0;
+  const int64_t x1 = box.x1;
+  const int64_t y0 = box.y0;
+  const int64_t y1 = box.y1;
   constexpr int64_t kExact = kExactPixels * kOne;
   if (x1 - x0 < kWideRow || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
     scan(rect, a, b0, c0, [&](size_t pixel, float z, const PixelWeights& weights) {

@@ -13,6 +13,7 @@
 #include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
+#include <utility>
 #include <vector>
 
 #include "oc_core/render/fragment_image.h"
@@ -108,6 +109,27 @@ class PixelWeights {
   bool turned_;
 };
 
+/// Pixels whose centres lie within a box, the last ones included.
+struct CentreBox {
+  int64_t x0, x1, y0, y1;
+
+  /// Of the box around three points in sub-pixels, and within `rect`: empty for many a small triangle.
+  CentreBox(const PixelBounds& rect, const std::pair<int64_t, int64_t>& x, const std::pair<int64_t, int64_t>& y)
+      : x0(std::max<int64_t>(first(x.first), rect.x0)),
+        x1(std::min<int64_t>(last(x.second), rect.x1 - 1)),
+        y0(std::max<int64_t>(first(y.first), rect.y0)),
+        y1(std::min<int64_t>(last(y.second), rect.y1 - 1)) {}
+
+  bool empty() const { return x0 > x1 || y0 > y1; }
+  /// Where it is not empty.
+  int64_t count() const { return (x1 - x0 + 1) * (y1 - y0 + 1); }
+
+ private:
+  static constexpr int64_t kOne = 1 << kSubPixelBits;
+  static int64_t first(int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; }
+  static int64_t last(int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; }
+};
+
 /// Calls `emit(pixel, z, weights)` for every pixel of `rect` that the triangle covers, of an image that is so wide;
 /// `weights()` gives b1 and b2 there (PixelWeights).
 template <class Emit>
@@ -161,16 +183,14 @@ void scanTriangle(int width, const PixelBounds& rect, const RasterVertex& a, con
   int64_t by = snapToSubPixel(b0.v);
   int64_t cx = snapToSubPixel(c0.u);
   int64_t cy = snapToSubPixel(c0.v);
-  // Pixels whose centres lie within the bounding box: none for many a small triangle.
-  const auto firstCentre = [](int64_t lowest) { return (lowest - kOne / 2 + kOne - 1) >> kSubPixelBits; };
-  const auto lastCentre = [](int64_t highest) { return (highest - kOne / 2) >> kSubPixelBits; };
-  const int64_t x0 = std::max<int64_t>(firstCentre(std::min({ax, bx, cx})), rect.x0);
-  const int64_t x1 = std::min<int64_t>(lastCentre(std::max({ax, bx, cx})), rect.x1 - 1);
-  const int64_t y0 = std::max<int64_t>(firstCentre(std::min({ay, by, cy})), rect.y0);
-  const int64_t y1 = std::min<int64_t>(lastCentre(std::max({ay, by, cy})), rect.y1 - 1);
-  if (x0 > x1 || y0 > y1) {
+  const CentreBox box(rect, std::minmax({ax, bx, cx}), std::minmax({ay, by, cy}));
+  if (box.empty()) {
     return;
   }
+  const int64_t x0 = box.x0;
+  const int64_t x1 = box.x1;
+  const int64_t y0 = box.y0;
+  const int64_t y1 = box.y1;
 
   int64_t area = (bx - ax) * (cy - ay) - (by - ay) * (cx - ax);
   if (area == 0) {
