@@ -447,7 +447,13 @@ void addSource(Presented& presented, const PresentChoice& choice, const DisplayP
   }
 }
 
-void run(const PresentChoice& choice, const CommandContext& context) {
+void run(const PresentChoice& choice, [[maybe_unused]] const CLI::App& command, const CommandContext& context) {
+#ifdef OCELLI_WITH_OPENGL
+  if (isPictureDevice(choice.device)) {
+    presentQuilt(choice, command, context);
+    return;
+  }
+#endif
   checkPresentChoice(choice);
   checkSecondOutput(choice.record, "--record", choice.scene.source);
   if (choice.isDeviceLog()) {
@@ -501,14 +507,7 @@ void addPresentCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli present bunny.obj --device null --follow --turn 30 --seconds 10 --timeline misses.csv\n"
                  "  ocelli present builtin:statues --device file:seen.svol --eyes udp:5005 --camera ddoc\n"
                  "  ocelli present builtin:statues --device quilt:portrait,monitor=1,calibration=visual.json",
-                 [choice, context, &command] {
-#ifdef OCELLI_WITH_OPENGL
-                   if (isPictureDevice(choice->device)) {
-                     return presentQuilt(*choice, command, context);
-                   }
-#endif
-                   run(*choice, context);
-                 });
+                 [choice, context, &command] { run(*choice, command, context); });
 }
 
 }  // namespace ocelli
