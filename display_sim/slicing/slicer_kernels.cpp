@@ -10,11 +10,11 @@
 #include "display_sim/slicing/slice_mesh.h"
 #include "display_sim/slicing/slicer.h"
 #include "oc_core/base/conventions.h"
+#include "oc_core/base/vector_targets.h"
 
 // This file is compiled once for each of these instruction sets; foreach_target.h includes it again and again.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "display_sim/slicing/slicer_kernels.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

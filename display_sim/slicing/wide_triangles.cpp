@@ -4,11 +4,11 @@
 
 #include "display_sim/slicing/slice_mesh.h"
 #include "display_sim/slicing/triangle_strips.h"
+#include "oc_core/base/vector_targets.h"
 
 // This file is compiled once for each of these instruction sets; foreach_target.h includes it again and again.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "display_sim/slicing/wide_triangles.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 

@@ -2,18 +2,19 @@
 // set.
 #pragma once
 
-namespace ocelli {
-
 #if defined(__SANITIZE_ADDRESS__)
-inline constexpr bool kAddressSanitizer = true;
+#define OCELLI_ADDRESS_SANITIZER 1
 #elif defined(__has_feature)
 #if __has_feature(address_sanitizer)
-inline constexpr bool kAddressSanitizer = true;
-#else
-inline constexpr bool kAddressSanitizer = false;
+#define OCELLI_ADDRESS_SANITIZER 1
 #endif
-#else
-inline constexpr bool kAddressSanitizer = false;
 #endif
+#ifndef OCELLI_ADDRESS_SANITIZER
+#define OCELLI_ADDRESS_SANITIZER 0
+#endif
+
+namespace ocelli {
+
+inline constexpr bool kAddressSanitizer = OCELLI_ADDRESS_SANITIZER == 1;
 
 }  // namespace ocelli

@@ -1,9 +1,10 @@
 #include "oc_core/render/block_projection.h"
 
+#include "oc_core/base/vector_targets.h"
+
 // This file is compiled once for each of these instruction sets; foreach_target.h includes it again and again.
 #undef HWY_TARGET_INCLUDE
 #define HWY_TARGET_INCLUDE "oc_core/render/block_projection.cpp"
-#define HWY_DISABLED_TARGETS (HWY_SSSE3 | HWY_AVX3_DL | HWY_SVE | HWY_SVE2 | HWY_SVE_256 | HWY_SVE2_128 | HWY_RVV)
 #include <hwy/foreach_target.h>
 #include <hwy/highway.h>
 
