@@ -1,8 +1,8 @@
 // Which instruction sets Highway's foreach_target.h compiles a file for: to be included before it.
 //
-// Not SSSE3, which nothing has that lacks SSE4 and matters; not AVX3_DL, which adds nothing that is used here; not those
-// of processors that Debian's compiler or Highway do not choose at run time. Sanitized builds take the baseline and AVX2
-// alone: what they look for is the same in all, and each takes them a minute to compile.
+// Not SSSE3, as what has it and matters has SSE4; not AVX3_DL, which adds nothing that is used here; not those that
+// Debian's compiler or Highway do not choose at run time. Sanitized builds take the baseline and AVX2 alone: what they
+// look for is the same in all, and each takes them a minute to compile.
 #pragma once
 
 #include "oc_core/base/sanitizer.h"
