@@ -30,13 +30,16 @@ endif()
 
 # What Release builds optimise, from the commands' -O3 down: a higher level takes longer to build, and gains nothing in code
 # that reads, calls and prints (light), and little in most other code. Only loops over pixels, triangles and voxels are hot.
-# Sanitized builds don't optimise the light ones: clang takes four times as long to, once it has put its checks in.
-set(OCELLI_OPTIONS_light $<$<CONFIG:Release>:-O1> $<$<BOOL:${OCELLI_SANITIZE}>:-O0>)
+set(OCELLI_OPTIONS_light $<$<CONFIG:Release>:-O1>)
 set(OCELLI_OPTIONS_ $<$<CONFIG:Release>:-O2>)
 set(OCELLI_OPTIONS_hot $<$<CONFIG:Release>:-O3>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 at -O1 is wrong about strings and Eigen here. The sanitizers look for what these warnings mean.
   list(APPEND OCELLI_OPTIONS_light -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow)
+endif()
+if(OCELLI_SANITIZE)
+  # clang takes four times as long where it optimises, once it has put its checks in.
+  list(APPEND OCELLI_OPTIONS_light -O0)
 endif()
 
 function(ocelli_room name)
