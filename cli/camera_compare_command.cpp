@@ -82,14 +82,7 @@ void compare(const FocusChoice& choice, const CommandContext& context) {
   }
   const FocusComparison comparison =
       compareFocusWays(focusWays(), layout, plain, mesh, {.runs = choice.runs}, context.progress());
-  if (choice.json == "-") {
-    context.print(focusJson(comparison));
-  } else {
-    context.print(focusTable(comparison));
-    if (!choice.json.empty()) {
-      writeFile(choice.json, focusJson(comparison));
-    }
-  }
+  giveFigures(choice.json, focusJson(comparison), focusTable(comparison), context);
   writeImages(folder, comparison);
   writeFile(folder / "index.html",
             focusPage({choice.scene.source, choice.camera, OCELLI_VERSION, choice.runs}, comparison, layout));

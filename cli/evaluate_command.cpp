@@ -146,7 +146,6 @@ class Outputs {
     }
   }
 
-  bool jsonToStandardOutput() const { return choice_.json == "-"; }
   /// In the folder of the page, whose images belong to it; else beside the first file; none where nothing is written.
   std::optional<fs::path> workFile() const {
     if (hasPage()) {
@@ -218,11 +217,8 @@ void writeOutputs(const EvaluateChoice& choice, const Outputs& outputs, const Ev
                   const std::vector<RepresentationFigures>& rows, const std::vector<EvaluateImages>& images,
                   const EvaluatePage& scene, const CommandContext& context) {
   const bool complete = rows.size() == choice.cameras.size();
-  const std::string json = evaluationJson(choice.scene.source, options, rows, complete);
-  context.print(outputs.jsonToStandardOutput() ? json : evaluationTable(rows));
-  if (!choice.json.empty() && !outputs.jsonToStandardOutput()) {
-    writeFile(choice.json, json);
-  }
+  giveFigures(choice.json, evaluationJson(choice.scene.source, options, rows, complete), evaluationTable(rows),
+              context);
   if (!choice.csv.empty()) {
     writeFile(choice.csv, evaluationCsv(options, rows));
   }

@@ -1,6 +1,9 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <numeric>
 
 #include "cli/command.h"
 #include "cli/gl_drawing.h"
@@ -12,6 +15,7 @@
 #include "cli/viewers_option.h"
 #include "cli/volume_options.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/json_document.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/compositing/shared_renderer.h"
 #include "oc_core/constructor/camera_constructors.h"
@@ -29,6 +33,8 @@
 namespace ocelli {
 namespace {
 
+using Json = nlohmann::ordered_json;
+
 constexpr ImageSize kBuildSize{720, 480};
 
 struct BuildChoice {
@@ -42,20 +48,45 @@ struct BuildChoice {
   std::string gl = "auto";
   std::string compositing = "direct";
   std::string output;
+  std::string json;
 };
+
+size_t samplesOf(const ReferenceImages& images) {
+  return std::accumulate(images.begin(), images.end(), size_t{0},
+                         [](size_t sum, const ReferenceImage& image) { return sum + image.sampleCount(); });
+}
 
 /// "ddoc of 720x480, 90000 samples", of a union "corners-8, 8 images of 720x480, 200000 samples".
 std::string describe(const ReferenceImages& images) {
   const ReferenceImage& first = images.front();
-  size_t samples = 0;
-  bool sameSize = true;
-  for (const ReferenceImage& image : images) {
-    samples += image.sampleCount();
-    sameSize = sameSize && image.width() == first.width() && image.height() == first.height();
-  }
+  const bool sameSize = std::ranges::all_of(images, [&](const ReferenceImage& image) {
+    return image.width() == first.width() && image.height() == first.height();
+  });
   const std::string count = images.size() == 1 ? "" : fmt::format(", {} images", images.size());
   const std::string size = sameSize ? fmt::format(" of {}x{}", first.width(), first.height()) : " of several sizes";
-  return fmt::format("{}{}{}, {} samples", first.camera, count, size, samples);
+  return fmt::format("{}{}{}, {} samples", first.camera, count, size, samplesOf(images));
+}
+
+Json figuresOf(const ReferenceImages& images) {
+  Json rows = Json::array();
+  for (const ReferenceImage& image : images) {
+    rows.push_back({{"camera", image.camera},
+                    {"width", image.width()},
+                    {"height", image.height()},
+                    {"layer", image.layer},
+                    {"samples", image.sampleCount()}});
+  }
+  return rows;
+}
+
+void give(const BuildChoice& choice, const ReferenceImages& images, const CommandContext& context) {
+  writeReferenceImages(choice.output, images);
+  context.note("wrote " + choice.output + ": " + describe(images));
+  const Json figures{{"scene", choice.scene.source},
+                     {"camera", choice.camera},
+                     {"samples", samplesOf(images)},
+                     {"images", figuresOf(images)}};
+  giveFigures(choice.json, textOfJson(figures, 2) + "\n", "", context);
 }
 
 /// Of more than one rank: what they draw together. Nothing otherwise.
@@ -212,6 +243,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
       ->type_name("direct|swap")
       ->capture_default_str();
   addOutputOption(command, choice->output, "Where the image goes", {".exr"});
+  addFiguresOption(command, choice->json);
   context.finishShared(
       command,
       "  ocelli ocri build builtin:statues -o statues.exr\n"
@@ -224,6 +256,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         const bool writes = context.ranks().isFirst();
         if (writes) {
           checkWritable(choice->output);
+          checkFiguresOutput(choice->json, choice->output);
         }
         requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
         const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
@@ -231,8 +264,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         if (takesVolume(choice->scene)) {
           const ReferenceImages images = imagesOfVolume(*choice, views, size, context);
           if (writes) {
-            writeReferenceImages(choice->output, images);
-            context.note("wrote " + choice->output + ": " + describe(images));
+            give(*choice, images, context);
           }
           return;
         }
@@ -246,11 +278,9 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         const ReferenceImages images = constructed
                                            ? ReferenceImages{constructedImage(*choice, views.front(), size, context)}
                                            : builtImages(*choice, views, size, context);
-        if (!writes) {
-          return;
+        if (writes) {
+          give(*choice, images, context);
         }
-        writeReferenceImages(choice->output, images);
-        context.note("wrote " + choice->output + ": " + describe(images));
       });
 }
 
@@ -259,14 +289,23 @@ void addMesh(CLI::App& ocri, const CommandContext& context) {
   struct Choice {
     std::string input;
     std::string output;
+    std::string json;
   };
   const auto choice = std::make_shared<Choice>();
   command.add_option("IMAGE", choice->input, "A reference image (.exr)")->required();
   addOutputOption(command, choice->output, "Where the mesh goes", {".ply"});
+  addFiguresOption(command, choice->json);
   context.finish(command, "  ocelli ocri mesh statues.exr -o statues.ply", [choice, context] {
-    const Mesh mesh = unionMesh(readReferenceImages(choice->input));
+    checkFiguresOutput(choice->json, choice->output);
+    const ReferenceImages images = readReferenceImages(choice->input);
+    const Mesh mesh = unionMesh(images);
     writePly(choice->output, mesh);
     context.note(fmt::format("wrote {}: {} triangles", choice->output, mesh.triangles.size()));
+    const Json figures{{"image", choice->input},
+                       {"samples", samplesOf(images)},
+                       {"triangles", mesh.triangles.size()},
+                       {"vertices", mesh.positions.size()}};
+    giveFigures(choice->json, textOfJson(figures, 2) + "\n", "", context);
   });
 }
 

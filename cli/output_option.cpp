@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "cli/command.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 
@@ -51,6 +52,23 @@ void addFiguresOption(CLI::App& command, std::string& json) {
       ->expected(0, 1)
       ->default_str("-")
       ->type_name("FILE");
+}
+
+void checkFiguresOutput(const std::string& json, const std::string& output) {
+  if (json != "-") {
+    checkSecondOutput(json, "--json", output);
+  }
+}
+
+void giveFigures(const std::string& json, const std::string& figures, const std::string& table,
+                 const CommandContext& context) {
+  const std::string& printed = json == "-" ? figures : table;
+  if (!printed.empty()) {
+    context.print(printed);
+  }
+  if (!json.empty() && json != "-") {
+    writeFile(json, figures);
+  }
 }
 
 void checkSecondOutput(const std::string& path, const std::string& name, const std::string& first) {

@@ -10,6 +10,8 @@ class App;
 
 namespace ocelli {
 
+class CommandContext;
+
 /// Adds the required -o,--output. A path must end in one of `endings` (".png"), so that no file of another kind is
 /// overwritten by mistake; pipes, devices and this program's own streams may have any name. Call checkWritable() with
 /// it before long work.
@@ -25,6 +27,12 @@ void addOutputFilesOption(CLI::App& command, std::vector<std::string>& paths, co
 
 /// Adds --json [FILE], for figures that are printed as a table: "-" where they are to go to standard output.
 void addFiguresOption(CLI::App& command, std::string& json);
+/// Of that option, before long work: throws where that file cannot be written, or is `output`, another that is written.
+void checkFiguresOutput(const std::string& json, const std::string& output = "");
+/// Prints the table, if there is one, or the figures in its place where that option says so; or writes them to its
+/// file.
+void giveFigures(const std::string& json, const std::string& figures, const std::string& table,
+                 const CommandContext& context);
 
 /// Before long work: throws where that second file, if there is to be one, cannot be written, or is the first one.
 void checkSecondOutput(const std::string& path, const std::string& name, const std::string& first);

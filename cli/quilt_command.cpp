@@ -108,9 +108,7 @@ void makePicture(const QuiltCommandChoice& choice, const QuiltSource& source, co
   checkWritable(output);
   checkSecondOutput(choice.panel, "--panel", output);
   checkSecondOutput(choice.pair, "--rgbd", output);
-  if (choice.json != "-") {
-    checkSecondOutput(choice.json, "--json", output);
-  }
+  checkFiguresOutput(choice.json, output);
   const auto start = std::chrono::steady_clock::now();
   const QuiltPicture picture =
       source.picture(views, choice.evaluate ? QuiltDepths::kKept : QuiltDepths::kNone, context.progress());
@@ -134,14 +132,7 @@ void makePicture(const QuiltCommandChoice& choice, const QuiltSource& source, co
   if (choice.evaluate) {
     figures["evaluation"] = evaluated(choice, views, source.scene(), picture, context);
   }
-  if (!choice.json.empty()) {
-    const std::string text = textOfJson(figures, 2) + "\n";
-    if (choice.json == "-") {
-      context.print(text);
-    } else {
-      writeFile(choice.json, text);
-    }
-  }
+  giveFigures(choice.json, textOfJson(figures, 2) + "\n", "", context);
 }
 
 void makeVideo(const QuiltCommandChoice& choice, const QuiltViews& views, const CommandContext& context) {

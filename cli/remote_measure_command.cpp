@@ -93,11 +93,8 @@ void runRemoteMeasure(RemoteMeasureChoice& choice, const CommandContext& context
   try {
     const RemoteScene scene(loadScene(choice.scene.source, choice.scene.options, progress), choice.scene.source);
     const RemoteMeasurement measurement = measureRemote(scene, options, progress);
-    const std::string json = remoteMeasureJson(options, measurement);
-    context.print(choice.json == "-" ? json : remoteMeasureTable(options, measurement));
-    if (!choice.json.empty() && choice.json != "-") {
-      writeFile(choice.json, json);
-    }
+    giveFigures(choice.json, remoteMeasureJson(options, measurement), remoteMeasureTable(options, measurement),
+                context);
     if (!choice.csv.empty()) {
       writeFile(choice.csv, remoteMeasureCsv(measurement));
     }

@@ -45,7 +45,6 @@ struct ShadeChoice {
   std::string output;
   std::string gl;  ///< empty: the CPU casts all rays
 
-  bool jsonToStandardOutput() const { return json == "-"; }
   bool comparesAnything() const { return compares || !json.empty() || !csv.empty() || !page.empty(); }
 };
 
@@ -176,10 +175,7 @@ class ShadeRun {
   }
 
   void write(const ShadeReport& report) const {
-    context_.print(choice_.jsonToStandardOutput() ? shadeJson(report) : shadeTable(report));
-    if (!choice_.json.empty() && !choice_.jsonToStandardOutput()) {
-      writeFile(choice_.json, shadeJson(report));
-    }
+    giveFigures(choice_.json, shadeJson(report), shadeTable(report), context_);
     if (!choice_.csv.empty()) {
       writeFile(choice_.csv, shadeCsv(report));
     }

@@ -16,7 +16,6 @@
 #include "display_sim/volume_solidity/volume_ways.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/base/output_file.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/representation.h"
 #include "oc_core/ocri/union_mesh.h"
@@ -85,9 +84,7 @@ SolidityMeter::Visitor imageWriter(const std::string& folder, const std::string&
 }
 
 void prepareOutputs(const SolidityChoice& choice) {
-  if (!choice.json.empty() && choice.json != "-") {
-    checkWritable(choice.json);
-  }
+  checkFiguresOutput(choice.json);
   if (!choice.images.empty()) {
     std::error_code error;
     fs::create_directories(choice.images, error);
@@ -107,11 +104,7 @@ void requireImageSide(const SolidityChoice& choice, const DisplayProfile& profil
 
 void finish(const SolidityChoice& choice, const SolidityOptions& options, const std::vector<SolidityFigures>& rows,
             const CommandContext& context) {
-  const std::string json = solidityJson(choice.scene.source, options, rows);
-  context.print(choice.json == "-" ? json : solidityTable(options, rows));
-  if (!choice.json.empty() && choice.json != "-") {
-    writeFile(choice.json, json);
-  }
+  giveFigures(choice.json, solidityJson(choice.scene.source, options, rows), solidityTable(options, rows), context);
   if (!choice.images.empty()) {
     context.note("wrote images to " + choice.images);
   }

@@ -8,7 +8,6 @@
 #include "cli/viewers_option.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/base/output_file.h"
 #include "oc_core/evaluation/viewers_evaluation.h"
 
 namespace ocelli {
@@ -39,17 +38,10 @@ void run(const ViewersCommandChoice& choice, const CommandContext& context) {
                      "choose a camera that has a reference image");
   }
   const std::vector<View> views = viewsFor(choice.camera, choice.viewers);
-  const bool toStandardOutput = choice.json == "-";
-  if (!choice.json.empty() && !toStandardOutput) {
-    checkWritable(choice.json);
-  }
+  checkFiguresOutput(choice.json);
   const Mesh scene = loadScene(choice.scene.source, choice.scene.options, context.progress());
   const ViewersFigures figures = evaluateViewers(scene, camera, views, options, context.progress());
-  const std::string json = viewersJson(choice.scene.source, options, figures);
-  context.print(toStandardOutput ? json : viewersTable(figures));
-  if (!choice.json.empty() && !toStandardOutput) {
-    writeFile(choice.json, json);
-  }
+  giveFigures(choice.json, viewersJson(choice.scene.source, options, figures), viewersTable(figures), context);
 }
 
 }  // namespace

@@ -193,11 +193,17 @@ TEST_F(CameraCommand, imagesOfEveryCameraBecomeMeshesAndVolumes) {
                                    std::string("builtin:maze --camera comprehensive"),
                                    std::string("builtin:maze --camera comprehensive --construction rays")}) {
     SCOPED_TRACE(scene);
-    const ProgramResult built = runProgram("ocri build " + scene + " --size 120x60 -o " + path("a.exr"));
+    const ProgramResult built = runProgram("ocri build " + scene + " --size 120x60 --json -o " + path("a.exr"));
     ASSERT_EQ(built.exitCode, 0) << built.error;
+    const auto figures = nlohmann::json::parse(built.output);
+    EXPECT_EQ(figures["images"].at(0)["width"], 120);
+    EXPECT_THAT(built.error, HasSubstr(" " + figures["samples"].dump() + " samples"));
     EXPECT_THAT(built.error, HasSubstr(" of 120x60, "));
-    const ProgramResult meshed = runProgram("ocri mesh " + path("a.exr") + " -o " + path("a.ply"));
+    const ProgramResult meshed =
+        runProgram("ocri mesh " + path("a.exr") + " --json " + path("a.json") + " -o " + path("a.ply"));
     ASSERT_EQ(meshed.exitCode, 0) << meshed.error;
+    EXPECT_THAT(meshed.error,
+                HasSubstr(" " + nlohmann::json::parse(bytes("a.json"))["triangles"].dump() + " triangles"));
     const ProgramResult sliced = runProgram("slice " + path("a.exr") + " --profile test -o " + path("a.svol"));
     ASSERT_EQ(sliced.exitCode, 0) << sliced.error;
     EXPECT_EQ(runProgram("observe " + path("a.svol") + " --size 60x40 -o " + path("a.png")).exitCode, 0);
