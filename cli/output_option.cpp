@@ -6,6 +6,7 @@
 
 #include "cli/command.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
 
 namespace ocelli {

@@ -17,7 +17,6 @@
 #include "display_sim/quilt/quilt_errors.h"
 #include "display_sim/quilt/quilt_ways.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_document.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/worlds/scene_motion.h"

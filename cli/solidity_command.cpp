@@ -15,7 +15,6 @@
 #include "display_sim/solidity/solidity_report.h"
 #include "display_sim/volume_solidity/volume_ways.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "oc_core/ocri/representation.h"
 #include "oc_core/ocri/union_mesh.h"

@@ -7,7 +7,6 @@
 #include "cli/values.h"
 #include "cli/viewers_option.h"
 #include "oc_core/base/error.h"
-#include "oc_core/base/file_bytes.h"
 #include "oc_core/evaluation/viewers_evaluation.h"
 
 namespace ocelli {
