@@ -220,6 +220,10 @@ void Merging::choose(SimulatedRows rows) {
   const auto people = static_cast<std::ptrdiff_t>(merged_.subjects.size()) - simulated;
   const bool dropsSimulated = rows == SimulatedRows::kUnlessThereArePeople && people > 0 && simulated > 0;
   const bool dropsPeople = rows == SimulatedRows::kOnly && people > 0;
+  if (rows == SimulatedRows::kOnly && !merged_.subjectsAreKnown()) {
+    throw InputError("it is not known whether these subjects are people or simulated", merged_.sources.front().path,
+                     "\"subjects\" in the map of columns, which says it");
+  }
   if (!dropsSimulated && !dropsPeople) {
     if (simulated > 0) {
       merged_.notes.push_back(people > 0
