@@ -10,6 +10,7 @@
 
 #include "analysis/dataset/mapped_trials.h"
 #include "analysis/dataset/merge.h"
+#include "analysis/report/default_plan.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
@@ -117,7 +118,7 @@ void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   const std::vector<std::string> tasks = plannableTasks(data);
   checkTasks(choice.only, tasks);
   AnalysisPlan plan =
-      choice.plan.empty() ? defaultPlan(data.conditions, tasksOfStudy(data)) : readPlan(choice.plan, tasks);
+      choice.plan.empty() ? defaultPlanOf(data) : readPlan(choice.plan, tasks);
   plan.seed = choice.seed.value_or(plan.seed);
   const AnalysisData analysis = applyPlan(std::move(data), plan);
   const std::vector<Table> tables = paperTables(analysis);

@@ -90,7 +90,7 @@ struct ColumnMap {
   MappedText subject{};
   MappedText session{};                      ///< not set: 1
   std::vector<std::string> sessionValues{};  ///< of sessions 1, 2, ...; empty: they are numbers
-  MappedText task{.value = "trial"};
+  MappedText task{.value = "main"};
   MappedText block{};  ///< not set: the task
   MappedText condition{};
   std::vector<MappedCondition> conditions{};  ///< the reference first; empty: those of the table

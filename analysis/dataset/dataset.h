@@ -130,13 +130,16 @@ struct Dataset {
   std::vector<Subject> subjects;  ///< each id once
   std::vector<Session> sessions;
   std::vector<Consent> consents;
-  bool consentIsKnown = true;  ///< false where some source is a table, which do not tell
+  bool consentIsKnown = true;    ///< false where some source is a table, which do not tell
+  bool endingsAreKnown = true;   ///< of sessions; false where some source is a table of another tool
+  bool timeoutsAreKnown = true;  ///< false where nothing tells which trials a limit cut off
   std::vector<FormAnswer> answers;
   std::vector<Trial> trials;
   std::vector<OtherAttempt> otherAttempts;
   std::vector<LeftOutRow> leftOut;
   std::vector<std::string> notes;  ///< what a reader must be told: whole sentences
   std::vector<Run> runs{};
+  std::vector<std::string> tableFacts{};  ///< how tables of other tools were read, and what they cannot tell: sentences
 
   /// Some row is of a simulated subject: every result must say so.
   bool isSimulated() const;

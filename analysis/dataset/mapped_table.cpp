@@ -116,7 +116,7 @@ void MappedTable::findColumns() {
         known += fmt::format(", and {} more", columns_.size() - i);
         break;
       }
-      known += fmt::format("{}{}", i == 0 ? "" : ", ", columns_[i]);
+      known += columns_[i].empty() ? "" : fmt::format("{}{}", known.empty() ? "" : ", ", columns_[i]);
     }
     const bool isOne = columns_.size() == 1;
     const char* separator = isOne && columns_[0].find(';') != std::string::npos    ? "semicolon"

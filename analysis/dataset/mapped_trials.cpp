@@ -33,6 +33,7 @@ class MappedReading {
   explicit MappedReading(const ColumnMap& map) : map_(map) {}
 
   Dataset all(const std::vector<std::string>& paths) {
+    checkEachTableIsThereOnce(paths);
     for (const std::string& path : paths) {
       readTable(path);
     }
@@ -42,11 +43,12 @@ class MappedReading {
     numberBlocksAndCases();
     fill();
     counts_.tables = paths.size();
-    data_.notes = mappedNotes(map_, counts_);
+    data_.tableFacts = mappedNotes(map_, counts_);
     return std::move(data_);
   }
 
  private:
+  static void checkEachTableIsThereOnce(const std::vector<std::string>& paths);
   void readTable(const std::string& path);
   MappedRow readRow(const MappedTable& table);
   void readOutcome(const MappedTable& table, Trial& trial) const;
@@ -82,6 +84,16 @@ class MappedReading {
   std::map<Digest, std::string> wholeRows_{};                      ///< places, by all fields
   std::map<std::string, size_t> subjects_{};                       ///< first rows of subjects
 };
+
+void MappedReading::checkEachTableIsThereOnce(const std::vector<std::string>& paths) {
+  std::set<std::string> seen;
+  for (const std::string& path : paths) {
+    std::error_code ignored;
+    if (!seen.insert(std::filesystem::weakly_canonical(path, ignored).string()).second) {
+      throw InputError("this table is given twice", path, "each table once");
+    }
+  }
+}
 
 void MappedReading::readTable(const std::string& path) {
   std::error_code ignored;
@@ -145,10 +157,13 @@ MappedRow MappedReading::readRow(const MappedTable& table) {
 
 void MappedReading::readOutcome(const MappedTable& table, Trial& trial) const {
   const std::optional<double> seconds = secondsOf(table);
-  trial.censored = isTimedOut(table, seconds);
+  const bool isCutOff = isTimedOut(table, seconds);
+  if (map_.timeout.isSet()) {
+    trial.censored = isCutOff;
+  }
   trial.longestSeconds = map_.timeout.limitSeconds;
   trial.responseSeconds = seconds;
-  if (!seconds && *trial.censored) {
+  if (!seconds && isCutOff) {
     if (!map_.timeout.limitSeconds) {
       table.fail(
           map_.time.column, "is empty as the trial's time ran out, and the map does not say after how many seconds",
@@ -215,7 +230,7 @@ std::optional<bool> MappedReading::isRight(const MappedTable& table, const Trial
   if (holds(map_.correct.right, field) || holds(map_.correct.wrong, field)) {
     return holds(map_.correct.right, field);
   }
-  if (*trial.censored && (field.empty() || field == "null")) {  // nobody judged what was not answered
+  if (trial.censored.value_or(false) && (field.empty() || field == "null")) {  // nobody judged what was not answered
     return false;
   }
   table.fail(map_.correct.column, fmt::format("is \"{}\", which is neither right nor wrong by the map", field));
@@ -425,6 +440,8 @@ void MappedReading::fill() {
     data_.sessions.push_back(std::move(session));
   }
   data_.consentIsKnown = false;
+  data_.endingsAreKnown = false;
+  data_.timeoutsAreKnown = map_.timeout.isSet();
 }
 
 }  // namespace

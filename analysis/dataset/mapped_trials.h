@@ -1,7 +1,7 @@
 // Tables of other tools as the data of an analysis, by a map of columns (column_map.h).
 //
-// They hold less than a database: no protocol, no consent, no frames, no endings of sessions. The notes of the data set
-// say so (mapped_notes.h). The number of a row is the line of its file that it begins on.
+// They hold less than a database: no protocol, no consent, no frames, no endings of sessions.
+// Dataset::tableFacts says so (mapped_notes.h). The number of a row is the line of its file that it begins on.
 #pragma once
 
 #include <string>

@@ -211,7 +211,10 @@ void Merging::add(Dataset part) {
   std::copy_if(part.runs.begin(), part.runs.end(), std::back_inserter(merged_.runs), isNew);
   std::move(part.leftOut.begin(), part.leftOut.end(), std::back_inserter(merged_.leftOut));
   std::move(part.notes.begin(), part.notes.end(), std::back_inserter(merged_.notes));
+  std::move(part.tableFacts.begin(), part.tableFacts.end(), std::back_inserter(merged_.tableFacts));
   merged_.consentIsKnown = merged_.consentIsKnown && part.consentIsKnown;
+  merged_.endingsAreKnown = merged_.endingsAreKnown && part.endingsAreKnown;
+  merged_.timeoutsAreKnown = merged_.timeoutsAreKnown && part.timeoutsAreKnown;
 }
 
 void Merging::choose(SimulatedRows rows) {

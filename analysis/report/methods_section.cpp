@@ -270,6 +270,9 @@ std::string subjectsText(const Dataset& data) {
   if (!tools.empty()) {
     text += fmt::format(" Trials were recorded by {}.", fmt::join(tools, ", "));
   }
+  if (!data.timeoutsAreKnown) {
+    text += " Whether limits of time cut trials off is not known.";
+  }
   return text;
 }
 

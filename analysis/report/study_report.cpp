@@ -97,6 +97,10 @@ void addDesign(ReportWork& work) {
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
+  if (!analysis.data.tableFacts.empty()) {
+    addHeading(work.document, 2, "What the tables tell, and what not", "tables");
+    work.document.add(ReportList{analysis.data.tableFacts});
+  }
 }
 
 /// What the plan foresaw is what its models and families give; tables that tell what was done are no results.

@@ -57,7 +57,7 @@ std::string with(const std::string& more) {
 
 /// The same with the line of the file.
 auto saysAt(int line, const std::string& text) {
-  return AllOf(HasSubstr(fmt::format("data.csv:{}: ", line)), HasSubstr(text));
+  return AllOf(HasSubstr(fmt::format("data.csv:{}", line)), HasSubstr(text));
 }
 
 TEST_F(MappedTrials, areTrialsAsADatabaseHasThem) {
@@ -70,8 +70,8 @@ TEST_F(MappedTrials, areTrialsAsADatabaseHasThem) {
   EXPECT_EQ(second.subject, "A");
   EXPECT_EQ(second.session, 1);
   EXPECT_EQ(second.planIndex, 2);
-  EXPECT_EQ(second.task, "trial");
-  EXPECT_EQ(second.block, "trial");
+  EXPECT_EQ(second.task, "main");
+  EXPECT_EQ(second.block, "main");
   EXPECT_EQ(second.caseLabel, "door");
   EXPECT_EQ(second.caseIndex, 1) << "arch, door";
   EXPECT_EQ(second.view, TrialView::kReference);
@@ -95,7 +95,7 @@ TEST_F(MappedTrials, whoTheSubjectsAreIsWhatTheMapSays) {
   const Dataset unknown = read(text);
   EXPECT_FALSE(unknown.subjectsAreKnown());
   EXPECT_FALSE(unknown.isSimulated());
-  EXPECT_THAT(unknown.notes, Contains(HasSubstr("does not say whether the subjects are people or simulated")));
+  EXPECT_THAT(unknown.tableFacts, Contains(HasSubstr("does not say whether the subjects are people or simulated")));
   EXPECT_THAT(analysisErrorOf([&] {
                 merge({unknown}, {SimulatedRows::kOnly, false});
               }),
@@ -103,7 +103,7 @@ TEST_F(MappedTrials, whoTheSubjectsAreIsWhatTheMapSays) {
   const Dataset people = read(text, with(R"("subjects": "people")"));
   EXPECT_TRUE(people.subjectsAreKnown());
   EXPECT_FALSE(people.isSimulated());
-  EXPECT_THAT(people.notes, Contains("That the subjects are people is what the map says."));
+  EXPECT_THAT(people.tableFacts, Contains("That the subjects are people is what the map says."));
   const Dataset simulated = read(text, with(R"("subjects": "simulated")"));
   EXPECT_TRUE(simulated.subjectsAreKnown());
   EXPECT_TRUE(simulated.isSimulated());
@@ -127,16 +127,18 @@ TEST_F(MappedTrials, rowsOfSimulatedSubjectsDoNotMixWithPeople) {
 
 TEST_F(MappedTrials, notesSayWhatTablesCannotTell) {
   const Dataset data = read(std::string(kHead) + kRows);
-  EXPECT_THAT(data.notes, Contains(AllOf(HasSubstr("the protocol and its counterbalancing"), HasSubstr("seeds"),
+  EXPECT_THAT(data.tableFacts, Contains(AllOf(HasSubstr("the protocol and its counterbalancing"), HasSubstr("seeds"),
                                          HasSubstr("left out before the tables were written"))));
-  EXPECT_THAT(data.notes, Contains(HasSubstr("\"bent\" is the reference because it is the first by the alphabet")));
-  EXPECT_THAT(data.notes, Not(Contains(HasSubstr("names no time-outs"))));
+  EXPECT_THAT(data.tableFacts, Contains(HasSubstr("\"bent\" is the reference because it is the first by the alphabet")));
+  EXPECT_THAT(data.tableFacts, Not(Contains(HasSubstr("names no time-outs"))));
   const Dataset noLimit = read("who,view,scene,t\nA,a,x,1\nA,b,x,2\nB,a,x,3\nB,b,x,4\n",
                                R"({"subject": "who", "condition": "view", "case": "scene", "time": {"column": "t"}})");
-  EXPECT_THAT(noLimit.notes, Contains(HasSubstr("names no time-outs")));
-  EXPECT_THAT(noLimit.notes, Contains(HasSubstr("All trials are of one case")));
-  EXPECT_THAT(noLimit.notes, Contains(HasSubstr("the limits of times")));
-  EXPECT_THAT(noLimit.notes, Contains(HasSubstr("recorded by another tool")));
+  EXPECT_THAT(noLimit.tableFacts, Contains(HasSubstr("names no time-outs")));
+  EXPECT_THAT(noLimit.tableFacts, Contains(HasSubstr("All trials are of one case")));
+  EXPECT_THAT(noLimit.tableFacts, Contains(HasSubstr("the limits of times")));
+  EXPECT_THAT(noLimit.tableFacts, Contains(HasSubstr("recorded by another tool")));
+  EXPECT_FALSE(noLimit.timeoutsAreKnown);
+  EXPECT_FALSE(noLimit.trials[0].censored.has_value());
   EXPECT_FALSE(noLimit.trials[0].correct.has_value());
 }
 
@@ -259,7 +261,11 @@ TEST_F(MappedTrials, tablesAreReadTogether) {
   EXPECT_THAT(analysisErrorOf([&] {
                 readMappedTables({first, second, first}, map);
               }),
-              HasSubstr("a second time for subject \"A\""));
+              HasSubstr("this table is given twice"));
+  EXPECT_THAT(analysisErrorOf([&] {
+                readMappedTables({first, second, write("c.csv", kHead + rows.substr(0, half))}, map);
+              }),
+              AllOf(HasSubstr("c.csv:2: column \"n\" is 1 a second time for subject \"A\""), HasSubstr("a.csv:2")));
 }
 
 TEST_F(MappedTrials, rowsPracticeSessionsAndDifferencesAreTold) {
@@ -288,7 +294,7 @@ TEST_F(MappedTrials, rowsPracticeSessionsAndDifferencesAreTold) {
   EXPECT_TRUE(data.trials[1].measures.empty());
   ASSERT_EQ(data.otherAttempts.size(), 1u);
   EXPECT_EQ(data.otherAttempts[0].why, OtherAttempt::Why::kPractice);
-  EXPECT_THAT(data.notes, Contains("1 of 4 rows are no trials by the map, and are in no number."));
+  EXPECT_THAT(data.tableFacts, Contains("1 of 4 rows are no trials by the map, and are in no number."));
   EXPECT_THAT(errorOf("visit,kind,try,view,scene,begin,end,key,target,contrast\nlate,search,no,a,x,1,2,l,l,\n", map),
               saysAt(2, "column \"visit\" is \"late\", which \"session_values\""));
   EXPECT_THAT(errorOf("visit,kind,try,view,scene,begin,end,key,target,contrast\npre,search,no,a,x,9,2,l,l,\n", map),

@@ -3,12 +3,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 
 #include "analysis/dataset/csv_export.h"
 #include "analysis/dataset/mapped_trials.h"
 #include "analysis/dataset/merge.h"
+#include "analysis/report/default_plan.h"
 #include "analysis/report/json_report.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_task.h"
@@ -29,7 +31,7 @@ const std::string kExamples = OCELLI_SOURCE_DIR "/analysis/dataset/column_maps/e
 
 struct MappedReport : ::testing::Test {
   nlohmann::json reportOf(Dataset data) {
-    AnalysisPlan plan = defaultPlan(data.conditions, tasksOfStudy(data));
+    AnalysisPlan plan = defaultPlanOf(data);
     plan.bootstrapSamples = 100;
     analysis = applyPlan(merge({std::move(data)}), plan);
     document = studyReport(analysis, paperTables(analysis), {{}, "1.2.3"});
@@ -87,6 +89,8 @@ TEST_F(MappedReport, eachToolGivesAWholeReportWithTheSameNumbers) {
     const auto ratio = valueIn(report, "task-search-time", "view (graph / pinhole)", "Estimate");
     ASSERT_TRUE(ratio) << tool;
     EXPECT_NEAR(*ratio, 0.7, 0.15) << tool;
+    // The report begins with it.
+    EXPECT_TRUE(valueIn(report, "family-views", "The views differ in times of search", "p")) << tool;
     const std::map<std::string, double> cells = cellsOf("task-search");
     EXPECT_GT(cells.size(), 30u) << tool;
     if (first.empty()) {
@@ -106,6 +110,7 @@ TEST_F(MappedReport, saysWhatIsNotKnown) {
   EXPECT_THAT(text, HasSubstr("Nothing says whether these subjects are people or simulated"));
   EXPECT_THAT(text, HasSubstr("Whether subjects were people or simulated is not known. Trials were recorded by UXF."));
   EXPECT_THAT(text, HasSubstr("Such tables do not tell the protocol"));
+  EXPECT_THAT(text, HasSubstr("tables do not tell how sessions ended"));
   EXPECT_THAT(text, HasSubstr("tables do not hold consent"));
   EXPECT_THAT(text, HasSubstr("Map of columns"));
   EXPECT_THAT(text, HasSubstr("time: column end_time less start_time, in seconds"));
@@ -126,6 +131,37 @@ TEST_F(MappedReport, peopleAreNotMarked) {
   EXPECT_EQ(document.marking, "");
   EXPECT_THAT(text, HasSubstr("That the subjects are people is what the map says."));
   EXPECT_THAT(text, Not(HasSubstr("subjects were simulated")));
+}
+
+/// Where nothing tells which answers are right, or which trials a limit cut off, no number and no sentence does.
+TEST_F(MappedReport, claimsNothingAboutAnswersAndLimitsThatTablesDoNotTell) {
+  ColumnMap map = readColumnMap(kExamples + "uxf.json");
+  map.correct = {};
+  map.answer = {};
+  map.timeout = {};
+  const nlohmann::json report = reportOf(readMappedTables({kExamples + "uxf.csv"}, map));
+  EXPECT_THAT(document.failures, IsEmpty());
+  EXPECT_THAT(dishonestNumbers(report), IsEmpty());
+  EXPECT_TRUE(valueIn(report, "family-views", "The views differ in times of search", "p"));
+  EXPECT_FALSE(valueIn(report, "family-views", "The views differ in right answers of search", "p"));
+  EXPECT_THAT(report.dump(), HasSubstr("Whether limits of time cut trials off is not known."));
+  EXPECT_THAT(report.dump(), Not(HasSubstr("All answers came in time")));
+}
+
+/// More conditions than two have contrasts in place of hypotheses.
+TEST_F(MappedReport, aThirdConditionIsComparedToo) {
+  const ColumnMap map = columnMapFromJsonText(
+      R"({"subject": "who", "condition": "view", "case": "scene", "time": {"column": "t"}, "trial": "n"})", "map.json");
+  std::string text = "who,n,view,scene,t\n";
+  for (int i = 0; i < 72; ++i) {
+    text += fmt::format("S{},{},{},case {},{}\n", i / 12, i % 12, std::string(1, static_cast<char>('a' + i % 3)), i % 4,
+                        1 + 0.5 * (i % 3) + 0.1 * ((7 * i) % 11));
+  }
+  std::ofstream(folder.file("three.csv")) << text;
+  const nlohmann::json report = reportOf(readMappedTables({folder.file("three.csv")}, map));
+  EXPECT_THAT(document.failures, IsEmpty());
+  EXPECT_THAT(dishonestNumbers(report), IsEmpty());
+  EXPECT_THAT(report.dump(), HasSubstr("The study has 3 conditions:"));
 }
 
 /// trials.csv of an export, as any table, with a map of its columns.

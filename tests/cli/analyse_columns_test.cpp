@@ -16,7 +16,7 @@ using testing::AllOf;
 using testing::HasSubstr;
 using testing::MatchesRegex;
 
-const char* const kErrorForm = "ocelli: error: [^\n]+: [^\n]+\n  try: [^\n]+\n";
+const char* const kColumnErrorForm = "ocelli: error: [^\n]+: [^\n]+\n  try: [^\n]+\n";
 
 class AnalyseColumns : public testing::Test {
  protected:
@@ -29,7 +29,7 @@ class AnalyseColumns : public testing::Test {
   void expectRefused(const std::string& rest, const std::string& reason) const {
     const ProgramResult result = analyse(rest + " -o " + report("refused"));
     EXPECT_EQ(result.exitCode, 2) << rest << ": " << result.error;
-    EXPECT_THAT(result.error, AllOf(MatchesRegex(kErrorForm), HasSubstr(reason))) << rest;
+    EXPECT_THAT(result.error, AllOf(MatchesRegex(kColumnErrorForm), HasSubstr(reason))) << rest;
     EXPECT_FALSE(std::filesystem::exists(folder_ / "refused"));
   }
 
@@ -46,16 +46,19 @@ TEST_F(AnalyseColumns, ATableAndItsMapGiveAReport) {
 }
 
 TEST_F(AnalyseColumns, AMapThatComesWithTheProgramIsFoundByName) {
-  const ProgramResult result = analyse("uxf.csv --columns uxf --json --only trial -o " + report("report"));
+  const ProgramResult result = analyse("uxf.csv --columns uxf --json --only main -o " + report("report"));
   ASSERT_EQ(result.exitCode, 0) << result.error;
   EXPECT_TRUE(nlohmann::json::parse(result.output)["simulated"].is_null());
   EXPECT_THAT(fileBytes(folder_ / "report/index.html"), HasSubstr("Not known: people or simulated"));
 }
 
 TEST_F(AnalyseColumns, RowsOfACellAreLinesOfTheTable) {
-  const ProgramResult result = analyse("uxf.csv --columns uxf.json --explain task-search-times/all_trials/pinhole");
-  const size_t at = result.error.find("one of the names of cells, such as ");
-  ASSERT_TRUE(result.exitCode == 0 || at != std::string::npos) << result.error;
+  const ProgramResult result =
+      analyse("uxf.csv --columns uxf.json --explain task-search-times/all-trials-pinhole/estimate");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  // The second line of uxf.csv is the first trial of P01, with the pinhole.
+  EXPECT_THAT(result.output,
+              AllOf(HasSubstr("source 1: uxf.csv"), HasSubstr("\n1  2  P01  1  search/hall  pinhole  ")));
 }
 
 TEST_F(AnalyseColumns, WhatCannotBeReadIsRefusedWithWhereAndWhatToDo) {
@@ -63,7 +66,7 @@ TEST_F(AnalyseColumns, WhatCannotBeReadIsRefusedWithWhereAndWhatToDo) {
   expectRefused("psychopy.csv --columns psychopi", "one of jspsych, psychopy, uxf");
   expectRefused("psychopy.csv --columns uxf", "psychopy.csv:1");
   expectRefused("psychopy.csv --columns psychopy", "column \"key_resp.rt\" is empty as the trial's time ran out");
-  expectRefused("uxf.csv uxf.csv --columns uxf", "uxf.csv:2");
+  expectRefused("uxf.csv ./uxf.csv --columns uxf", "this table is given twice");
   expectRefused("uxf.csv --columns uxf --protocol x.json", "have no protocol");
   expectRefused("uxf.csv --columns uxf --simulated only", "not known whether these subjects are people or simulated");
   expectRefused(". --columns uxf", "this is a folder");
