@@ -117,8 +117,7 @@ void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   Dataset data = merge(readSources(choice), mergeOptions(choice));
   const std::vector<std::string> tasks = plannableTasks(data);
   checkTasks(choice.only, tasks);
-  AnalysisPlan plan =
-      choice.plan.empty() ? defaultPlanOf(data) : readPlan(choice.plan, tasks);
+  AnalysisPlan plan = choice.plan.empty() ? defaultPlanOf(data) : readPlan(choice.plan, tasks);
   plan.seed = choice.seed.value_or(plan.seed);
   const AnalysisData analysis = applyPlan(std::move(data), plan);
   const std::vector<Table> tables = paperTables(analysis);

@@ -128,8 +128,9 @@ TEST_F(MappedTrials, rowsOfSimulatedSubjectsDoNotMixWithPeople) {
 TEST_F(MappedTrials, notesSayWhatTablesCannotTell) {
   const Dataset data = read(std::string(kHead) + kRows);
   EXPECT_THAT(data.tableFacts, Contains(AllOf(HasSubstr("the protocol and its counterbalancing"), HasSubstr("seeds"),
-                                         HasSubstr("left out before the tables were written"))));
-  EXPECT_THAT(data.tableFacts, Contains(HasSubstr("\"bent\" is the reference because it is the first by the alphabet")));
+                                              HasSubstr("left out before the tables were written"))));
+  EXPECT_THAT(data.tableFacts,
+              Contains(HasSubstr("\"bent\" is the reference because it is the first by the alphabet")));
   EXPECT_THAT(data.tableFacts, Not(Contains(HasSubstr("names no time-outs"))));
   const Dataset noLimit = read("who,view,scene,t\nA,a,x,1\nA,b,x,2\nB,a,x,3\nB,b,x,4\n",
                                R"({"subject": "who", "condition": "view", "case": "scene", "time": {"column": "t"}})");
