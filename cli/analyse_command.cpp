@@ -8,7 +8,9 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "analysis/dataset/mapped_trials.h"
 #include "analysis/dataset/merge.h"
+#include "analysis/report/default_plan.h"
 #include "analysis/report/report_files.h"
 #include "analysis/report/report_task.h"
 #include "analysis/report/study_report.h"
@@ -27,6 +29,7 @@ struct AnalyseChoice {
   std::vector<std::string> sources;
   std::string plan;
   std::string protocol;
+  std::string columns;
   std::string folder;
   std::vector<std::string> only;
   std::string simulated = "unless-people";
@@ -64,13 +67,19 @@ void noteReport(const AnalysisData& analysis, const std::string& folder, const s
   for (const ReportFile& file : files) {
     names.push_back(file.name);
   }
+  size_t tables = 0;
   for (const DataSource& source : analysis.data.sources) {
-    if (source.form != DataSource::Form::kDatabase) {
+    if (source.form == DataSource::Form::kMappedTable) {
+      ++tables;
+    } else if (source.form != DataSource::Form::kDatabase) {
       context.note(
           fmt::format("{} are tables: a withdrawal from their database will not find this report", source.path));
     } else if (!recordReport(source.path, folder, names)) {
       context.note(fmt::format("{} could not note this report: a withdrawal will not find it", source.path));
     }
+  }
+  if (tables > 0) {
+    context.note("these tables are of another tool: where a subject withdraws, delete this report by hand, too");
   }
 }
 
@@ -83,19 +92,32 @@ void checkTasks(const std::vector<std::string>& wanted, const std::vector<std::s
   }
 }
 
+std::vector<Dataset> readSources(const AnalyseChoice& choice) {
+  std::vector<Dataset> parts;
+  if (!choice.columns.empty()) {
+    parts.push_back(readMappedTables(choice.sources, readColumnMap(choice.columns)));
+    return parts;
+  }
+  for (const std::string& source : choice.sources) {
+    parts.push_back(readSource(source, choice.protocol));
+  }
+  return parts;
+}
+
+/// Nothing where nobody says it.
+nlohmann::ordered_json simulatedAsJson(const Dataset& data) {
+  return data.subjectsAreKnown() || data.isSimulated() ? nlohmann::ordered_json(data.isSimulated())
+                                                       : nlohmann::ordered_json(nullptr);
+}
+
 void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (!choice.folder.empty()) {
     checkReportFolder(choice.folder);
   }
-  std::vector<Dataset> parts;
-  for (const std::string& source : choice.sources) {
-    parts.push_back(readSource(source, choice.protocol));
-  }
-  Dataset data = merge(std::move(parts), mergeOptions(choice));
+  Dataset data = merge(readSources(choice), mergeOptions(choice));
   const std::vector<std::string> tasks = plannableTasks(data);
   checkTasks(choice.only, tasks);
-  AnalysisPlan plan =
-      choice.plan.empty() ? defaultPlan(data.conditions, tasksOfStudy(data)) : readPlan(choice.plan, tasks);
+  AnalysisPlan plan = choice.plan.empty() ? defaultPlanOf(data) : readPlan(choice.plan, tasks);
   plan.seed = choice.seed.value_or(plan.seed);
   const AnalysisData analysis = applyPlan(std::move(data), plan);
   const std::vector<Table> tables = paperTables(analysis);
@@ -137,7 +159,7 @@ void analyse(const AnalyseChoice& choice, const CommandContext& context) {
                                          {"plan_sha256", analysis.plan.sha256},
                                          {"subjects", analysis.flow.analysed},
                                          {"trials", analysis.flow.analysedTrials},
-                                         {"simulated", analysis.data.isSimulated()}};
+                                         {"simulated", simulatedAsJson(analysis.data)}};
     // The name of a folder may be any bytes.
     context.print(textOfJson(json, 2) + "\n");
   }
@@ -147,6 +169,9 @@ void runAnalyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (choice.folder.empty() && choice.explain.empty()) {
     throw InputError("a report needs a folder", "-o", "-o FOLDER, or --explain CELL");
   }
+  if (!choice.columns.empty() && !choice.protocol.empty()) {
+    throw InputError("tables of other tools have no protocol of Ocelli", "--protocol", "--columns without it");
+  }
   analyse(choice, context);
 }
 
@@ -155,10 +180,18 @@ void runAnalyse(const AnalyseChoice& choice, const CommandContext& context) {
 void addAnalyseCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("analyse", "Analyse the trials of a study, as a report");
   const auto choice = std::make_shared<AnalyseChoice>();
-  command.add_option("DB", choice->sources, "Databases of a study, or folders of its CSV export")->required();
+  command
+      .add_option("DB", choice->sources,
+                  "Databases of a study, folders of its CSV export, or with --columns tables of other tools")
+      ->required();
   command.add_option("--plan", choice->plan, "The registered plan of the analysis")->type_name("FILE");
   command.add_option("--protocol", choice->protocol, "The study's protocol, which CSV exports do not hold")
       ->type_name("FILE");
+  command
+      .add_option("--columns", choice->columns,
+                  fmt::format("Read tables of another tool: which column is what, by {} or a map of your own",
+                              fmt::join(builtInColumnMapNames(), ", ")))
+      ->type_name("NAME|MAP.json");
   command.add_option("-o,--output", choice->folder, "Folder of the report: new, empty, or an earlier report")
       ->type_name("FOLDER");
   command.add_option("--only", choice->only, "Leave out the other tasks; survey is one")
@@ -179,6 +212,7 @@ void addAnalyseCommand(CLI::App& program, const CommandContext& context) {
   context.finish(command,
                  "  ocelli analyse study.db -o report\n"
                  "  ocelli analyse a.db b.db --plan plan.json --only find,count --csv -o report\n"
+                 "  ocelli analyse data/*.csv --columns psychopy -o report\n"
                  "  ocelli analyse study.db --explain table-7.1/stationary/session-1/gc",
                  [choice, context] { runAnalyse(*choice, context); });
 }

@@ -38,6 +38,7 @@ install(FILES
   DESTINATION ${package_folder} COMPONENT development)
 # What error messages and docs/files.md call by their paths here.
 foreach(schema IN ITEMS
+    analysis/dataset/column_maps/column_map.schema.json
     display_sim/frames/profiles/display_profile.schema.json
     display_sim/viewer/viewer_script.schema.json
     oc_core/antialiasing/antialias_regions.schema.json
@@ -58,6 +59,9 @@ foreach(schema IN ITEMS
   get_filename_component(folder ${schema} DIRECTORY)
   install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder} COMPONENT program)
 endforeach()
+# Maps of columns to copy, with a table each.
+install(DIRECTORY analysis/dataset/column_maps DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/analysis/dataset
+  COMPONENT program FILES_MATCHING PATTERN "*.json" PATTERN "*.csv" PATTERN column_map.schema.json EXCLUDE)
 
 # Manual pages, and what shells complete: by the program, of its own options. Sanitized programs are slow, and no package.
 if(NOT OCELLI_SANITIZE)

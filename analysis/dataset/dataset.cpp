@@ -37,6 +37,10 @@ bool Dataset::isSimulated() const {
   return std::any_of(subjects.begin(), subjects.end(), [](const Subject& subject) { return subject.simulated; });
 }
 
+bool Dataset::subjectsAreKnown() const {
+  return std::all_of(sources.begin(), sources.end(), [](const DataSource& source) { return source.subjectsAreKnown; });
+}
+
 const Subject* Dataset::findSubject(const std::string& id) const {
   const auto found = std::find_if(subjects.begin(), subjects.end(), [&](const Subject& s) { return s.id == id; });
   return found == subjects.end() ? nullptr : &*found;

@@ -1,5 +1,6 @@
 // What an analysis works on: the trials that count, the answers, sessions and subjects of one study, from one or more
-// files. It is read by database.h and csv_export.h, put together by merge.h, and thinned by exclusions.h.
+// files. It is read by database.h, csv_export.h and mapped_trials.h, put together by merge.h, and thinned by
+// exclusions.h.
 //
 // Every row keeps where it stands: its file (an index into `sources`) and its number there.
 #pragma once
@@ -16,7 +17,7 @@ namespace ocelli {
 
 /// A file, or a folder of tables.
 struct DataSource {
-  enum class Form : uint8_t { kDatabase, kCsv };
+  enum class Form : uint8_t { kDatabase, kCsv, kMappedTable };
 
   std::string path;
   Form form = Form::kDatabase;
@@ -26,6 +27,12 @@ struct DataSource {
   std::string protocolText{};
   std::string programVersion{};  ///< of the program that made it
   std::vector<Withdrawal> withdrawals{};
+  // Of tables of other tools (mapped_trials.h).
+  std::string tool{};
+  std::string columnMap{};
+  std::string columnMapSha256{};  ///< 64 hexadecimal digits
+  std::string columnMapText{};    ///< "subject: column participant; ..."
+  bool subjectsAreKnown = true;   ///< false: nothing says whether they are people or simulated
 };
 
 struct Subject {
@@ -123,16 +130,21 @@ struct Dataset {
   std::vector<Subject> subjects;  ///< each id once
   std::vector<Session> sessions;
   std::vector<Consent> consents;
-  bool consentIsKnown = true;  ///< false where some source is a table, which do not tell
+  bool consentIsKnown = true;    ///< false where some source is a table, which do not tell
+  bool endingsAreKnown = true;   ///< of sessions; false where some source is a table of another tool
+  bool timeoutsAreKnown = true;  ///< false where nothing tells which trials a limit cut off
   std::vector<FormAnswer> answers;
   std::vector<Trial> trials;
   std::vector<OtherAttempt> otherAttempts;
   std::vector<LeftOutRow> leftOut;
   std::vector<std::string> notes;  ///< what a reader must be told: whole sentences
   std::vector<Run> runs{};
+  std::vector<std::string> tableFacts{};  ///< how tables of other tools were read, and what they cannot tell: sentences
 
   /// Some row is of a simulated subject: every result must say so.
   bool isSimulated() const;
+  /// Every source says whether its subjects are people or simulated.
+  bool subjectsAreKnown() const;
   /// Of the subject; nullptr where there is none.
   const Subject* findSubject(const std::string& id) const;
 };

@@ -174,7 +174,7 @@ void Excluder::countBefore() {
   flow.enrolled = static_cast<int>(data.subjects.size());
   flow.trials = static_cast<int64_t>(data.trials.size());
   if (!data.consentIsKnown) {
-    flow.consentNote = "exported tables do not hold consent";
+    flow.consentNote = "tables do not hold consent";
   } else if (data.consents.empty()) {
     flow.consentNote = "no consent is recorded";
   } else {

@@ -211,7 +211,10 @@ void Merging::add(Dataset part) {
   std::copy_if(part.runs.begin(), part.runs.end(), std::back_inserter(merged_.runs), isNew);
   std::move(part.leftOut.begin(), part.leftOut.end(), std::back_inserter(merged_.leftOut));
   std::move(part.notes.begin(), part.notes.end(), std::back_inserter(merged_.notes));
+  std::move(part.tableFacts.begin(), part.tableFacts.end(), std::back_inserter(merged_.tableFacts));
   merged_.consentIsKnown = merged_.consentIsKnown && part.consentIsKnown;
+  merged_.endingsAreKnown = merged_.endingsAreKnown && part.endingsAreKnown;
+  merged_.timeoutsAreKnown = merged_.timeoutsAreKnown && part.timeoutsAreKnown;
 }
 
 void Merging::choose(SimulatedRows rows) {
@@ -220,6 +223,10 @@ void Merging::choose(SimulatedRows rows) {
   const auto people = static_cast<std::ptrdiff_t>(merged_.subjects.size()) - simulated;
   const bool dropsSimulated = rows == SimulatedRows::kUnlessThereArePeople && people > 0 && simulated > 0;
   const bool dropsPeople = rows == SimulatedRows::kOnly && people > 0;
+  if (rows == SimulatedRows::kOnly && !merged_.subjectsAreKnown()) {
+    throw InputError("it is not known whether these subjects are people or simulated", merged_.sources.front().path,
+                     "\"subjects\" in the map of columns, which says it");
+  }
   if (!dropsSimulated && !dropsPeople) {
     if (simulated > 0) {
       merged_.notes.push_back(people > 0

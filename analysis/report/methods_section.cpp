@@ -8,6 +8,7 @@
 #include <cctype>
 #include <cmath>
 #include <iterator>
+#include <set>
 
 #include "analysis/inference/holm.h"
 #include "analysis/report/planned_model.h"
@@ -255,6 +256,26 @@ std::string planText(const AnalysisPlan& plan) {
   return text.substr(0, text.find(", SHA-256"));
 }
 
+/// Who they were, where that is not plain, and what recorded their trials.
+std::string subjectsText(const Dataset& data) {
+  std::string text = data.isSimulated()        ? " Subjects were simulated."
+                     : data.subjectsAreKnown() ? ""
+                                               : " Whether subjects were people or simulated is not known.";
+  std::set<std::string> tools;
+  for (const DataSource& source : data.sources) {
+    if (!source.tool.empty()) {
+      tools.insert(source.tool);
+    }
+  }
+  if (!tools.empty()) {
+    text += fmt::format(" Trials were recorded by {}.", fmt::join(tools, ", "));
+  }
+  if (!data.timeoutsAreKnown) {
+    text += " Whether limits of time cut trials off is not known.";
+  }
+  return text;
+}
+
 }  // namespace
 
 void addMethods(ReportWork& work, const std::string& version) {
@@ -265,8 +286,7 @@ void addMethods(ReportWork& work, const std::string& version) {
       fmt::format("We analysed {} trials of {} subjects with Ocelli {}; {}. {} Within families of hypotheses p values "
                   "were corrected by Holm's method at a level of {}.{}",
                   work.analysis.flow.analysedTrials, work.analysis.flow.analysed, version, planText(plan),
-                  fmt::join(work.methods, " "), plan.alpha,
-                  work.analysis.data.isSimulated() ? " Subjects were simulated." : "")});
+                  fmt::join(work.methods, " "), plan.alpha, subjectsText(work.analysis.data))});
 }
 
 }  // namespace ocelli

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <set>
+
 namespace ocelli {
 
 void addProvenance(ReportWork& work, const std::string& version) {
@@ -13,8 +15,13 @@ void addProvenance(ReportWork& work, const std::string& version) {
                  {"Plan", describe(analysis.plan)},
                  {"Seed", std::to_string(analysis.plan.seed)},
                  {"SHA-256 of the data", analysis.dataSha256, true}};
+  std::set<std::string> maps;
   for (const DataSource& source : analysis.data.sources) {
     facts.facts.push_back({"Source", source.path});
+    if (!source.columnMap.empty() && maps.insert(source.columnMapSha256).second) {
+      facts.facts.push_back({fmt::format("Map of columns {}", source.columnMap), source.columnMapSha256, true});
+      facts.facts.push_back({"What the map says", source.columnMapText});
+    }
     if (!source.protocolSha256.empty()) {
       facts.facts.push_back({fmt::format("Protocol {}", source.protocolName), source.protocolSha256, true});
     }

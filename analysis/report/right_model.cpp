@@ -29,7 +29,9 @@ void addRightSensitivity(ReportWork& work, const PlannedModel& model, const Tria
   }
   Variants variants = variantsOf(trials, first, kMaxRows);
   if (inTime.size() == trials.size()) {
-    variants.notes.push_back("All answers came in time: there are no time-outs to treat in another way.");
+    variants.notes.emplace_back(work.analysis.data.timeoutsAreKnown
+                                    ? "All answers came in time: there are no time-outs to treat in another way."
+                                    : "Which answers did not come in time is not known.");
   }
   variants.notes.emplace_back(kFittedModelNote);
   addSensitivity(work,

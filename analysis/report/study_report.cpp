@@ -97,6 +97,10 @@ void addDesign(ReportWork& work) {
   for (const std::string& note : analysis.data.notes) {
     work.document.add(ReportNote{NoteKind::kNote, note});
   }
+  if (!analysis.data.tableFacts.empty()) {
+    addHeading(work.document, 2, "What the tables tell, and what not", "tables");
+    work.document.add(ReportList{analysis.data.tableFacts});
+  }
 }
 
 /// What the plan foresaw is what its models and families give; tables that tell what was done are no results.
@@ -121,7 +125,7 @@ void markExploratory(ReportDocument& document, const AnalysisPlan& plan) {
   }
 }
 
-/// Answers first: what was added last stands before all else but a notice on simulated subjects.
+/// Answers first: what was added last stands before all else but a notice on who the subjects are.
 void moveToFront(std::vector<ReportElement>& elements, size_t first, size_t front) {
   const auto at = [&](size_t index) { return elements.begin() + static_cast<std::ptrdiff_t>(index); };
   std::rotate(at(front), at(first), elements.end());
@@ -136,6 +140,7 @@ std::string trialsCsv(const Dataset& data) {
   std::string text =
       "source,trial_id,subject_id,session_number,plan_index,block,task,case_index,item,view,moving,exposure_s,objects,"
       "duplicate_colors,answer,expected,correct,censored,response_s,dropped_frames,simulated";
+  const bool isKnown = data.subjectsAreKnown();
   const CaseFactors cases(data);
   const std::vector<StudyFactor>& factors = data.conditions.factors;
   for (const StudyFactor& factor : factors) {
@@ -164,7 +169,7 @@ std::string trialsCsv(const Dataset& data) {
                         optionalText(trial.moving), optionalText(trial.exposureSeconds), optionalText(trial.objects),
                         optionalText(trial.duplicateColors), csvText(trial.answer), csvText(trial.expected),
                         optionalText(trial.correct), optionalText(trial.censored), optionalText(trial.responseSeconds),
-                        trial.droppedFrames, trial.simulated ? 1 : 0);
+                        trial.droppedFrames, isKnown ? (trial.simulated ? "1" : "0") : "");
     for (const StudyFactor& factor : factors) {
       const FactorLevels& ofFactors = factor.ofCases ? cases.of(trial) : data.conditions.of(trial.view).levels;
       const auto level = ofFactors.find(factor.name);
@@ -211,7 +216,8 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   const bool simulated = analysis.data.isSimulated();
   document.title = "Analysis of a perception study";
   document.subtitle = analysis.data.sources.empty() ? "" : analysis.data.sources.front().protocolName;
-  document.marking = simulated ? "Simulated subjects" : "";
+  const bool isMarked = simulated || !analysis.data.subjectsAreKnown();
+  document.marking = simulated ? "Simulated subjects" : isMarked ? "Not known: people or simulated" : "";
   document.version = options.version;
   document.created = options.created;
   for (const DataSource& source : analysis.data.sources) {
@@ -222,6 +228,10 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   if (simulated) {
     document.add(
         ReportNote{NoteKind::kSimulated, "These results are of simulated subjects: they say nothing about people."});
+  } else if (isMarked) {
+    document.add(ReportNote{NoteKind::kWarning,
+                            "Nothing says whether these subjects are people or simulated. \"subjects\" in the map of "
+                            "columns says it."});
   }
   addPart(work, "Design and data", [&] { addDesign(work); });
   addPart(work, "Apparatus", [&] { addApparatus(work); });
@@ -283,7 +293,7 @@ ReportDocument studyReport(const AnalysisData& analysis, const std::vector<Table
   const size_t answers = document.elements.size();
   addPart(work, "Hypotheses", [&] { addHypotheses(work); });
   addPart(work, "Families of contrasts", [&] { families.write(work); });
-  moveToFront(document.elements, answers, simulated ? 1 : 0);
+  moveToFront(document.elements, answers, isMarked ? 1 : 0);
   markExploratory(document, analysis.plan);
   spellOutViews(document);
   return document;

@@ -216,9 +216,11 @@ Table PaperTables::subjects() const {
         ids.push_back(subject);
       }
     }
-    const int count = static_cast<int>(ids.size());
-    add(fmt::format("completed {} session{}", k, k == 1 ? "" : "s or more"), fmt::format("completed-{}", k), count, "",
-        k == 3 ? std::optional(25.0) : std::nullopt, std::move(ids));
+    const bool isKnown = analysis_.data.endingsAreKnown;
+    add(fmt::format("completed {} session{}", k, k == 1 ? "" : "s or more"), fmt::format("completed-{}", k),
+        isKnown ? std::optional(static_cast<int>(ids.size())) : std::nullopt,
+        isKnown ? "" : "tables do not tell how sessions ended", k == 3 ? std::optional(25.0) : std::nullopt,
+        std::move(ids));
   }
   std::map<std::string, int> taken;
   for (const auto& [reason, count] : flow.excluded) {

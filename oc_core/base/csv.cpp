@@ -42,7 +42,8 @@ std::string textOfCsv(const std::string& field) {
   return guarded ? field.substr(1) : field;
 }
 
-CsvReader::CsvReader(std::string_view bytes, std::string where) : bytes_(bytes), where_(std::move(where)) {
+CsvReader::CsvReader(std::string_view bytes, std::string where, char separator)
+    : bytes_(bytes), where_(std::move(where)), separator_(separator) {
   constexpr std::string_view kByteOrderMark = "\xef\xbb\xbf";
   if (bytes_.starts_with(kByteOrderMark)) {
     bytes_.remove_prefix(kByteOrderMark.size());
@@ -73,7 +74,7 @@ bool CsvReader::next(std::vector<std::string>& fields) {
       }
     } else if (c == '"') {
       inQuotes = true;
-    } else if (c == ',') {
+    } else if (c == separator_) {
       fields.push_back(std::move(field));
       field.clear();
     } else if (c == '\n') {

@@ -1,4 +1,4 @@
-// Comma-separated values as RFC 4180 has them.
+// Comma-separated values as RFC 4180 has them. Other programs separate by semicolons or tabs, too.
 #pragma once
 
 #include <cstdint>
@@ -19,17 +19,20 @@ std::string textOfCsv(const std::string& field);
 class CsvReader {
  public:
   /// `bytes` must outlive it; `where` names the file in messages.
-  CsvReader(std::string_view bytes, std::string where);
+  CsvReader(std::string_view bytes, std::string where, char separator = ',');
 
   /// The fields of the next row; false at the end. Throws InputError with the line for a quote that does not end.
   bool next(std::vector<std::string>& fields);
 
   /// "FILE:LINE" of the row that next() gave.
   std::string place() const;
+  /// Of its first byte, from 1.
+  int64_t line() const { return rowLine_; }
 
  private:
   std::string_view bytes_;
   std::string where_;
+  char separator_;
   int64_t line_ = 1;     ///< of the byte that comes next
   int64_t rowLine_ = 1;  ///< of the row's first byte
 };
