@@ -10,6 +10,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/scene/animated_scene.h"
+#include "oc_core/scene/pcd_points.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/point_mesh.h"
 #include "oc_core/scene/scene_reader.h"
@@ -74,6 +75,24 @@ void checkCount(size_t triangles, const fs::path& path) {
   }
 }
 
+/// A format of files of points.
+struct PointFormat {
+  bool (*isOf)(const fs::path& path);
+  PointCloud (*read)(const fs::path& path);
+};
+
+constexpr std::array<PointFormat, 3> kPointFormats{
+    {{isPointText, [](const fs::path& path) { return readTextPoints(path); }},
+     {isPcdFile, [](const fs::path& path) { return readPcdPoints(path); }},
+     {[](const fs::path& path) { return isPlyFile(path) && plyHoldsPoints(path); },
+      [](const fs::path& path) { return readPlyPoints(path); }}}};
+
+const PointFormat* pointFormatOf(const fs::path& path) {
+  const auto* const found =
+      std::ranges::find_if(kPointFormats, [&](const PointFormat& format) { return format.isOf(path); });
+  return found == kPointFormats.end() ? nullptr : found;
+}
+
 }  // namespace
 
 bool isPlyFile(const fs::path& path) {
@@ -89,9 +108,8 @@ Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const
   checkFile(path);
   Scene scene;
   // What claims to be PLY never reaches Assimp.
-  if (isPointText(path) || (isPlyFile(path) && plyHoldsPoints(path))) {
-    PointMesh points = meshOfPoints(isPointText(path) ? readTextPoints(path) : readPlyPoints(path), options.points,
-                                    path.string(), progress);
+  if (const PointFormat* format = pointFormatOf(path); format != nullptr) {
+    PointMesh points = meshOfPoints(format->read(path), options.points, path.string(), progress);
     scene.add(std::move(points.mesh));
     scene.points = points.facts;
   } else if (isPlyFile(path)) {
@@ -109,7 +127,7 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
                                               const std::string& animation, std::vector<std::string>& warnings,
                                               const Progress& progress) {
   checkFile(path);
-  if (isPlyFile(path) || isPointText(path)) {
+  if (isPlyFile(path) || pointFormatOf(path) != nullptr) {
     return nullptr;
   }
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
