@@ -23,7 +23,8 @@ FramedMotion loadFramedMotion(const SceneChoice& scene, double hertz, const Comm
   FramedMotion framed;
   framed.motion = mayMove(scene.source) ? loadMotion(scene.source, scene.options, context.progress()) : nullptr;
   if (framed.motion == nullptr) {
-    throw InputError("this scene stands still", scene.source, "leave --frames-per-second out, and write a single frame");
+    throw InputError("this scene stands still", scene.source,
+                     "leave --frames-per-second out, and write a single frame");
   }
   constexpr double kMaxFrames = 100'000;
   const double frames = std::max(1.0, std::round(framed.motion->durationSeconds() * hertz));

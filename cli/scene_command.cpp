@@ -92,7 +92,8 @@ std::string listAsJson() {
   return textOfJson(sources, 2) + "\n";
 }
 
-/// Of the file itself: where it has textures, some are split to bake these to vertices; where it has points or lines, it is not told.
+/// Of the file itself: where it has textures, some are split to bake these to vertices; where it has points or lines,
+/// it is not told.
 size_t trianglesInFile(const SceneChoice& scene, const GuidedScene& loaded, const Progress& progress) {
   const Mesh& mesh = loaded.mesh;
   if (loaded.points) {
@@ -183,14 +184,10 @@ void appendPoints(std::string& text, const PointFacts& points) {
 }
 
 void putPoints(Json& info, const PointFacts& points) {
-  info["points"] = {{"in_file", points.points},
-                    {"repeated", points.repeated},
-                    {"panels", points.panels},
-                    {"octahedra", points.solids},
-                    {"line_segments", points.lines},
-                    {"widths_from_neighbors", points.areWidthsChosen},
-                    {"narrowest", points.narrowest},
-                    {"median_width", points.medianWidth},
+  info["points"] = {{"in_file", points.points},      {"repeated", points.repeated},
+                    {"panels", points.panels},       {"octahedra", points.solids},
+                    {"line_segments", points.lines}, {"widths_from_neighbors", points.areWidthsChosen},
+                    {"narrowest", points.narrowest}, {"median_width", points.medianWidth},
                     {"widest", points.widest}};
 }
 

@@ -140,7 +140,8 @@ void runVolume(const SliceChoice& choice, const CommandContext& context) {
 void requireRecordable(const SliceChoice& choice, const CommandContext& context) {
   const std::string option = "--frames-per-second";
   if (isVolumeSource(choice.scene.source)) {
-    throw InputError("volumes of scalars are sliced one at a time", option, "slice each, and join them: ocelli volume join");
+    throw InputError("volumes of scalars are sliced one at a time", option,
+                     "slice each, and join them: ocelli volume join");
   }
   if (choice.method == "gl" || choice.repeat > 1 || choice.json || context.ranks().size() > 1) {
     throw InputError("recordings are sliced by one program on CPUs, without figures", option,

@@ -139,7 +139,8 @@ class TubeMaker {
         mesh_.triangles.emplace_back(corner(ring, side), corner(ring, side + 1), corner(ring + 1, side));
         mesh_.triangles.emplace_back(corner(ring, side + 1), corner(ring + 1, side + 1), corner(ring + 1, side));
       }
-      mesh_.triangles.emplace_back(corner(rings - 1, side), corner(rings - 1, side + 1), begin + 1 + rings * kTubeSides);
+      mesh_.triangles.emplace_back(corner(rings - 1, side), corner(rings - 1, side + 1),
+                                   begin + 1 + rings * kTubeSides);
     }
   }
 

@@ -10,8 +10,8 @@
 
 namespace ocelli {
 
-/// Adds tubes (line_mesh.h) and panels (point_mesh.h) to the scene for what its copies have besides triangles: copies of
-/// `parts`, whose colours are baked, as the scene's instances name them. Without PointSceneOptions::width lines are
+/// Adds tubes (line_mesh.h) and panels (point_mesh.h) to the scene for what its copies have besides triangles: copies
+/// of `parts`, whose colours are baked, as the scene's instances name them. Without PointSceneOptions::width lines are
 /// kLineShare of the diagonal of the box around all lines and triangles wide. Sets Scene::points where there is any.
 ///
 /// Points that cannot be drawn, as one alone has no size of its own, are an InputError naming `where`, and a warning

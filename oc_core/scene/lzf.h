@@ -1,5 +1,5 @@
-// LZF, the compression of Marc Lehmann's LibLZF: runs of bytes as they are, and copies of what came before. Point clouds
-// (pcd_points.h) have it.
+// LZF, the compression of Marc Lehmann's LibLZF: runs of bytes as they are, and copies of what came before. Point
+// clouds (pcd_points.h) have it.
 #pragma once
 
 #include <cstddef>

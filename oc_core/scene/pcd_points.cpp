@@ -182,7 +182,8 @@ class PcdReader {
       }
       const auto number = numberFromText<uint64_t>(values[i]);
       const bool isSize = keyword == "SIZE";
-      if (!number || (isSize ? *number != 1 && *number != 2 && *number != 4 && *number != 8 : *number > kMaxPointBytes)) {
+      if (!number ||
+          (isSize ? *number != 1 && *number != 2 && *number != 4 && *number != 8 : *number > kMaxPointBytes)) {
         fail("'" + printableText(values[i]) + "' is no " + keyword + " of a field");
       }
       (isSize ? field.bytes : field.count) = *number;

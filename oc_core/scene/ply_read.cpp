@@ -229,7 +229,8 @@ class PlyReader {
              "copy or export it again: it looks truncated");
       }
       left -= element.count * row;
-      const uint64_t most = element.name == "face" || element.name == "tristrips" ? limits_.maxTriangles : limits_.maxVertices;
+      const uint64_t most =
+          element.name == "face" || element.name == "tristrips" ? limits_.maxTriangles : limits_.maxVertices;
       if (element.count > most) {
         fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", whatIfTooLarge());
       }

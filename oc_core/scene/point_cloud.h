@@ -18,8 +18,8 @@ struct PointCloud {
 };
 
 struct PointSceneOptions {
-  /// How wide each point and each line is, in the units of the scene before it is fitted. Nothing: a point by its nearest
-  /// neighbours, lines by the size of the scene (line_mesh.h).
+  /// How wide each point and each line is, in the units of the scene before it is fitted. Nothing: a point by its
+  /// nearest neighbours, lines by the size of the scene (line_mesh.h).
   std::optional<double> width{};
 };
 

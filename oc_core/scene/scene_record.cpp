@@ -174,8 +174,9 @@ class RecordReader : public RecordParser {
       fail("a colour is out of range");
     }
     const auto isVertex = [&](uint32_t vertex) { return vertex < mesh.positions.size(); };
-    if (!std::ranges::all_of(part.points, isVertex) ||
-        !std::ranges::all_of(part.lines, [&](const glm::uvec2& line) { return isVertex(line.x) && isVertex(line.y); })) {
+    if (!std::ranges::all_of(part.points, isVertex) || !std::ranges::all_of(part.lines, [&](const glm::uvec2& line) {
+          return isVertex(line.x) && isVertex(line.y);
+        })) {
       fail("a line or a point has a vertex that is not there");
     }
     if (part.mask && !(part.maskCutoff > 0 && std::isfinite(part.maskCutoff))) {

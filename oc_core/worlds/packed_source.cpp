@@ -42,7 +42,8 @@ class CopiesSource final : public TriangleSource {
     if (options.fit) {
       const glm::dvec3 center = (glm::dvec3(box.lower) + glm::dvec3(box.upper)) * 0.5;
       double reach = 0;
-      forEachCopy([&](const Mesh& copy, const Instance& /*instance*/) { reach = std::max(reach, reachOf(copy, center)); });
+      forEachCopy(
+          [&](const Mesh& copy, const Instance& /*instance*/) { reach = std::max(reach, reachOf(copy, center)); });
       worldFromScene_ = unitFromSphere(center, reach, where_);
     }
   }

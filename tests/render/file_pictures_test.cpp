@@ -31,7 +31,7 @@ constexpr int kSide = 240;
 /// The default view is 10 from the origin; this is how many pixels a unit there has.
 float pixelsOfUnit() {
   const PinholeCamera camera(View{}, kSide, kSide);
-  return camera.project(glm::vec3(1, 0, 0))->x - camera.project(glm::vec3(0))->x;
+  return camera.project(glm::vec3(1, 0, 0))->u - camera.project(glm::vec3(0))->u;
 }
 
 using Picture = Image<glm::vec3>;
@@ -64,7 +64,8 @@ size_t differences(const Picture& a, const Picture& b) {
 }
 
 size_t covered(const Picture& picture) {
-  return static_cast<size_t>(std::count_if(picture.begin(), picture.end(), [](const glm::vec3& c) { return c != glm::vec3(0); }));
+  return static_cast<size_t>(
+      std::count_if(picture.begin(), picture.end(), [](const glm::vec3& c) { return c != glm::vec3(0); }));
 }
 
 template <class Value>
@@ -178,7 +179,8 @@ constexpr int kTexels = 128;
 
 /// Its alpha falls from 255 in the middle by 255 over half of the side; green, and black where that is 0.
 std::string tgaWithDisc() {
-  std::string bytes{0, 0, 2, 0, 0, 0, 0, 0, 0, 0, 0, 0, static_cast<char>(kTexels), 0, static_cast<char>(kTexels), 0, 32, 8};
+  std::string bytes{0, 0,  2, 0, 0, 0, 0, 0, 0, 0, 0, 0, static_cast<char>(kTexels), 0, static_cast<char>(kTexels),
+                    0, 32, 8};
   for (int y = 0; y < kTexels; ++y) {
     for (int x = 0; x < kTexels; ++x) {
       const double distance = std::hypot(x + 0.5 - kTexels / 2.0, y + 0.5 - kTexels / 2.0) / (kTexels / 2.0);
@@ -197,7 +199,8 @@ void expectDisc(const Picture& picture, float radius, float margin) {
   size_t wrong = 0;
   for (int y = 0; y < kSide; ++y) {
     for (int x = 0; x < kSide; ++x) {
-      const float distance = std::hypot(static_cast<float>(x) + 0.5f - kSide / 2.0f, static_cast<float>(y) + 0.5f - kSide / 2.0f);
+      const float distance =
+          std::hypot(static_cast<float>(x) + 0.5f - kSide / 2.0f, static_cast<float>(y) + 0.5f - kSide / 2.0f);
       const bool isIn = picture(x, y) != glm::vec3(0);
       wrong += (distance < radius * pixels - margin && !isIn) || (distance > radius * pixels + margin && isIn) ? 1 : 0;
     }
@@ -216,22 +219,25 @@ TEST(FilePictures, MasksOfGltfAreCutOut) {
   // A pixel of the picture is as wide as three texels: half of one, and what a byte of alpha rounds, are less than one.
   expectDisc(drawn(R"(}, "alphaMode": "MASK"})", "gltf_mask"), 0.5f, 1);
   expectDisc(drawn(R"(}, "alphaMode": "MASK", "alphaCutoff": 0.2})", "gltf_mask_low"), 0.8f, 1);
-  expectDisc(drawn(R"(, "baseColorFactor": [1, 1, 1, 0.8]}, "alphaMode": "MASK", "alphaCutoff": 0.2})", "gltf_mask_factor"),
-             0.75f, 1);
+  expectDisc(
+      drawn(R"(, "baseColorFactor": [1, 1, 1, 0.8]}, "alphaMode": "MASK", "alphaCutoff": 0.2})", "gltf_mask_factor"),
+      0.75f, 1);
   expectDisc(drawn(R"(}, "alphaMode": "BLEND"})", "gltf_blend"), 0.5f, 1);
   // Opaque, as without a mode, alpha is not looked at: the whole square.
   const float side = 2 * pixelsOfUnit();
-  EXPECT_NEAR(static_cast<double>(covered(drawn(R"(}})", "gltf_opaque"))), static_cast<double>(side * side) * 3.14159 / 4,
-              static_cast<double>(3 * side)) << "black corners are not counted";
+  EXPECT_NEAR(static_cast<double>(covered(drawn(R"(}})", "gltf_opaque"))),
+              static_cast<double>(side * side) * 3.14159 / 4, static_cast<double>(3 * side))
+      << "black corners are not counted";
 }
 
 TEST(FilePictures, MapsOfOpacityOfObjAreCutOut) {
   const TemporaryFolder folder;
   folder.write("image.tga", tgaWithDisc());
   folder.write("a.mtl", "newmtl m\nKd 1 1 1\nmap_d image.tga\n");
-  const auto path = folder.write("a.obj",
-                                 "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
-                                 "usemtl m\nf 1/1 2/2 3/3 4/4\n");
+  const auto path =
+      folder.write("a.obj",
+                   "mtllib a.mtl\nv -1 -1 0\nv 1 -1 0\nv 1 1 0\nv -1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                   "usemtl m\nf 1/1 2/2 3/3 4/4\n");
   expectDisc(pictureOfFile(path, {.fit = false, .shading = Shading::kNone}, "obj_opacity"), 0.5f, 1);
 }
 
@@ -261,8 +267,8 @@ std::string bendingFile(const std::string& material) {
   }
   const int joints = file.shorts("VEC4", bones);
   const int weights = file.floats("VEC4", shares);
-  const int inverse = file.floats("MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,     0,  0, 1,
-                                           1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -0.5f, -1, 0, 1});
+  const int inverse = file.floats(
+      "MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -0.5f, -1, 0, 1});
   const int times = file.floats("SCALAR", {0, 1});
   const int keys = file.floats("VEC4", {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f});
   return file.text(fmt::format(
@@ -278,13 +284,15 @@ std::string bendingFile(const std::string& material) {
 
 TEST(FilePictures, SkinsOfGltfBendInTime) {
   const TemporaryFolder folder;
-  const std::string red = R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "extensions": {"KHR_materials_unlit": {}}})";
+  const std::string red =
+      R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "extensions": {"KHR_materials_unlit": {}}})";
   const auto path = folder.write("a.gltf", bendingFile(red));
   for (const double seconds : {0.0, 0.4, 1.0}) {
     // By hand: (0, 2) and (1, 2) turned about (0.5, 1).
     const double angle = seconds * 1.5707963;
     const auto turned = [&](double x) {
-      return glm::vec3(0.5 + (x - 0.5) * std::cos(angle) - std::sin(angle), 1 + (x - 0.5) * std::sin(angle) + std::cos(angle), 0);
+      return glm::vec3(0.5 + (x - 0.5) * std::cos(angle) - std::sin(angle),
+                       1 + (x - 0.5) * std::sin(angle) + std::cos(angle), 0);
     };
     Mesh mesh;
     mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, turned(0), turned(1)};

@@ -10,7 +10,7 @@
 namespace ocelli {
 namespace {
 
-double areaOf(const Mesh& mesh) {
+double cutAreaOf(const Mesh& mesh) {
   double area = 0;
   for (const glm::uvec3& t : mesh.triangles) {
     area += 0.5 * static_cast<double>(glm::length(glm::cross(mesh.positions[t.y] - mesh.positions[t.x],
@@ -19,7 +19,7 @@ double areaOf(const Mesh& mesh) {
   return area;
 }
 
-Mesh oneTriangle() {
+Mesh triangleToCut() {
   Mesh mesh;
   mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
   mesh.colors = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
@@ -28,10 +28,10 @@ Mesh oneTriangle() {
 }
 
 TEST(CutAway, KeepsACornerOfATriangle) {
-  Mesh mesh = oneTriangle();
+  Mesh mesh = triangleToCut();
   const std::vector<EdgeVertex> added = cutAway(mesh, {1, 0, 0}, 0.75f);
   ASSERT_EQ(mesh.triangles.size(), 1u);
-  EXPECT_NEAR(areaOf(mesh), 0.5 * 0.25 * 0.25, 1e-7);  // the value is 0.75 a quarter of the way along both sides
+  EXPECT_NEAR(cutAreaOf(mesh), 0.5 * 0.25 * 0.25, 1e-7);  // the value is 0.75 a quarter of the way along both sides
   ASSERT_EQ(added.size(), 2u);
   EXPECT_EQ(mesh.positions[3], glm::vec3(0.25f, 0, 0));
   EXPECT_EQ(mesh.colors[3], glm::vec3(0.25f, 0, 0));
@@ -41,12 +41,12 @@ TEST(CutAway, KeepsACornerOfATriangle) {
 
 TEST(CutAway, KeepsAllButACorner) {
   for (uint32_t corner = 0; corner < 3; ++corner) {
-    Mesh mesh = oneTriangle();
+    Mesh mesh = triangleToCut();
     std::vector<float> values(3, 1);
     values[corner] = 0;
     cutAway(mesh, values, 0.5f);
     EXPECT_EQ(mesh.triangles.size(), 2u);
-    EXPECT_NEAR(areaOf(mesh), 0.5 - 0.5 * 0.25, 1e-7);
+    EXPECT_NEAR(cutAreaOf(mesh), 0.5 - 0.5 * 0.25, 1e-7);
     for (const glm::uvec3& t : mesh.triangles) {
       EXPECT_GT(glm::cross(mesh.positions[t.y] - mesh.positions[t.x], mesh.positions[t.z] - mesh.positions[t.x]).z, 0)
           << "it still turns as it did";
@@ -55,10 +55,10 @@ TEST(CutAway, KeepsAllButACorner) {
 }
 
 TEST(CutAway, KeepsAllOrNothing) {
-  Mesh whole = oneTriangle();
+  Mesh whole = triangleToCut();
   EXPECT_TRUE(cutAway(whole, {0.5f, 1, 1}, 0.5f).empty());
   EXPECT_EQ(whole.triangles.size(), 1u);
-  Mesh none = oneTriangle();
+  Mesh none = triangleToCut();
   EXPECT_TRUE(cutAway(none, {0.4f, 0, 0}, 0.5f).empty());
   EXPECT_TRUE(none.triangles.empty());
 }
@@ -83,7 +83,7 @@ TEST(CutAway, LeavesADiscWithoutGaps) {
   }
   cutAway(mesh, values, 0.3f);
   constexpr double kPi = 3.14159265358979;
-  EXPECT_NEAR(areaOf(mesh), kPi * 0.49, 0.001 * kPi * 0.49);
+  EXPECT_NEAR(cutAreaOf(mesh), kPi * 0.49, 0.001 * kPi * 0.49);
   std::map<std::pair<uint32_t, uint32_t>, int> uses;
   for (const glm::uvec3& t : mesh.triangles) {
     for (glm::length_t i = 0; i < 3; ++i) {

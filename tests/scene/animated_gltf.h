@@ -11,7 +11,8 @@ namespace ocelli::test {
 
 class AnimatedGltf {
  public:
-  /// Adds an accessor, and returns its number. `type` is SCALAR, VEC2, VEC3, VEC4 or MAT4, with as many numbers an element.
+  /// Adds an accessor, and returns its number. `type` is SCALAR, VEC2, VEC3, VEC4 or MAT4, with as many numbers an
+  /// element.
   int floats(const std::string& type, const std::vector<float>& values) {
     return add(type, 5126, sizeof(float), values.size(), values.data());
   }

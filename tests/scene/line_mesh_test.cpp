@@ -60,7 +60,8 @@ TEST(MeshOfLines, MakesAClosedTube) {
 
 TEST(MeshOfLines, GoesOnWhereSegmentsMeet) {
   // The same line in three segments, of which one is given the other way round.
-  const Mesh mesh = meshOfLines({{{0, 0, 0}, {0, 0, 1}, {0, 0, 2.5f}, {0, 0, 3}}, {}, {{1, 2}, {1, 0}, {2, 3}}}, 0.2, "test");
+  const Mesh mesh =
+      meshOfLines({{{0, 0, 0}, {0, 0, 1}, {0, 0, 2.5f}, {0, 0, 3}}, {}, {{1, 2}, {1, 0}, {2, 3}}}, 0.2, "test");
   expectClosed(mesh);
   EXPECT_EQ(mesh.positions.size(), 4 * 8 + 2u);
   EXPECT_NEAR(std::abs(volumeOf(mesh)), kOctagon * 0.01 * (3 + 2 * 0.1 / 3), 1e-6);
@@ -84,7 +85,8 @@ TEST(MeshOfLines, IsMitredWhereItBends) {
 
 TEST(MeshOfLines, HasEndsAtForksAndSharpBends) {
   // A fork of three, and a bend by more than a right angle: as many tubes as segments.
-  const Mesh fork = meshOfLines({{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, -1, 0}}, {}, {{0, 1}, {1, 2}, {1, 3}}}, 0.1, "test");
+  const Mesh fork =
+      meshOfLines({{{0, 0, 0}, {1, 0, 0}, {2, 1, 0}, {2, -1, 0}}, {}, {{0, 1}, {1, 2}, {1, 3}}}, 0.1, "test");
   EXPECT_EQ(fork.positions.size(), 3 * 18u);
   const Mesh sharp = meshOfLines({{{0, 0, 0}, {1, 0, 0}, {0, 0.2f, 0}}, {}, {{0, 1}, {1, 2}}}, 0.1, "test");
   EXPECT_EQ(sharp.positions.size(), 2 * 18u);
@@ -125,8 +127,11 @@ TEST(MeshOfLines, LeavesOutWhatHasNoLength) {
 
 TEST(MeshOfLines, RefusesCoordinatesThatAreNoNumbers) {
   const float none = std::numeric_limits<float>::quiet_NaN();
-  EXPECT_THAT([&] { meshOfLines({{{0, 0, 0}, {none, 0, 0}}, {}, {{0, 1}}}, 0.1, "test"); },
-              ThrowsMessage<InputError>(HasSubstr("not a finite number")));
+  EXPECT_THAT(
+      [&] {
+        meshOfLines({{{0, 0, 0}, {none, 0, 0}}, {}, {{0, 1}}}, 0.1, "test");
+      },
+      ThrowsMessage<InputError>(HasSubstr("not a finite number")));
 }
 
 }  // namespace

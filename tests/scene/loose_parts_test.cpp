@@ -81,7 +81,8 @@ TEST(LooseParts, HaveTheColorsAndTheLightOfTheirMaterials) {
       folder.write("a.gltf", primitiveFile(3, R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0.5, 0, 1]}})")));
   EXPECT_EQ(lit.meshes.back().color(0), glm::vec3(1, 0.5f, 0));
   EXPECT_TRUE(unlitVertices(lit).empty());
-  const Scene unlit = readSceneFile(folder.write("b.gltf", primitiveFile(3, R"({"extensions": {"KHR_materials_unlit": {}}})")));
+  const Scene unlit =
+      readSceneFile(folder.write("b.gltf", primitiveFile(3, R"({"extensions": {"KHR_materials_unlit": {}}})")));
   EXPECT_THAT(unlitVertices(unlit), testing::Each(1));
   EXPECT_EQ(unlitVertices(unlit).size(), flatten(unlit).positions.size());
 }

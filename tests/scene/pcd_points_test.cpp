@@ -97,8 +97,8 @@ TEST(PcdPoints, AreReadFromAscii) {
   std::ostringstream packed;
   packed.precision(9);
   packed << std::bit_cast<float>(0x00ff8000U);
-  const PointCloud floats = readCloud(pcdHeader("ascii", 1, "x y z rgb", "4 4 4 4", "F F F F", "1 1 1 1") + "0 0 0 " +
-                                      packed.str() + "\n");
+  const PointCloud floats =
+      readCloud(pcdHeader("ascii", 1, "x y z rgb", "4 4 4 4", "F F F F", "1 1 1 1") + "0 0 0 " + packed.str() + "\n");
   EXPECT_EQ(floats.colors, (std::vector<glm::vec3>{{1, linearFromSrgbByte(128), 0}}));
 }
 
@@ -181,15 +181,15 @@ TEST(PcdPoints, AreReadFromCompressed) {
   EXPECT_THAT([&] { readCloud(fileOf(compressed, values.size() + 1)); },
               ThrowsMessage<InputError>(HasSubstr("not that of 40 points")));
   EXPECT_THAT([&] { readCloud(fileOf("\x20", values.size())); },
-              ThrowsMessage<InputError>(HasSubstr("not that of 40 points"))) << "more than so few bytes can stand for";
+              ThrowsMessage<InputError>(HasSubstr("not that of 40 points")))
+      << "more than so few bytes can stand for";
   EXPECT_THAT([&] { readCloud(fileOf(compressed.substr(0, compressed.size() - 1), values.size())); },
               ThrowsMessage<InputError>(HasSubstr("damaged")));
 }
 
 TEST(PcdPoints, SayWhatIsWrong) {
   const auto expectPcdError = [](const std::string& text, const std::string& message) {
-    EXPECT_THAT([&] { readCloud(text); },
-                ThrowsMessage<InputError>(AllOf(HasSubstr("cloud.pcd"), HasSubstr(message))))
+    EXPECT_THAT([&] { readCloud(text); }, ThrowsMessage<InputError>(AllOf(HasSubstr("cloud.pcd"), HasSubstr(message))))
         << text;
   };
   expectPcdError("", "no line DATA");

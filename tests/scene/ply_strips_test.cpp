@@ -48,8 +48,7 @@ TEST(PlyStrips, TurnEverySecondTriangleRound) {
 
 TEST(PlyStrips, BeginAnewAtMinusOne) {
   // Strips of two and of no corners have no triangle, and the one after them begins as the first did.
-  const Mesh mesh =
-      readStrips(stripHeader("ascii", 6, 1, "int") + kSixPlaces + "14 -1 0 1 2 3 -1 4 5 -1 -1 2 3 4 5\n");
+  const Mesh mesh = readStrips(stripHeader("ascii", 6, 1, "int") + kSixPlaces + "14 -1 0 1 2 3 -1 4 5 -1 -1 2 3 4 5\n");
   EXPECT_THAT(mesh.triangles,
               ElementsAre(glm::uvec3(0, 1, 2), glm::uvec3(2, 1, 3), glm::uvec3(2, 3, 4), glm::uvec3(4, 3, 5)));
   EXPECT_EQ(readStrips(stripHeader("ascii", 6, 1, "uint") + kSixPlaces + "7 0 1 2 4294967295 3 4 5\n").triangles.size(),

@@ -20,8 +20,8 @@ void expectPosed(const glm::vec3& a, const glm::vec3& b) {
   EXPECT_LT(glm::distance(a, b), 1e-5f) << a.x << " " << a.y << " " << a.z;  // some roundings of single precision
 }
 
-/// A triangle with its corners at heights 0, 1 and 2 whose upper half belongs to a bone at height 1, which stands turned
-/// by a right angle about z. The node of the mesh counts for nothing.
+/// A triangle with its corners at heights 0, 1 and 2 whose upper half belongs to a bone at height 1, which stands
+/// turned by a right angle about z. The node of the mesh counts for nothing.
 std::string bentFile() {
   AnimatedGltf file;
   const int corners = file.floats("VEC3", {0, 0, 0, 0, 1, 0, 0, 2, 0});
@@ -58,12 +58,12 @@ TEST(RestPose, TakesOnMorphTargetsWithWeights) {
   const int wide = file.floats("VEC3", {0, 0, 0, 4, 0, 0, 0, 0, 0});
   const int deep = file.floats("VEC3", {0, 0, 0, 0, 0, 4, 0, 0, 0});
   const TemporaryFolder folder;
-  const Mesh mesh = flatten(readSceneFile(folder.write(
-      "a.gltf", file.text(fmt::format(
-                    R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0, "scale": [-1, 1, 1]}}],
+  const Mesh mesh = flatten(readSceneFile(
+      folder.write("a.gltf", file.text(fmt::format(
+                                 R"("scenes": [{{"nodes": [0]}}], "nodes": [{{"mesh": 0, "scale": [-1, 1, 1]}}],
          "meshes": [{{"weights": [0, 0.5], "primitives": [{{"attributes": {{"POSITION": {}}},
                       "targets": [{{"POSITION": {}}}, {{"POSITION": {}}}]}}]}}])",
-                    corners, wide, deep)))));
+                                 corners, wide, deep)))));
   ASSERT_EQ(mesh.positions.size(), 3u);
   expectPosed(mesh.positions[mesh.triangles[0].x], {0, 0, 0});
   expectPosed(mesh.positions[mesh.triangles[0].y], {0, 1, 0});  // turned round, as it is mirrored

@@ -109,8 +109,7 @@ TEST(ReadSceneFile, FlattensTheNodesOfGltfAndItsLinearColors) {
 
 TEST(ReadSceneFile, LeavesUnusedVerticesOut) {
   const TemporaryFolder folder;
-  const Mesh mesh =
-      flatten(readSceneFile(folder.write("a.obj", "v 99 99 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n")));
+  const Mesh mesh = flatten(readSceneFile(folder.write("a.obj", "v 99 99 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n")));
   EXPECT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.positions.size(), 3u);
   EXPECT_LE(boundsOf(mesh).upper.x, 1.0f);
