@@ -223,11 +223,12 @@ TEST(FilePictures, MasksOfGltfAreCutOut) {
       drawn(R"(, "baseColorFactor": [1, 1, 1, 0.8]}, "alphaMode": "MASK", "alphaCutoff": 0.2})", "gltf_mask_factor"),
       0.75f, 1);
   expectDisc(drawn(R"(}, "alphaMode": "BLEND"})", "gltf_blend"), 0.5f, 1);
-  // Opaque, as without a mode, alpha is not looked at: the whole square.
-  const float side = 2 * pixelsOfUnit();
-  EXPECT_NEAR(static_cast<double>(covered(drawn(R"(}})", "gltf_opaque"))),
-              static_cast<double>(side * side) * 3.14159 / 4, static_cast<double>(3 * side))
-      << "black corners are not counted";
+  // Without a mode it is opaque: green wherever the texture is, and black beyond, which is not counted. Between texels
+  // green reaches a texel farther, along a diagonal the square root of 2.
+  const double green = static_cast<double>(covered(drawn(R"(}})", "gltf_opaque")));
+  const double radius = std::sqrt(green / 3.14159265) / static_cast<double>(pixelsOfUnit());
+  EXPECT_GT(radius, 1 - 2.0 / kTexels);
+  EXPECT_LT(radius, 1 + 2.0 * 1.4143 / kTexels);
 }
 
 TEST(FilePictures, MapsOfOpacityOfObjAreCutOut) {
@@ -253,11 +254,11 @@ TEST(FilePictures, UnlitMaterialsKeepTheirColors) {
   EXPECT_LT(drawn("", "gltf_lit").z, 0.95f) << "the light does not face it";
 }
 
-/// A strip of two squares from (0, 0) to (1, 2), whose upper edge belongs to a bone at (0.5, 1), which turns by 90
+/// A strip of two squares from (0, 0) to (0.5, 1), whose upper edge belongs to a bone at (0.25, 0.5), which turns by 90
 /// degrees in a second.
 std::string bendingFile(const std::string& material) {
   AnimatedGltf file;
-  const int corners = file.floats("VEC3", {0, 0, 0, 1, 0, 0, 0, 1, 0, 1, 1, 0, 0, 2, 0, 1, 2, 0});
+  const int corners = file.floats("VEC3", {0, 0, 0, 0.5f, 0, 0, 0, 0.5f, 0, 0.5f, 0.5f, 0, 0, 1, 0, 0.5f, 1, 0});
   const int triangles = file.shorts("SCALAR", {0, 1, 3, 0, 3, 2, 2, 3, 5, 2, 5, 4});
   std::vector<uint16_t> bones;
   std::vector<float> shares;
@@ -267,13 +268,13 @@ std::string bendingFile(const std::string& material) {
   }
   const int joints = file.shorts("VEC4", bones);
   const int weights = file.floats("VEC4", shares);
-  const int inverse = file.floats(
-      "MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -0.5f, -1, 0, 1});
+  const int inverse = file.floats("MAT4", {1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0,      0,     0, 1,
+                                           1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, -0.25f, -0.5f, 0, 1});
   const int times = file.floats("SCALAR", {0, 1});
   const int keys = file.floats("VEC4", {0, 0, 0, 1, 0, 0, 0.70710678f, 0.70710678f});
   return file.text(fmt::format(
       R"("scenes": [{{"nodes": [0, 2]}}], "materials": [{}], "extensionsUsed": ["KHR_materials_unlit"],
-         "nodes": [{{"name": "low", "children": [1]}}, {{"name": "high", "translation": [0.5, 1, 0]}},
+         "nodes": [{{"name": "low", "children": [1]}}, {{"name": "high", "translation": [0.25, 0.5, 0]}},
                    {{"name": "body", "mesh": 0, "skin": 0}}],
          "meshes": [{{"primitives": [{{"attributes": {{"POSITION": {}, "JOINTS_0": {}, "WEIGHTS_0": {}}}, "indices": {}, "material": 0}}]}}],
          "skins": [{{"joints": [0, 1], "inverseBindMatrices": {}}}],
@@ -288,14 +289,14 @@ TEST(FilePictures, SkinsOfGltfBendInTime) {
       R"({"pbrMetallicRoughness": {"baseColorFactor": [1, 0, 0, 1]}, "extensions": {"KHR_materials_unlit": {}}})";
   const auto path = folder.write("a.gltf", bendingFile(red));
   for (const double seconds : {0.0, 0.4, 1.0}) {
-    // By hand: (0, 2) and (1, 2) turned about (0.5, 1).
+    // By hand: (0, 1) and (0.5, 1) turned about (0.25, 0.5).
     const double angle = seconds * 1.5707963;
     const auto turned = [&](double x) {
-      return glm::vec3(0.5 + (x - 0.5) * std::cos(angle) - std::sin(angle),
-                       1 + (x - 0.5) * std::sin(angle) + std::cos(angle), 0);
+      return glm::vec3(0.25 + (x - 0.25) * std::cos(angle) - 0.5 * std::sin(angle),
+                       0.5 + (x - 0.25) * std::sin(angle) + 0.5 * std::cos(angle), 0);
     };
     Mesh mesh;
-    mesh.positions = {{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, 1, 0}, turned(0), turned(1)};
+    mesh.positions = {{0, 0, 0}, {0.5f, 0, 0}, {0, 0.5f, 0}, {0.5f, 0.5f, 0}, turned(0), turned(0.5)};
     mesh.triangles = {{0, 1, 3}, {0, 3, 2}, {2, 3, 5}, {2, 5, 4}};
     mesh.colors.assign(6, {1, 0, 0});
     SceneOptions options{.fit = false};
