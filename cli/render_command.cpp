@@ -1,10 +1,13 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
+#include <optional>
 
 #include "cli/antialiased_render.h"
 #include "cli/command.h"
 #include "cli/gl_drawing.h"
+#include "cli/interrupt.h"
+#include "cli/motion_times.h"
 #include "cli/output_option.h"
 #include "cli/scene_notes.h"
 #include "cli/scene_options.h"
@@ -12,6 +15,7 @@
 #include "cli/viewed_scene.h"
 #include "cli/volume_options.h"
 #include "cli/volume_render.h"
+#include "display_sim/observing/frame_sink.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/constructor/camera_constructors.h"
@@ -40,6 +44,7 @@ struct RenderChoice {
   std::string size;
   std::string identity;
   std::string antialias = "none";
+  std::optional<double> framesPerSecond;
   std::string output;
 };
 
@@ -90,12 +95,65 @@ void renderMultiperspective(const RenderChoice& choice, const PinholeCamera& ref
       fmt::format("wrote {}: {} of {}x{}", choice.output, choice.camera, fragments.width(), fragments.height()));
 }
 
+/// The images of one mesh.
+ReferenceImages imagesOf(const RenderChoice& choice, const CameraChoice& camera, const PinholeCamera& reference,
+                         const Mesh& mesh, const Progress& progress) {
+  const auto technique = techniqueNamed(choice.method);
+  return technique ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, progress)}
+                   : buildReferenceImages(camera, reference, mesh, progress);
+}
+
+[[noreturn]] void failUnion(const ReferenceImages& images, const std::string& output) {
+  throw InputError("\"" + images.front().camera + "\" is a union of " + std::to_string(images.size()) +
+                       " images, which one picture does not hold",
+                   "-o " + output, "write an .exr file, which holds them all");
+}
+
+/// All of a scene's motion as a video, an image a frame.
+void renderVideo(const RenderChoice& choice, const PinholeCamera& reference, const CommandContext& context) {
+  constexpr double kUsualRate = 24;
+  if (takesVolume(choice.scene) || choice.antialias != "none" || namesConstructor(choice.camera) ||
+      choice.method == "gl" || !choice.identity.empty()) {
+    throw InputError(
+        "videos are of scenes of triangles, by cameras with a reference image, without OpenGL and antialiasing",
+        "-o " + choice.output, "write a .png file of each moment (--time)");
+  }
+  refuseVolumeOptions(choice.volume);
+  refuseVolumeRenderOptions(choice.volumeRender);
+  const double rate = choice.framesPerSecond.value_or(kUsualRate);
+  const CameraChoice camera = cameraChoice(choice.camera);
+  const FramedMotion framed = loadFramedMotion(choice.scene, rate, context);
+  runOrLeaveNothing(choice.output, context.progress(), [&](const Progress& progress) {
+    std::unique_ptr<FrameSink> sink;
+    for (const double seconds : framed.seconds) {
+      report(progress, "frames", seconds / framed.motion->durationSeconds());
+      const ReferenceImages images = imagesOf(choice, camera, reference, framed.motion->at(seconds), {});
+      if (images.size() > 1) {
+        failUnion(images, choice.output);
+      }
+      if (sink == nullptr) {
+        sink = videoFile(choice.output, {images.front().width(), images.front().height(), rate});
+      }
+      sink->add(srgbFromLinear(images.front().color));
+    }
+    sink->finish();
+  });
+  context.note(fmt::format("wrote {}: {} frames of {:.3g} s", choice.output, framed.seconds.size(),
+                           framed.motion->durationSeconds()));
+}
+
 void render(const RenderChoice& choice, const CommandContext& context) {
   requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
   checkWritable(choice.output);
   checkSecondOutput(choice.identity, "--identity", choice.output);
   const ImageSize size = cameraImageSize(choice.camera, choice.size, kRenderSize);
   const PinholeCamera reference(cameraView(choice.camera, choice.view), size.width, size.height);
+  if (isVideo(choice.output)) {
+    return renderVideo(choice, reference, context);
+  }
+  if (choice.framesPerSecond) {
+    throw InputError("one picture has no rate", "--frames-per-second", "leave it out, or give an .mp4 file");
+  }
   if (takesVolume(choice.scene)) {
     refuseForVolumes(choice.antialias != "none", "--antialias", "has no antialiasing", "draw it in a larger --size");
     refuseForVolumes(!choice.identity.empty(), "--identity", "has no objects", "leave it out");
@@ -124,18 +182,14 @@ void render(const RenderChoice& choice, const CommandContext& context) {
   const auto gl = choice.method == "gl" ? std::make_unique<GlDrawing>(choice.gl) : nullptr;
   ViewedScene scene(choice.scene, context);
   const Mesh& mesh = scene.meshFor(camera, reference);
-  const auto technique = techniqueNamed(choice.method);
   const ReferenceImages images =
-      technique       ? ReferenceImages{drawReferenceImage(*technique, camera, reference, mesh, context.progress())}
-      : gl != nullptr ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
-                      : buildReferenceImages(camera, reference, mesh, context.progress());
+      gl != nullptr ? buildReferenceImages(camera, reference, mesh, context.progress(), gl->rendererOf(mesh))
+                    : imagesOf(choice, camera, reference, mesh, context.progress());
   const ReferenceImage& image = images.front();
   if (choice.output.ends_with(".exr")) {
     writeReferenceImages(choice.output, images);
   } else if (images.size() > 1) {
-    throw InputError("\"" + image.camera + "\" is a union of " + std::to_string(images.size()) +
-                         " images, which one PNG does not hold",
-                     "-o " + choice.output, "write an .exr file, which holds them all");
+    failUnion(images, choice.output);
   } else {
     writePng(choice.output, srgbFromLinear(image.color));
   }
@@ -169,8 +223,10 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
   addAntialiasOption(command, choice->antialias);
   addOutputOption(command, choice->output,
                   "Where the image goes: PNG, or EXR with depth and offsets, or of graph and curved ray cameras "
-                  "with depth, world points and objects, or of volumes with opacity, depth and world points",
-                  {".png", ".exr"});
+                  "with depth, world points and objects, or of volumes with opacity, depth and world points; or a "
+                  "video of all of the motion of a scene that moves",
+                  {".png", ".exr", ".mp4", ".webm"});
+  addFrameRateOption(command, choice->framesPerSecond, "Of a video: images a second; 24 by default");
   addSecondOutputOption(command, "--identity", choice->identity,
                         "Where an image goes of which object is at each pixel, in false colours", {".png"});
   context.finish(command,
@@ -178,6 +234,7 @@ void addRenderCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli render builtin:statues --camera ddoc --size 1440x960 -o statues.png\n"
                  "  ocelli render builtin:statues --camera ddoc --method raycast -o reference.exr\n"
                  "  ocelli render builtin:statues --camera eoc-h --method gl -o statues.png\n"
+                 "  ocelli render fox.glb --animation Run -o run.mp4\n"
                  "  ocelli render builtin:town --antialias extreme -o town.png\n"
                  "  ocelli render builtin:maze --camera comprehensive --size 1920x1200 -o maze.png\n"
                  "  ocelli render builtin:volume,name=skull --clip 'z>0' -o skull.png",

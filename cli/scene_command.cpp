@@ -92,7 +92,8 @@ std::string listAsJson() {
   return textOfJson(sources, 2) + "\n";
 }
 
-/// Of the file itself: where it has textures, some are split to bake these to vertices; where it has points, none.
+/// Of the file itself: where it has textures, some are split to bake these to vertices; where it has points or lines,
+/// it is not told.
 size_t trianglesInFile(const SceneChoice& scene, const GuidedScene& loaded, const Progress& progress) {
   const Mesh& mesh = loaded.mesh;
   if (loaded.points) {
@@ -169,6 +170,12 @@ GuidedScene sceneToTell(const SceneChoice& scene, const Progress& progress) {
 void appendPoints(std::string& text, const PointFacts& points) {
   const std::string repeated =
       points.repeated > 0 ? fmt::format(", {} of them where another one is", points.repeated) : "";
+  if (points.lines > 0) {
+    text += fmt::format("  lines      {} segments, as tubes\n", points.lines);
+  }
+  if (points.points == 0) {
+    return;
+  }
   text += fmt::format("  points     {}{}: {} flat panels, {} octahedra\n", points.points, repeated, points.panels,
                       points.solids);
   text += points.areWidthsChosen ? fmt::format("  width      {:.6g} to {:.6g}, median {:.6g}, from the neighbours\n",
@@ -177,13 +184,10 @@ void appendPoints(std::string& text, const PointFacts& points) {
 }
 
 void putPoints(Json& info, const PointFacts& points) {
-  info["points"] = {{"in_file", points.points},
-                    {"repeated", points.repeated},
-                    {"panels", points.panels},
-                    {"octahedra", points.solids},
-                    {"widths_from_neighbors", points.areWidthsChosen},
-                    {"narrowest", points.narrowest},
-                    {"median_width", points.medianWidth},
+  info["points"] = {{"in_file", points.points},      {"repeated", points.repeated},
+                    {"panels", points.panels},       {"octahedra", points.solids},
+                    {"line_segments", points.lines}, {"widths_from_neighbors", points.areWidthsChosen},
+                    {"narrowest", points.narrowest}, {"median_width", points.medianWidth},
                     {"widest", points.widest}};
 }
 

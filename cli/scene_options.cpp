@@ -57,7 +57,8 @@ void addReadingOptions(CLI::App& command, SceneChoice& choice, const CommandCont
           [&choice](const std::string& width) {
             choice.options.points.width = pointWidthFromText(width, "--point-size");
           },
-          "Of a file of points: how wide each is, in the units of the file; auto: from its nearest neighbours")
+          "Of a file with points or lines: how wide each is, in the units of the file; auto: points from their nearest "
+          "neighbours, lines from the size of the scene")
       ->default_str("auto")
       ->type_name("WIDTH|auto");
   command

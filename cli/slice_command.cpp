@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -11,12 +12,15 @@
 #include "cli/command.h"
 #include "cli/gl_display.h"
 #include "cli/gl_drawing.h"
+#include "cli/interrupt.h"
+#include "cli/motion_times.h"
 #include "cli/output_option.h"
 #include "cli/scene_notes.h"
 #include "cli/scene_options.h"
 #include "cli/slicing_options.h"
 #include "cli/volume_slicing_options.h"
 #include "display_sim/frames/svol_file.h"
+#include "display_sim/frames/svol_writer.h"
 #include "display_sim/slicing/exact_slicer.h"
 #include "display_sim/slicing/shared_slicing.h"
 #include "display_sim/slicing/slicer.h"
@@ -34,6 +38,7 @@ struct SliceChoice {
   SlicingChoice slicing;
   VolumeChoice volume;
   VolumeSlicingChoice volumeSlicing;
+  std::optional<double> framesPerSecond;
   int repeat = 1;
   bool json = false;
   std::string method = "cpu";
@@ -131,7 +136,55 @@ void runVolume(const SliceChoice& choice, const CommandContext& context) {
       volume.slices(), volume.width(), volume.height(), lit, size.x, size.y, size.z, times.least(), times.preparing));
 }
 
+/// What of the options is of a single volume.
+void requireRecordable(const SliceChoice& choice, const CommandContext& context) {
+  const std::string option = "--frames-per-second";
+  if (isVolumeSource(choice.scene.source)) {
+    throw InputError("volumes of scalars are sliced one at a time", option,
+                     "slice each, and join them: ocelli volume join");
+  }
+  if (choice.method == "gl" || choice.repeat > 1 || choice.json || context.ranks().size() > 1) {
+    throw InputError("recordings are sliced by one program on CPUs, without figures", option,
+                     "leave out --method gl, --repeat, --json and mpirun, or slice one moment (--time)");
+  }
+}
+
+/// All of a scene's motion, each volume at its time.
+void runRecording(const SliceChoice& choice, const CommandContext& context) {
+  requireRecordable(choice, context);
+  const SliceOptions options = sliceOptionsOf(choice.slicing);
+  checkWritable(choice.output);
+  const DisplayProfile profile = loadProfile(choice.profile);
+  const bool exact = choice.slicing.exact || needsExactSlicer(options);
+  const FramedMotion framed = loadFramedMotion(choice.scene, *choice.framesPerSecond, context);
+  runOrLeaveNothing(choice.output, context.progress(), [&](const Progress& progress) {
+    SvolWriter file(choice.output, profile, {.metadata = sliceMetadata(choice.scene, choice.slicing)});
+    Slicer slicer(profile, options);
+    for (const double seconds : framed.seconds) {
+      report(progress, "slicing", seconds / framed.motion->durationSeconds());
+      const Mesh& mesh = framed.motion->at(seconds);
+      const auto microseconds = static_cast<uint64_t>(std::llround(seconds * 1e6));
+      if (exact) {
+        file.append(sliceExactly(mesh, profile, options), microseconds);
+      } else {
+        slicer.slice(SliceMesh(mesh));
+        file.append(slicer.takeVolume(), microseconds);
+      }
+    }
+    file.finish();
+  });
+  noteSlicedScene(context, framed.motion->mesh(), profile);
+  context.note(fmt::format("wrote {}: {} volumes of {:.3g} s, {:g} a second", choice.output, framed.seconds.size(),
+                           framed.motion->durationSeconds(), *choice.framesPerSecond));
+}
+
 void run(const SliceChoice& choice, const CommandContext& context) {
+  if (choice.framesPerSecond) {
+    refuseVolumeOptions(choice.volume);
+    refuseVolumeSlicingOptions(choice.volumeSlicing);
+    requireGlUsed(choice.gl, choice.method == "gl", "--method gl");
+    return runRecording(choice, context);
+  }
   if (isVolumeSource(choice.scene.source)) {
     return runVolume(choice, context);
   }
@@ -206,6 +259,8 @@ void addSliceCommand(CLI::App& program, const CommandContext& context) {
   command.add_option("--repeat", choice->repeat, "Slice so often, and tell the shortest time")
       ->check(CLI::Range(1, 100000))
       ->type_name("COUNT");
+  addFrameRateOption(command, choice->framesPerSecond,
+                     "Of a scene that moves: a recording of all of its motion, so many volumes a second");
   addMethodOption(command, choice->method);
   addGlOption(command, choice->gl);
   command.add_flag("--json", choice->json, "Print the figures as JSON");
@@ -213,6 +268,7 @@ void addSliceCommand(CLI::App& program, const CommandContext& context) {
   context.finishShared(
       command,
       "  ocelli slice builtin:teapot -o teapot.svol\n"
+      "  ocelli slice fox.glb --animation Run --frames-per-second 15 -o run.svol\n"
       "  ocelli slice statues.exr --profile perspecta-99 -o statues.svol\n"
       "  ocelli slice statues.ply --no-fit --shading none -o statues.svol   (a mesh of `ocelli ocri mesh`)\n"
       "  ocelli slice builtin:volume,name=skull --transfer ct-bone --seen-opacity 0.5 -o skull.svol",

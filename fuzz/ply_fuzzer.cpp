@@ -1,8 +1,9 @@
-// libFuzzer target: any bytes as a PLY file, of a mesh and of points, and as points in text.
+// libFuzzer target: any bytes as a PLY file, of a mesh and of points, and as points in text and PCD.
 #include <sstream>
 #include <string>
 
 #include "oc_core/base/error.h"
+#include "oc_core/scene/pcd_points.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/point_mesh.h"
 #include "oc_core/scene/share_vertices.h"
@@ -41,6 +42,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
       },
       bytes);
   tryTo([&](std::istream& stream) { drawPoints(ocelli::readPlyPoints(stream, size, "fuzz")); }, bytes);
+  tryTo([&](std::istream& stream) { drawPoints(ocelli::readPcdPoints(stream, size, "fuzz")); }, bytes);
   tryTo([&](std::istream& stream) { drawPoints(ocelli::readTextPoints(stream, "fuzz")); }, bytes);
   return 0;
 }

@@ -5,6 +5,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/scene/animated_scene.h"
+#include "oc_core/scene/loose_parts.h"
+#include "oc_core/scene/rest_pose.h"
 #include "oc_core/scene/scene_record.h"
 
 namespace {
@@ -25,18 +27,36 @@ void check(const ocelli::Mesh& mesh) {
   }
 }
 
+/// Lines and points may only be refused.
+void drawLoose(const ocelli::SceneRecord& record) {
+  constexpr size_t kMaxPieces = 100'000;
+  size_t pieces = 0;
+  for (const ocelli::Instance& instance : record.instances) {
+    const ocelli::TexturedMesh& part = record.parts[instance.mesh];
+    pieces += part.lines.size() + part.points.size() + part.mesh.triangles.size();
+  }
+  if (pieces > kMaxPieces) {
+    return;
+  }
+  ocelli::Scene scene;
+  scene.instances = record.instances;
+  scene.meshes.resize(record.parts.size());
+  ocelli::addLooseParts(scene, record.parts, {}, "fuzz", {});
+  check(ocelli::flatten(scene));
+}
+
 /// A rig that was read can be played at any time; numbers may only be refused.
 void play(ocelli::SceneRecord& record) {
   size_t triangles = 0;
   for (const ocelli::Instance& instance : record.instances) {
     triangles += record.parts[instance.mesh].mesh.triangles.size();
   }
-  if (!record.rig || triangles > kMaxPlayedTriangles) {
+  if (!record.rig || record.rig->animations.empty() || triangles > kMaxPlayedTriangles) {
     return;
   }
   std::vector<ocelli::RiggedMesh> meshes;
   for (const ocelli::TexturedMesh& part : record.parts) {
-    meshes.push_back({part.mesh, part.middles});
+    meshes.push_back({part.mesh, part.added, part.isUnlit});
   }
   const ocelli::AnimatedScene scene(meshes, record.instances, *record.rig, "", "fuzz");
   ocelli::MovedMesh moved;
@@ -62,12 +82,18 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     for (const ocelli::Texture& texture : record.textures) {
       pixels += texture.image.size();
     }
+    ocelli::SceneRecord still = record;
+    ocelli::poseAtRest(still);
     if (pixels <= kMaxPixels) {
+      ocelli::bakeTextures(still.parts, still.textures, kMaxTextureTriangles);
       ocelli::bakeTextures(record.parts, record.textures, kMaxTextureTriangles);
     }
-    for (const ocelli::TexturedMesh& part : record.parts) {
-      check(part.mesh);
+    for (const ocelli::SceneRecord* each : {&still, &record}) {
+      for (const ocelli::TexturedMesh& part : each->parts) {
+        check(part.mesh);
+      }
     }
+    drawLoose(still);
     play(record);
   } catch (const ocelli::Error&) {
     // Any other exception is a finding.

@@ -106,6 +106,11 @@ AnimatedScene::AnimatedScene(std::vector<RiggedMesh> meshes, std::vector<Instanc
             glm::determinant(glm::mat3(instance.worldFromMesh)) < 0);
   }
   validate(flat_, where);
+  if (std::ranges::any_of(meshes_, &RiggedMesh::isUnlit)) {
+    for (const Instance& instance : instances_) {
+      unlit_.insert(unlit_.end(), used_[instance.mesh].size(), meshes_[instance.mesh].isUnlit ? 1 : 0);
+    }
+  }
 }
 
 double AnimatedScene::durationSeconds() const {
@@ -128,7 +133,7 @@ std::vector<double> AnimatedScene::sampleTimes() const {
 
 void AnimatedScene::moveTo(double seconds, MovedMesh& moved) const {
   if (moved.topology != 1) {
-    moved = {flat_, 1};
+    moved = {.mesh = flat_, .topology = 1, .unlit = unlit_};
   }
   const double time = std::clamp(seconds, 0.0, durationSeconds());
   moved.shape = std::bit_cast<uint64_t>(time);
@@ -142,12 +147,12 @@ void AnimatedScene::moveTo(double seconds, MovedMesh& moved) const {
     const size_t mesh = instances_[i].mesh;
     const uint32_t node = rig_.instanceNodes[i];
     const RiggedMesh& rigged = meshes_[mesh];
-    const auto rigVertices = static_cast<ptrdiff_t>(rigged.mesh.positions.size() - rigged.middles.size());
+    const auto rigVertices = static_cast<ptrdiff_t>(rigged.mesh.positions.size() - rigged.added.size());
     bound.assign(rigged.mesh.positions.begin(), rigged.mesh.positions.begin() + rigVertices);
     skin(rig_.parts[mesh], bound, worldFromNode, worldFromNode[node],
          morphWeights(rig_.parts[mesh], node, animation, time), placed);
-    for (const glm::uvec2& ends : rigged.middles) {
-      placed.push_back(placed[ends.x] * 0.5f + placed[ends.y] * 0.5f);
+    for (const EdgeVertex& added : rigged.added) {
+      placed.push_back(placed[added.low] * (1 - added.share) + placed[added.high] * added.share);
     }
     const std::vector<uint32_t>& used = used_[mesh];
     parallelFor(used.size(), kAnimatedVerticesPerRange, [&](size_t begin, size_t end) {

@@ -1,10 +1,10 @@
 // A file's animation as a moving scene: its meshes as the nodes, bones and morph targets of a rig move them.
 #pragma once
 
-#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
+#include "oc_core/scene/alpha_cut.h"
 #include "oc_core/scene/moving_scene.h"
 #include "oc_core/scene/rig.h"
 #include "oc_core/scene/scene.h"
@@ -14,8 +14,9 @@ namespace ocelli {
 /// A mesh of the file with what moves it.
 struct RiggedMesh {
   Mesh mesh;
-  /// Of its last vertices, each is the middle of two that stand before it (bakeTextures()); the rig moves the others.
-  std::vector<glm::uvec2> middles;
+  /// Of its last vertices, each stands between two before it (bakeTextures()); the rig moves the others.
+  std::vector<EdgeVertex> added{};
+  bool isUnlit = false;  ///< as Instance::isLit says of copies
 };
 
 class AnimatedScene final : public MovingScene {
@@ -40,6 +41,7 @@ class AnimatedScene final : public MovingScene {
   size_t animation_ = 0;
   std::vector<std::vector<uint32_t>> used_;  ///< of each mesh: the vertices that its triangles use
   Mesh flat_;                                ///< all copies, but for where the vertices are
+  std::vector<uint8_t> unlit_;               ///< as MovedMesh::unlit
 };
 
 }  // namespace ocelli

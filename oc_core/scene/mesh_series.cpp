@@ -20,8 +20,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::array<std::string_view, 11> kMeshEndings{".ply", ".obj", ".stl", ".off", ".gltf", ".glb",
-                                                        ".fbx", ".dae", ".3ds", ".xyz", ".pts"};
+constexpr std::array<std::string_view, 12> kMeshEndings{".ply", ".obj", ".stl", ".off", ".gltf", ".glb",
+                                                        ".fbx", ".dae", ".3ds", ".xyz", ".pts",  ".pcd"};
 constexpr size_t kSeriesVerticesPerRange = 1 << 14;
 
 /// The digits at the end; nullopt where there are none, or so many that they are no number.

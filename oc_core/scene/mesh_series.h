@@ -21,7 +21,7 @@ enum class BetweenMeshes {
 std::vector<std::filesystem::path> numberedFiles(const std::filesystem::path& folder, const std::string& ending);
 
 /// The ending of the numbered meshes of a folder: the one of .ply, .obj, .stl, .off, .gltf, .glb, .fbx, .dae, .3ds,
-/// .xyz and .pts that is there. Throws InputError where there is none, or more than one.
+/// .xyz, .pts and .pcd that is there. Throws InputError where there is none, or more than one.
 std::string meshEndingIn(const std::filesystem::path& folder);
 
 struct SeriesOptions {

@@ -22,6 +22,9 @@ struct MovedMesh {
   uint64_t shape = 0;
   /// The same number stands for the same colours, where the topology is the same, too.
   uint64_t coloring = 0;
+  /// Of each vertex: 1 where its colour is light already, as that of a copy that is not lit (scene.h). Empty where
+  /// there is none. The same for one topology.
+  std::vector<uint8_t> unlit{};
 };
 
 /// What there is to tell of a motion.

@@ -19,9 +19,10 @@ namespace ocelli {
 
 /// Reads ascii and binary PLY of either byte order. The vertex element must have x, y and z, and may have sRGB colours
 /// (red, green, blue, or r, g, b, or diffuse_red, ...) of any type: whole numbers fill the range of their type, others
-/// run from 0 to 1. Faces with more than three corners become fans. Everything else is skipped. Throws InputError
-/// naming the file and the vertex or face for anything that is malformed, incomplete or out of range. Memory is bounded
-/// by the mesh that results, and that by the size of the file.
+/// run from 0 to 1. Faces with more than three corners become fans, strips of triangles (the element tristrips, in
+/// whose lists -1 begins a new strip) triangles that all turn as the first of their strip. Everything else is skipped.
+/// Throws InputError naming the file and the vertex or face for anything that is malformed, incomplete or out of range.
+/// Memory is bounded by the mesh that results, and that by the size of the file.
 Mesh readPly(const std::filesystem::path& path);
 /// The same of a stream of `size` bytes; `where` stands in messages.
 Mesh readPly(std::istream& stream, uint64_t size, const std::string& where);
@@ -44,7 +45,7 @@ class PlyVisitor {
   virtual void addVertex(const glm::vec3& position, const glm::vec3& color) = 0;
   /// After each vertex, where vertices have normals.
   virtual void addNormal(const glm::vec3& /*normal*/) {}
-  /// Before the first face, of which each has one triangle or more.
+  /// Before the first face, of which each has one triangle or more, or strip, before both where a file has both.
   virtual void beginFaces(uint64_t count) = 0;
   /// Each corner is a vertex that came before.
   virtual void addTriangle(const glm::uvec3& corners) = 0;

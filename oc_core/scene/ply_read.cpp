@@ -178,7 +178,7 @@ class PlyReader {
     for (const Element& element : header_.elements) {
       if (element.name == "vertex") {
         readVertices(element);
-      } else if (element.name == "face") {
+      } else if (element.name == "face" || element.name == "tristrips") {
         readFaces(element);
         hasFaces = true;
       } else {
@@ -186,7 +186,7 @@ class PlyReader {
       }
     }
     if (limits_.needsFaces && !hasFaces) {
-      fail("the file has no faces", "export it as a triangle mesh, not as points or strips");
+      fail("the file has no faces", "export it as a triangle mesh, not as points");
     }
   }
 
@@ -200,13 +200,23 @@ class PlyReader {
          "copy or export it again");
   }
 
+  [[noreturn]] void failList(const Element& element, uint64_t row, double count) const {
+    fail("a list of " + element.name + " " + std::to_string(row) + " has " + fmt::format("{:.15g}", count) + " entries",
+         "repair the mesh, or export it again");
+  }
+
   std::string whatIfTooLarge() const {
     if (!limits_.needsFaces) {
       return "leave points out";
     }
-    return limits_.maxTriangles > kMaxSceneTriangles
+    // Only faces tell how many triangles there are, which is how packing finds out that they do not fit into memory.
+    return limits_.maxTriangles > kMaxSceneTriangles || hasStrips()
                ? "reduce the mesh"
                : "reduce the mesh, or pack it with ocelli scene pack, which takes more";
+  }
+
+  bool hasStrips() const {
+    return std::ranges::any_of(header_.elements, [](const Element& e) { return e.name == "tristrips" && e.count > 0; });
   }
 
   /// A count that the file cannot hold is found before any memory is taken for it.
@@ -219,7 +229,8 @@ class PlyReader {
              "copy or export it again: it looks truncated");
       }
       left -= element.count * row;
-      const uint64_t most = element.name == "face" ? limits_.maxTriangles : limits_.maxVertices;
+      const uint64_t most =
+          element.name == "face" || element.name == "tristrips" ? limits_.maxTriangles : limits_.maxVertices;
       if (element.count > most) {
         fail("the file has more than " + std::to_string(most) + " rows of '" + element.name + "'", whatIfTooLarge());
       }
@@ -238,9 +249,7 @@ class PlyReader {
   void readList(const Element& element, uint64_t row, const Property& property) {
     const double count = value(element, row, property.countType);
     if (!(count >= 0 && count <= kMaxCorners)) {
-      fail("a list of " + element.name + " " + std::to_string(row) + " has " + fmt::format("{:.15g}", count) +
-               " entries",
-           "repair the mesh, or export it again");
+      failList(element, row, count);
     }
     items_.resize(static_cast<size_t>(count));
     for (double& item : items_) {
@@ -327,16 +336,23 @@ class PlyReader {
     return -1;
   }
 
+  /// Faces, or strips of triangles.
   void readFaces(const Element& element) {
+    const bool isStrips = element.name == "tristrips";
     const auto isCorners = [](const Property& p) {
       return p.isList && (p.name == "vertex_indices" || p.name == "vertex_index");
     };
     if (element.count > 0 && std::none_of(element.properties.begin(), element.properties.end(), isCorners)) {
-      fail("the faces have no list 'vertex_indices'", "export it as a triangle mesh");
+      fail(std::string("the ") + (isStrips ? "strips" : "faces") + " have no list 'vertex_indices'",
+           "export it as a triangle mesh");
     }
     visitor_.beginFaces(element.count);
     for (uint64_t row = 0; row < element.count; ++row) {
       for (const Property& property : element.properties) {
+        if (isStrips && isCorners(property)) {
+          readStrip(element, row, property);
+          continue;
+        }
         readOther(element, row, property);
         if (isCorners(property)) {
           addFan(row);
@@ -348,20 +364,59 @@ class PlyReader {
   /// The corners in `items_` as triangles around the first one.
   void addFan(uint64_t row) {
     for (const double item : items_) {
-      if (!(item >= 0 && item < static_cast<double>(vertices_))) {
-        fail("face " + std::to_string(row) + " names vertex " + fmt::format("{:.15g}", item) + " of " +
-                 std::to_string(vertices_),
-             "repair the mesh, or export it again");
-      }
+      requireVertex("face", row, item);
     }
     if (triangles_ + items_.size() > limits_.maxTriangles + 2) {
-      fail("the file has more than " + std::to_string(limits_.maxTriangles) + " triangles", whatIfTooLarge());
+      failTooMany();
     }
     for (size_t i = 2; i < items_.size(); ++i) {
       visitor_.addTriangle(
           {static_cast<uint32_t>(items_[0]), static_cast<uint32_t>(items_[i - 1]), static_cast<uint32_t>(items_[i])});
       ++triangles_;
     }
+  }
+
+  /// Each corner makes a triangle with the two before it, every second one turned round; -1 begins a new strip. Scans
+  /// have all of their strips in one list of many millions, so it is not kept.
+  void readStrip(const Element& element, uint64_t row, const Property& property) {
+    const double count = value(element, row, property.countType);
+    if (!(count >= 0)) {
+      failList(element, row, count);
+    }
+    glm::uvec3 last(0);
+    uint64_t length = 0;  // corners since the strip began
+    for (double i = 0; i < count; ++i) {
+      const double item = value(element, row, property.type);
+      // -1, also where the type has no sign
+      if (item == -1 || (property.type == Type::kUint32 && item == 0xffffffff)) {
+        length = 0;
+        continue;
+      }
+      requireVertex("strip", row, item);
+      last = {last.y, last.z, static_cast<uint32_t>(item)};
+      ++length;
+      // A corner that is repeated turns the strip, and makes no triangle.
+      if (length < 3 || last.x == last.y || last.y == last.z || last.z == last.x) {
+        continue;
+      }
+      if (triangles_ == limits_.maxTriangles) {
+        failTooMany();
+      }
+      visitor_.addTriangle(length % 2 == 1 ? last : glm::uvec3(last.y, last.x, last.z));
+      ++triangles_;
+    }
+  }
+
+  void requireVertex(const char* what, uint64_t row, double item) const {
+    if (!(item >= 0 && item < static_cast<double>(vertices_))) {
+      fail(std::string(what) + " " + std::to_string(row) + " names vertex " + fmt::format("{:.15g}", item) + " of " +
+               std::to_string(vertices_),
+           "repair the mesh, or export it again");
+    }
+  }
+
+  [[noreturn]] void failTooMany() const {
+    fail("the file has more than " + std::to_string(limits_.maxTriangles) + " triangles", whatIfTooLarge());
   }
 
   static constexpr double kMaxCorners = 1 << 20;

@@ -18,7 +18,8 @@ struct PointCloud {
 };
 
 struct PointSceneOptions {
-  /// How wide each point is, in the units of the scene before it is fitted; nothing: from its nearest neighbours.
+  /// How wide each point and each line is, in the units of the scene before it is fitted. Nothing: a point by its
+  /// nearest neighbours, lines by the size of the scene (line_mesh.h).
   std::optional<double> width{};
 };
 
@@ -28,6 +29,7 @@ struct PointFacts {
   size_t repeated = 0;           ///< of them those that stand where another one does, and are left out
   size_t panels = 0;             ///< points that became a flat panel of two triangles
   size_t solids = 0;             ///< points that became an octahedron
+  size_t lines = 0;              ///< segments of lines, which became tubes
   bool areWidthsChosen = false;  ///< from the neighbours
   /// Widths, in the units of the scene before it is fitted: the longer side of a panel, the height of an octahedron.
   double narrowest = 0;

@@ -72,10 +72,10 @@ struct RigAnimation {
 
 struct Rig {
   std::vector<RigNode> nodes;
-  std::vector<uint32_t> instanceNodes;  ///< of each copy of a mesh: its node
-  std::vector<RigPart> parts;           ///< of each mesh
-  std::vector<RigAnimation> animations;
-  std::vector<std::string> warnings;  ///< what is not played as the file says
+  std::vector<uint32_t> instanceNodes;   ///< of each copy of a mesh: its node
+  std::vector<RigPart> parts;            ///< of each mesh
+  std::vector<RigAnimation> animations;  ///< none in a file that only poses its meshes
+  std::vector<std::string> warnings;     ///< what is not played as the file says
 };
 
 /// The value of a channel at that time: `width` numbers. Before the first key and after the last one it stays.

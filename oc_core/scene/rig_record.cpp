@@ -186,9 +186,6 @@ Rig readRig(RecordParser& parser, const SceneRecord& record) {
     }
     rig.animations.push_back(std::move(animation));
   }
-  if (rig.animations.empty()) {
-    parser.fail("a rig has no animation");
-  }
   return rig;
 }
 

@@ -82,6 +82,17 @@ Mesh flatten(const Scene& scene) {
   return flat;
 }
 
+std::vector<uint8_t> unlitVertices(const Scene& scene) {
+  std::vector<uint8_t> unlit;
+  if (std::ranges::all_of(scene.instances, &Instance::isLit)) {
+    return unlit;
+  }
+  for (const Instance& instance : scene.instances) {
+    unlit.insert(unlit.end(), scene.meshes[instance.mesh].positions.size(), instance.isLit ? 0 : 1);
+  }
+  return unlit;
+}
+
 Mesh flattenInstance(const Scene& scene, size_t instance) {
   OC_CHECK(instance < scene.instances.size() && scene.instances[instance].mesh < scene.meshes.size(),
            "an instance is one of its scene, and names one of its meshes");

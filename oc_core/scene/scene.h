@@ -19,6 +19,7 @@ struct Instance {
   glm::mat4 worldFromMesh{1};
   glm::vec3 tint{1};    ///< linear; multiplies the colours of the mesh
   uint32_t object = 0;  ///< its identity; 0 is the structure, such as floors, walls and what no one asks for
+  bool isLit = true;    ///< false: its colours are light already, which a fixed light (shading.h) leaves as they are
 };
 
 struct Scene {
@@ -26,7 +27,7 @@ struct Scene {
   std::vector<Mesh> meshes;
   std::vector<Instance> instances;
   SceneGuides guides;
-  std::optional<PointFacts> points;   ///< of a file of points; its mesh has them as geometry
+  std::optional<PointFacts> points;   ///< of a file with points or lines; its meshes have them as geometry
   std::vector<std::string> warnings;  ///< what the user should know of the file, such as a missing texture
 
   /// Adds a mesh and one copy of it.
@@ -42,6 +43,9 @@ size_t triangleCount(const Scene& scene);
 /// One mesh of all copies, in the order of the instances. It has colours where any mesh has some or any copy has a
 /// tint.
 Mesh flatten(const Scene& scene);
+
+/// Of each vertex of the flat mesh: 1 where it is of a copy that is not lit, otherwise 0. Empty where all are lit.
+std::vector<uint8_t> unlitVertices(const Scene& scene);
 
 /// One copy alone: the vertices and triangles that it has in the flat mesh, with colours.
 Mesh flattenInstance(const Scene& scene, size_t instance);

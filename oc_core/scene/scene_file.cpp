@@ -10,8 +10,11 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/scene/animated_scene.h"
+#include "oc_core/scene/loose_parts.h"
+#include "oc_core/scene/pcd_points.h"
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/point_mesh.h"
+#include "oc_core/scene/rest_pose.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
 #include "oc_core/scene/text_points.h"
@@ -49,15 +52,24 @@ void checkFile(const fs::path& path) {
 
 Scene readOther(const fs::path& path, const SceneFileOptions& options, const Progress& progress) {
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
+  poseAtRest(record);
   bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
   Scene scene;
   scene.warnings = std::move(record.warnings);
   scene.instances = std::move(record.instances);
-  for (TexturedMesh& part : record.parts) {
-    Mesh& mesh = scene.meshes.emplace_back(std::move(part.mesh));
+  for (Instance& instance : scene.instances) {
+    instance.isLit = !record.parts[instance.mesh].isUnlit;
+  }
+  scene.meshes.resize(record.parts.size());
+  addLooseParts(scene, record.parts, options.points, path.string(), progress);
+  for (size_t i = 0; i < record.parts.size(); ++i) {
+    Mesh& mesh = scene.meshes[i];
+    mesh = std::move(record.parts[i].mesh);
     // A mesh that shares its vertices has half as many of them as triangles; one that repeats them, twice to three
     // times.
-    if (mesh.positions.size() > mesh.triangles.size()) {
+    if (mesh.triangles.empty()) {
+      mesh = {};
+    } else if (mesh.positions.size() > mesh.triangles.size()) {
       shareVertices(mesh);
     } else {
       dropUnusedVertices(mesh);
@@ -72,6 +84,24 @@ void checkCount(size_t triangles, const fs::path& path) {
         "the scene has " + std::to_string(triangles) + " triangles, more than " + std::to_string(kMaxSceneTriangles),
         path.string(), "reduce the mesh");
   }
+}
+
+/// A format of files of points.
+struct PointFormat {
+  bool (*isOf)(const fs::path& path);
+  PointCloud (*read)(const fs::path& path);
+};
+
+constexpr std::array<PointFormat, 3> kPointFormats{
+    {{isPointText, [](const fs::path& path) { return readTextPoints(path); }},
+     {isPcdFile, [](const fs::path& path) { return readPcdPoints(path); }},
+     {[](const fs::path& path) { return isPlyFile(path) && plyHoldsPoints(path); },
+      [](const fs::path& path) { return readPlyPoints(path); }}}};
+
+const PointFormat* pointFormatOf(const fs::path& path) {
+  const auto* const found =
+      std::ranges::find_if(kPointFormats, [&](const PointFormat& format) { return format.isOf(path); });
+  return found == kPointFormats.end() ? nullptr : found;
 }
 
 }  // namespace
@@ -89,9 +119,8 @@ Scene readSceneFile(const fs::path& path, const SceneFileOptions& options, const
   checkFile(path);
   Scene scene;
   // What claims to be PLY never reaches Assimp.
-  if (isPointText(path) || (isPlyFile(path) && plyHoldsPoints(path))) {
-    PointMesh points = meshOfPoints(isPointText(path) ? readTextPoints(path) : readPlyPoints(path), options.points,
-                                    path.string(), progress);
+  if (const PointFormat* format = pointFormatOf(path); format != nullptr) {
+    PointMesh points = meshOfPoints(format->read(path), options.points, path.string(), progress);
     scene.add(std::move(points.mesh));
     scene.points = points.facts;
   } else if (isPlyFile(path)) {
@@ -109,19 +138,24 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
                                               const std::string& animation, std::vector<std::string>& warnings,
                                               const Progress& progress) {
   checkFile(path);
-  if (isPlyFile(path) || isPointText(path)) {
+  if (isPlyFile(path) || pointFormatOf(path) != nullptr) {
     return nullptr;
   }
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
-  if (!record.rig) {
+  if (!record.rig || record.rig->animations.empty()) {
     return nullptr;
   }
   warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
   warnings.insert(warnings.end(), record.rig->warnings.begin(), record.rig->warnings.end());
   bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
   std::vector<RiggedMesh> meshes;
+  bool hasLoose = false;
   for (TexturedMesh& part : record.parts) {
-    meshes.push_back({std::move(part.mesh), std::move(part.middles)});
+    hasLoose = hasLoose || !part.lines.empty() || !part.points.empty();
+    meshes.push_back({std::move(part.mesh), std::move(part.added), part.isUnlit});
+  }
+  if (hasLoose) {
+    warnings.push_back(path.string() + ": its lines and points are left out where it is played");
   }
   size_t triangles = 0;
   for (const Instance& instance : record.instances) {

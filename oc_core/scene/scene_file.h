@@ -24,14 +24,16 @@ struct SceneFileOptions {
 /// Whether a file is PLY by its name or its first bytes.
 bool isPlyFile(const std::filesystem::path& path);
 
-/// Reads a file with its node transforms and copies. A PLY file of points becomes geometry (point_mesh.h). Of other
-/// files polygons are triangulated, points and lines left out, vertices that no triangle uses dropped, and formats that
-/// repeat a vertex for each triangle (OBJ, STL) get shared ones back.
+/// Reads a file with its node transforms and copies. Points become geometry (point_mesh.h), and so do lines
+/// (line_mesh.h). Of other files polygons are triangulated, vertices that nothing uses dropped, and formats that repeat
+/// a vertex for each triangle (OBJ, STL) get shared ones back. Bones of a file stand as they do at rest.
 ///
 /// Colours are those of the vertices, else the diffuse or base colours of the materials, times their diffuse texture,
 /// plus their emissive colour times its texture; there are none where the file says nothing of colours. Textures may be
 /// embedded, or files that import/texture_search.h finds. One that is missing or no image is among Scene::warnings. The
 /// colours of glTF are linear and multiply each other; all others are sRGB.
+///
+/// Where materials have masks of alpha, what these leave out is cut away; copies of unlit materials are not lit.
 ///
 /// Throws InputError naming the file where it is missing, is a folder, is empty, cannot be parsed, holds no triangle,
 /// an index out of range or a coordinate that is not finite, is larger than 8 GiB or kMaxSceneTriangles, where Assimp

@@ -21,7 +21,7 @@ namespace {
 constexpr std::string_view kStart = "OCSCENE1";
 constexpr std::string_view kEnd = "END.";
 enum class RecordKind : uint32_t { kScene, kFailure };
-enum PartFlag : uint8_t { kColors = 1, kBase = 2, kEmissive = 4 };
+enum PartFlag : uint8_t { kColors = 1, kBase = 2, kEmissive = 4, kMask = 8, kUnlit = 16, kLines = 32, kPoints = 64 };
 
 static_assert(sizeof(glm::vec2) == 8 && sizeof(glm::vec3) == 12 && sizeof(glm::uvec3) == 12 && sizeof(Rgb8) == 3,
               "arrays of them are written as they stand");
@@ -112,7 +112,7 @@ class RecordReader : public RecordParser {
     const uint64_t vertices = number();
     const uint64_t triangles = number();
     const auto flags = value<uint8_t>();
-    if (flags > (kColors | kBase | kEmissive)) {
+    if (flags > (kColors | kBase | kEmissive | kMask | kUnlit | kLines | kPoints)) {
       fail("a mesh holds what is unknown");
     }
     if ((flags & kColors) != 0 && vertices == 0) {
@@ -128,8 +128,27 @@ class RecordReader : public RecordParser {
     if ((flags & kEmissive) != 0) {
       part.emissive = layer(vertices, textures);
     }
+    if ((flags & kMask) != 0) {
+      part.mask = layer(vertices, textures);
+      part.maskCutoff = value<float>();
+    }
+    part.isUnlit = (flags & kUnlit) != 0;
+    if ((flags & kLines) != 0) {
+      part.lines = list<glm::uvec2>(someOf(count(sizeof(glm::uvec2))));
+    }
+    if ((flags & kPoints) != 0) {
+      part.points = list<uint32_t>(someOf(count(sizeof(uint32_t))));
+    }
     check(part);
     return part;
+  }
+
+  /// A list that a flag tells of is not empty, so that what is read is written as the same bytes.
+  uint32_t someOf(uint32_t count) const {
+    if (count == 0) {
+      fail("a list that it tells of is empty");
+    }
+    return count;
   }
 
   TextureLayer layer(uint64_t vertices, size_t textures) {
@@ -153,6 +172,15 @@ class RecordReader : public RecordParser {
     };
     if (!std::all_of(mesh.colors.begin(), mesh.colors.end(), isColor)) {
       fail("a colour is out of range");
+    }
+    const auto isVertex = [&](uint32_t vertex) { return vertex < mesh.positions.size(); };
+    if (!std::ranges::all_of(part.points, isVertex) || !std::ranges::all_of(part.lines, [&](const glm::uvec2& line) {
+          return isVertex(line.x) && isVertex(line.y);
+        })) {
+      fail("a line or a point has a vertex that is not there");
+    }
+    if (part.mask && !(part.maskCutoff > 0 && std::isfinite(part.maskCutoff))) {
+      fail("a mask has an impossible cutoff");
     }
     if (!isFinite(part.emission) || part.emission.x < 0 || part.emission.y < 0 || part.emission.z < 0) {
       fail("an emission is out of range");
@@ -194,8 +222,9 @@ void writeSceneRecord(const SceneRecord& record, const ByteSink& sink) {
   }
   writer.count(record.parts.size());
   for (const TexturedMesh& part : record.parts) {
-    const int flags =
-        (part.mesh.colors.empty() ? 0 : kColors) | (part.base ? kBase : 0) | (part.emissive ? kEmissive : 0);
+    const int flags = (part.mesh.colors.empty() ? 0 : kColors) | (part.base ? kBase : 0) |
+                      (part.emissive ? kEmissive : 0) | (part.mask ? kMask : 0) | (part.isUnlit ? kUnlit : 0) |
+                      (part.lines.empty() ? 0 : kLines) | (part.points.empty() ? 0 : kPoints);
     writer.count(part.mesh.positions.size());
     writer.count(part.mesh.triangles.size());
     writer.value(static_cast<uint8_t>(flags));
@@ -205,6 +234,18 @@ void writeSceneRecord(const SceneRecord& record, const ByteSink& sink) {
     writer.list(part.mesh.triangles);
     writeLayer(writer, part.base);
     writeLayer(writer, part.emissive);
+    writeLayer(writer, part.mask);
+    if (part.mask) {
+      writer.value(part.maskCutoff);
+    }
+    if (!part.lines.empty()) {
+      writer.count(part.lines.size());
+      writer.list(part.lines);
+    }
+    if (!part.points.empty()) {
+      writer.count(part.points.size());
+      writer.list(part.points);
+    }
   }
   writer.count(record.instances.size());
   for (const Instance& instance : record.instances) {

@@ -6,10 +6,10 @@
 //   failure: text, a whole error message
 //   scene:   u32 warnings, each a text
 //            u32 textures, each u32 width, u32 height, u8 wrap u, u8 wrap v, then width * height pixels of 3 bytes
-//            (sRGB) u32 parts, each u32 vertices, u32 triangles, u8 flags (1 colours, 2 base layer, 4 emissive layer),
-//            3 f32 emission,
+//            (sRGB) u32 parts, each u32 vertices, u32 triangles, u8 flags (1 colours, 2 base layer, 4 emissive layer,
+//            8 mask, 16 unlit, 32 lines, 64 points), 3 f32 emission,
 //              3 f32 a vertex, 3 f32 a vertex where there are colours, 3 u32 a triangle, then the layers: u32 texture,
-//              2 f32 a vertex
+//              2 f32 a vertex; of a mask its layer and f32 cutoff; u32 lines, 2 u32 each; u32 points, a u32 each
 //            u32 instances, each u32 part, 16 f32 (columns of worldFromPart)
 //            u32 rigs, 0 or 1; where it is 1 (rig.h):
 //              u32 warnings, each a text

@@ -43,10 +43,14 @@ float shadeOfSum(const glm::vec3& normalSum) {
   return length > 0 ? lambertShade(normalSum / length) : 1.0f;
 }
 
-void bakeLambert(Mesh& mesh) {
+void bakeLambert(Mesh& mesh, std::span<const uint8_t> unlit) {
   VertexShading shading(mesh);
   const std::vector<glm::vec3> unshaded = mesh.colors;
-  shading.shade(mesh, unshaded);
+  std::vector<uint8_t> split;
+  for (size_t i = 0; !unlit.empty() && i < shading.sources().size(); ++i) {
+    split.push_back(unlit[shading.sources()[i]]);
+  }
+  shading.shade(mesh, unshaded, split);
 }
 
 }  // namespace ocelli

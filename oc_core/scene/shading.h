@@ -8,7 +8,9 @@
 // because black is invisible on an emissive display.
 #pragma once
 
+#include <cstdint>
 #include <glm/vec3.hpp>
+#include <span>
 
 #include "oc_core/scene/mesh.h"
 
@@ -35,7 +37,7 @@ float shadeOfSum(const glm::vec3& normalSum);
 /// Multiplies the colour of every vertex (white where there is none) with the shade of its normal: the area-weighted
 /// mean of the normals of its faces. A vertex on a crease becomes one vertex for each smooth side; the copies stand at
 /// the end. Triangles keep their order. Faces without an area leave the shade to their neighbours; a vertex with no
-/// other is lit as if it faced the light.
-void bakeLambert(Mesh& mesh);
+/// other is lit as if it faced the light. `unlit` may say 1 of vertices whose colours stay as they are, otherwise 0.
+void bakeLambert(Mesh& mesh, std::span<const uint8_t> unlit = {});
 
 }  // namespace ocelli

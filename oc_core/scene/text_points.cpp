@@ -1,5 +1,7 @@
 #include "oc_core/scene/text_points.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
@@ -100,7 +102,7 @@ class PointTextReader {
       double value = 0;
       const auto [end, error] = std::from_chars(*first == '+' ? first + 1 : first, last, value);
       if (error != std::errc() || end != last) {
-        fail("\"" + std::string(first, last) + "\" is not a number", "repair or leave out this line");
+        fail(fmt::format("\"{}\" is not a number", std::string_view(first, last)), "repair or leave out this line");
       }
       if (size == kMaxColumns) {
         ++size;

@@ -27,7 +27,7 @@ struct LayerPixels {
 
 std::vector<LayerPixels> layersOf(TexturedMesh& part, const std::vector<Texture>& textures) {
   std::vector<LayerPixels> layers;
-  for (std::optional<TextureLayer>* layer : {&part.base, &part.emissive}) {
+  for (std::optional<TextureLayer>* layer : {&part.base, &part.emissive, &part.mask}) {
     if (*layer) {
       const Image<Rgb8>& image = textures[(*layer)->texture].image;
       layers.push_back({**layer, {image.width(), image.height()}});
@@ -99,7 +99,7 @@ void splitToPixels(TexturedMesh& part, const std::vector<LayerPixels>& layers, s
     }
     splitEdges(mesh, list, chosen);
     for (const uint32_t edge : chosen) {
-      part.middles.emplace_back(list.edges[edge].low, list.edges[edge].high);
+      part.added.push_back({list.edges[edge].low, list.edges[edge].high});
     }
     for (const auto& [layer, pixels] : layers) {
       for (const uint32_t edge : chosen) {
@@ -120,11 +120,33 @@ void setColors(TexturedMesh& part, const std::vector<Texture>& textures) {
   }
 }
 
+void cutByMask(TexturedMesh& part, const std::vector<Texture>& textures) {
+  const Texture& mask = textures[part.mask->texture];
+  std::vector<float> values;
+  values.reserve(part.mesh.positions.size());
+  for (const glm::vec2& uv : part.mask->uvs) {
+    values.push_back(mask.value(uv));
+  }
+  const std::vector<EdgeVertex> cut = cutAway(part.mesh, values, part.maskCutoff);
+  part.added.insert(part.added.end(), cut.begin(), cut.end());
+}
+
+/// Of each texture whether it is one of values.
+std::vector<char> findMasks(const std::vector<TexturedMesh>& parts, size_t textures) {
+  std::vector<char> isMask(textures, 0);
+  for (const TexturedMesh& part : parts) {
+    if (part.mask) {
+      isMask[part.mask->texture] = 1;
+    }
+  }
+  return isMask;
+}
+
 }  // namespace
 
 void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles) {
   for (const TexturedMesh& part : parts) {
-    for (const std::optional<TextureLayer>* layer : {&part.base, &part.emissive}) {
+    for (const std::optional<TextureLayer>* layer : {&part.base, &part.emissive, &part.mask}) {
       OC_CHECK(!*layer || ((*layer)->uvs.size() == part.mesh.positions.size() && (*layer)->texture < textures.size()),
                "a layer has a texture and a coordinate a vertex");
     }
@@ -137,9 +159,10 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
     return added;
   };
   const auto canShrink = [](const Texture& texture) { return texture.image.width() > 1 || texture.image.height() > 1; };
+  const std::vector<char> isMask = findMasks(parts, textures.size());
   while (addedInAll() > static_cast<double>(maxTriangles) && std::any_of(textures.begin(), textures.end(), canShrink)) {
-    for (Texture& texture : textures) {
-      texture = texture.halved();
+    for (size_t i = 0; i < textures.size(); ++i) {
+      textures[i] = isMask[i] != 0 ? textures[i].halvedValues() : textures[i].halved();
     }
   }
   // The estimate leaves slivers out: the limit of each part has room for them. Coordinates that run over a texture very
@@ -156,6 +179,9 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
     }
     if (part.hasTexture() || part.emission != glm::vec3(0)) {
       setColors(part, textures);
+    }
+    if (part.mask) {
+      cutByMask(part, textures);
     }
   }
 }

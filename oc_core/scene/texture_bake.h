@@ -6,6 +6,7 @@
 #include <optional>
 #include <vector>
 
+#include "oc_core/scene/alpha_cut.h"
 #include "oc_core/scene/mesh.h"
 #include "oc_core/scene/texture_image.h"
 
@@ -18,22 +19,28 @@ struct TextureLayer {
 };
 
 /// A mesh whose textures have not yet become colours. It is drawn as colour * base + emission * emissive, with white
-/// where one of them is missing, and at most 1.
+/// where one of them is missing, and at most 1; and where it has a mask, only where that is `maskCutoff` or more.
 struct TexturedMesh {
   Mesh mesh;
   std::optional<TextureLayer> base;
   glm::vec3 emission{0};  ///< linear, 0 or more
   std::optional<TextureLayer> emissive;
-  /// Of the vertices that baking has added, which stand at the end, the two that each is the middle of.
-  std::vector<glm::uvec2> middles{};
+  std::optional<TextureLayer> mask{};  ///< of values (Texture::value())
+  float maskCutoff = 0.5f;             ///< positive; more than 1 leaves nothing
+  bool isUnlit = false;                ///< its colours are light already
+  /// What it has besides triangles, by its vertices.
+  std::vector<glm::uvec2> lines{};
+  std::vector<uint32_t> points{};
+  /// Of the vertices that baking has added, which stand at the end: where each stands between vertices before it.
+  std::vector<EdgeVertex> added{};
 
-  bool hasTexture() const { return base || emissive; }
+  bool hasTexture() const { return base || emissive || mask; }
 };
 
 /// Turns textures and emission into colours of vertices; a mesh without them stays as it is. Splits edges that are
 /// longer than two pixels of a texture. Where that takes more than `maxTriangles` new triangles in all, textures are
 /// halved in size until it does not, so a limit that is too low gives a blurred texture and no aliasing. Edges that
-/// meet in the same places are split alike also where the texture has a seam.
+/// meet in the same places are split alike also where the texture has a seam. What masks leave out is cut away.
 void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles);
 
 }  // namespace ocelli

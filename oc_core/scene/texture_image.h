@@ -21,8 +21,12 @@ struct Texture {
 
   /// The linear colour at `uv`, bilinearly interpolated. (0, 0) is the lower left corner of the image.
   glm::vec3 sample(const glm::vec2& uv) const;
+  /// The same of an image whose red is a value, 0 to 255 for 0 to 1, as of a mask.
+  float value(const glm::vec2& uv) const;
   /// The same at half the size (rounded up), each pixel the mean of four in linear light.
   Texture halved() const;
+  /// The same where pixels are values.
+  Texture halvedValues() const;
 };
 
 }  // namespace ocelli

@@ -114,9 +114,10 @@ VertexShading::VertexShading(Mesh& mesh) : sources_(mesh.positions.size()) {
   });
 }
 
-void VertexShading::shade(Mesh& mesh, std::span<const glm::vec3> unshaded) {
+void VertexShading::shade(Mesh& mesh, std::span<const glm::vec3> unshaded, std::span<const uint8_t> unlit) {
   OC_CHECK(mesh.positions.size() + 1 == first_.size() && 3 * mesh.triangles.size() == faces_.size() &&
-               (unshaded.empty() || unshaded.size() == mesh.positions.size()),
+               (unshaded.empty() || unshaded.size() == mesh.positions.size()) &&
+               (unlit.empty() || unlit.size() == mesh.positions.size()),
            "another mesh than was split, or too few colours");
   findAreaNormals(mesh, normals_);
   mesh.colors.resize(mesh.positions.size());
@@ -126,7 +127,8 @@ void VertexShading::shade(Mesh& mesh, std::span<const glm::vec3> unshaded) {
       for (uint32_t i = first_[v]; i < first_[v + 1]; ++i) {
         sum += normals_[faces_[i]];
       }
-      mesh.colors[v] = (unshaded.empty() ? glm::vec3(1) : unshaded[v]) * shadeOfSum(sum);
+      const float shade = !unlit.empty() && unlit[v] != 0 ? 1.0f : shadeOfSum(sum);
+      mesh.colors[v] = (unshaded.empty() ? glm::vec3(1) : unshaded[v]) * shade;
     }
   });
 }

@@ -20,8 +20,9 @@ class VertexShading {
   const std::vector<uint32_t>& sources() const { return sources_; }
 
   /// Sets the colours of the mesh that was split, whose vertices may have moved since: `unshaded`, one a vertex, or
-  /// white where there is none, times the shade of the area-weighted mean of the normals of its faces.
-  void shade(Mesh& mesh, std::span<const glm::vec3> unshaded);
+  /// white where there is none, times the shade of the area-weighted mean of the normals of its faces. `unlit`, where
+  /// it is not empty, says 1 of vertices whose colours stay as they are.
+  void shade(Mesh& mesh, std::span<const glm::vec3> unshaded, std::span<const uint8_t> unlit = {});
 
  private:
   std::vector<uint32_t> sources_;

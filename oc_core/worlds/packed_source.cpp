@@ -34,7 +34,7 @@ class CopiesSource final : public TriangleSource {
   CopiesSource(Scene scene, const SceneOptions& options, std::string where)
       : scene_(std::move(scene)), shading_(options.shading), where_(std::move(where)) {
     Box box;
-    forEachCopy([&](const Mesh& copy) {
+    forEachCopy([&](const Mesh& copy, const Instance& /*instance*/) {
       const Box one = boundsOf(copy);
       box.lower = glm::min(box.lower, one.lower);
       box.upper = glm::max(box.upper, one.upper);
@@ -42,15 +42,16 @@ class CopiesSource final : public TriangleSource {
     if (options.fit) {
       const glm::dvec3 center = (glm::dvec3(box.lower) + glm::dvec3(box.upper)) * 0.5;
       double reach = 0;
-      forEachCopy([&](const Mesh& copy) { reach = std::max(reach, reachOf(copy, center)); });
+      forEachCopy(
+          [&](const Mesh& copy, const Instance& /*instance*/) { reach = std::max(reach, reachOf(copy, center)); });
       worldFromScene_ = unitFromSphere(center, reach, where_);
     }
   }
 
   void forEachPart(const std::function<void(const Mesh& part)>& visit) const override {
-    forEachCopy([&](Mesh& copy) {
+    forEachCopy([&](Mesh& copy, const Instance& instance) {
       transform(copy, worldFromScene_);
-      if (shading_ == Shading::kLambert) {
+      if (shading_ == Shading::kLambert && instance.isLit) {
         bakeLambert(copy);
       }
       visit(copy);
@@ -64,7 +65,7 @@ class CopiesSource final : public TriangleSource {
       Mesh copy = flattenInstance(scene_, i);
       if (!copy.empty()) {
         validate(copy, where_);
-        visit(copy);
+        visit(copy, scene_.instances[i]);
       }
     }
   }
@@ -94,8 +95,8 @@ std::string sourceKeyOf(const Scene& scene, const SceneOptions& options, const s
   }
   for (const Instance& instance : scene.instances) {
     const std::vector<glm::mat4> place{instance.worldFromMesh};
-    key += fmt::format("\n{} {} {} {} {}", instance.mesh, digestOf(place), instance.tint.r, instance.tint.g,
-                       instance.tint.b);
+    key += fmt::format("\n{} {} {} {} {}{}", instance.mesh, digestOf(place), instance.tint.r, instance.tint.g,
+                       instance.tint.b, instance.isLit ? "" : " unlit");
   }
   return key;
 }

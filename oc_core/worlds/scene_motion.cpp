@@ -113,6 +113,9 @@ SceneMotion::Topology& SceneMotion::prepare() {
       break;
   }
   topology.triangles = std::move(first.mesh.triangles);
+  for (size_t i = 0; !first.unlit.empty() && i < topology.sources.size(); ++i) {
+    topology.unlit.push_back(first.unlit[topology.sources[i]]);
+  }
   return topology;
 }
 
@@ -150,7 +153,7 @@ const Mesh& SceneMotion::at(double seconds) {
     }
   }
   if (topology.shading != nullptr) {
-    topology.shading->shade(mesh_, unshaded_);
+    topology.shading->shade(mesh_, unshaded_, topology.unlit);
   }
   return mesh_;
 }

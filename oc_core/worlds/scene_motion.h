@@ -40,6 +40,7 @@ class SceneMotion {
   struct Topology {
     std::vector<uint32_t> sources;  ///< of each vertex: which one of the moving scene it is
     std::vector<glm::uvec3> triangles;
+    std::vector<uint8_t> unlit;              ///< as MovedMesh::unlit
     std::unique_ptr<VertexShading> shading;  ///< nullptr: colours stay as they are
   };
   Topology& prepare();

@@ -18,9 +18,8 @@
 namespace ocelli {
 namespace {
 
-/// Takes the scene, so that it is gone when its mesh is worked on.
-GuidedScene flattened(Scene scene) {
-  return {flatten(scene), objectOfTriangles(scene), std::move(scene.guides), glm::mat4(1), scene.points};
+GuidedScene flattened(const Scene& scene) {
+  return {flatten(scene), objectOfTriangles(scene), scene.guides, glm::mat4(1), scene.points};
 }
 
 /// What other commands take.
@@ -82,7 +81,7 @@ SceneFileOptions fileOptionsOf(const SceneOptions& options) {
 
 void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOptions& options) {
   if (!points && options.points.width) {
-    throw InputError("this scene has triangles, and no points of a size", "--point-size", "leave it out");
+    throw InputError("this scene has triangles, and no points or lines of a width", "--point-size", "leave it out");
   }
 }
 
@@ -152,7 +151,9 @@ GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& optio
                                  triangles, kMaxSceneTriangles),
                      source, "pack it with ocelli scene pack, and give the .opack file");
   }
-  GuidedScene loaded = flattened(std::move(scene));
+  const std::vector<uint8_t> unlit = unlitVertices(scene);
+  GuidedScene loaded = flattened(scene);
+  scene = {};  // its memory, before its mesh is worked on
   Mesh& mesh = loaded.mesh;
   validate(mesh, source);
   report(progress, "loading the scene", 0.7);
@@ -163,7 +164,7 @@ GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& optio
   }
   switch (options.shading) {
     case Shading::kLambert:
-      bakeLambert(mesh);
+      bakeLambert(mesh, unlit);
       break;
     case Shading::kNone:
       break;

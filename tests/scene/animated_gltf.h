@@ -11,7 +11,8 @@ namespace ocelli::test {
 
 class AnimatedGltf {
  public:
-  /// Adds an accessor, and returns its number. `type` is SCALAR, VEC3, VEC4 or MAT4, with as many numbers an element.
+  /// Adds an accessor, and returns its number. `type` is SCALAR, VEC2, VEC3, VEC4 or MAT4, with as many numbers an
+  /// element.
   int floats(const std::string& type, const std::vector<float>& values) {
     return add(type, 5126, sizeof(float), values.size(), values.data());
   }
@@ -28,7 +29,7 @@ class AnimatedGltf {
 
  private:
   int add(const std::string& type, int component, size_t size, size_t count, const void* data) {
-    const size_t width = type == "SCALAR" ? 1 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 16;
+    const size_t width = type == "SCALAR" ? 1 : type == "VEC2" ? 2 : type == "VEC3" ? 3 : type == "VEC4" ? 4 : 16;
     const std::string comma = number_ > 0 ? ", " : "";
     views_ += comma + R"({"buffer": 0, "byteOffset": )" + std::to_string(bytes_.size()) + R"(, "byteLength": )" +
               std::to_string(count * size) + "}";

@@ -277,7 +277,7 @@ TEST(AnimatedScene, MovesSplitEdgesWithTheirEnds) {
   RiggedMesh mesh;
   mesh.mesh.positions = {{0, 0, 0}, {9, 9, 9}, {4, 0, 0}, {0, 4, 0}, {2, 0, 0}, {1, 0, 0}};
   mesh.mesh.triangles = {{0, 5, 3}, {5, 4, 3}, {4, 2, 3}};
-  mesh.middles = {{0, 2}, {0, 4}};
+  mesh.added = {{0, 2, 0.5f}, {0, 4, 0.5f}};
   Rig rig;
   rig.nodes.resize(2);
   rig.instanceNodes = {0};

@@ -107,10 +107,9 @@ TEST(ReadSceneFile, FlattensTheNodesOfGltfAndItsLinearColors) {
   EXPECT_NEAR(glm::distance(flat.colors[4], {0.25f, 0.5f, 0.5f}), 0.0f, kFloatStep);
 }
 
-TEST(ReadSceneFile, LeavesPointsLinesAndUnusedVerticesOut) {
+TEST(ReadSceneFile, LeavesUnusedVerticesOut) {
   const TemporaryFolder folder;
-  const Mesh mesh =
-      flatten(readSceneFile(folder.write("a.obj", "v 99 99 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\nl 1 2\np 1\n")));
+  const Mesh mesh = flatten(readSceneFile(folder.write("a.obj", "v 99 99 99\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 2 3 4\n")));
   EXPECT_EQ(mesh.triangles.size(), 1u);
   EXPECT_EQ(mesh.positions.size(), 3u);
   EXPECT_LE(boundsOf(mesh).upper.x, 1.0f);
@@ -154,7 +153,7 @@ INSTANTIATE_TEST_SUITE_P(
         BadFile{"nonsense.obj", std::string(1000, '\7'), ""}, BadFile{"nonsense.stl", std::string(1000, '\xff'), ""},
         BadFile{"nonsense.glb", std::string(1000, '\xff'), ""}, BadFile{"nonsense.xyz", std::string(1000, 'x'), ""},
         BadFile{"no_faces.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\n# nothing else\n", ""},
-        BadFile{"points.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\np 1 2 3\n", "no triangle"},
+        BadFile{"one_place.obj", "v 0 0 0\nv 1 0 0\nl 1 1\n", "no length"},
         BadFile{"nan.obj", "v nan 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "not a finite number"},
         BadFile{"huge.obj", "v 1e60 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", ""},
         BadFile{"index.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", ""},

@@ -41,6 +41,11 @@ SceneRecord sample() {
   part.base = TextureLayer{0, {{0, 0}, {1, 0}, {0, 1}}};
   part.emission = {0, 2, 0};
   part.emissive = TextureLayer{0, {{5, 5}, {6, 6}, {7, 7}}};
+  part.mask = TextureLayer{0, {{8, 8}, {9, 9}, {1, 1}}};
+  part.maskCutoff = 0.75f;
+  part.isUnlit = true;
+  part.lines = {{0, 2}};
+  part.points = {2, 1};
   record.parts = {part, TexturedMesh{}};
   glm::mat4 moved(1);
   moved[3] = {1, 2, 3, 1};
@@ -86,7 +91,12 @@ TEST(SceneRecord, ComesBackAsItWas) {
   EXPECT_EQ(back.parts[0].base->uvs, sample().parts[0].base->uvs);
   EXPECT_EQ(back.parts[0].emission, glm::vec3(0, 2, 0));
   EXPECT_EQ(back.parts[0].emissive->uvs[2], glm::vec2(7, 7));
-  EXPECT_FALSE(back.parts[1].base || back.parts[1].emissive);
+  EXPECT_EQ(back.parts[0].mask->uvs[1], glm::vec2(9, 9));
+  EXPECT_EQ(back.parts[0].maskCutoff, 0.75f);
+  EXPECT_TRUE(back.parts[0].isUnlit);
+  EXPECT_THAT(back.parts[0].lines, ElementsAre(glm::uvec2(0, 2)));
+  EXPECT_THAT(back.parts[0].points, ElementsAre(2, 1));
+  EXPECT_FALSE(back.parts[1].base || back.parts[1].emissive || back.parts[1].mask || back.parts[1].isUnlit);
   ASSERT_EQ(back.instances.size(), 3u);
   EXPECT_EQ(back.instances[0].worldFromMesh[3], glm::vec4(1, 2, 3, 1));
   EXPECT_EQ(back.instances[1].mesh, 1u);
@@ -136,7 +146,6 @@ TEST(SceneRecord, RefusesRigsThatCannotBe) {
   refusedWith([](Rig& rig) { rig.parts[0].weights = {{0, 1}, {0, -0.25f}, {1, 1.25f}}; });
   refusedWith([](Rig& rig) { rig.parts[0].morphs[0].weight = kNan; });
   refusedWith([](Rig& rig) { rig.parts[0].morphs[0].offsets[1].x = kNan; });
-  refusedWith([](Rig& rig) { rig.animations.clear(); });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].node = 2; });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].target = static_cast<RigTarget>(4); });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].times = {0.5f, 0.5f}; });
@@ -215,6 +224,9 @@ TEST(SceneRecord, RefusesWhatIsNotFinite) {
     record.parts[0].emission.x = bad;
     expectRefused(written(record), "emission");
     record = sample();
+    record.parts[0].maskCutoff = bad;
+    expectRefused(written(record), "cutoff");
+    record = sample();
     record.instances[0].worldFromMesh[2][1] = bad;
     expectRefused(written(record), "no number");
   }
@@ -224,6 +236,12 @@ TEST(SceneRecord, RefusesTexturesAndMeshesThatAreNotThere) {
   SceneRecord record = sample();
   record.parts[0].emissive->texture = 1;
   expectRefused(written(record), "texture that is not there");
+  record = sample();
+  record.parts[0].lines[0].y = 3;
+  expectRefused(written(record), "line or a point");
+  record = sample();
+  record.parts[0].points[1] = 3;
+  expectRefused(written(record), "line or a point");
   record = sample();
   record.instances[2].mesh = 2;
   expectRefused(written(record), "mesh that is not there");

@@ -97,6 +97,18 @@ Mesh convertGeometry(const aiMesh& source) {
   return mesh;
 }
 
+/// Faces of one and of two corners.
+void takeLinesAndPoints(TexturedMesh& part, const aiMesh& source) {
+  for (unsigned f = 0; f < source.mNumFaces && !part.mesh.positions.empty(); ++f) {
+    const aiFace& face = source.mFaces[f];
+    if (face.mNumIndices == 1) {
+      part.points.push_back(face.mIndices[0]);
+    } else if (face.mNumIndices == 2) {
+      part.lines.emplace_back(face.mIndices[0], face.mIndices[1]);
+    }
+  }
+}
+
 /// Nothing where the mesh has not the coordinates that the material asks for.
 std::optional<TextureLayer> layerOf(const aiMesh& source, const std::optional<MaterialTexture>& used) {
   if (!used || used->uvChannel >= AI_MAX_NUMBER_OF_TEXTURECOORDS || !source.HasTextureCoords(used->uvChannel)) {
@@ -115,13 +127,17 @@ TexturedMesh convertMesh(const aiMesh& source, const FileMaterials& found) {
       source.mMaterialIndex < found.materials.size() ? found.materials[source.mMaterialIndex] : FileMaterial{};
   TexturedMesh part;
   part.mesh = convertGeometry(source);
-  if (part.mesh.empty()) {
+  takeLinesAndPoints(part, source);
+  if ((part.mesh.empty() && part.lines.empty() && part.points.empty()) || material.isNothing) {
     return {};
   }
+  part.isUnlit = material.isUnlit;
   setColors(part.mesh, source, material, found.isGltf);
   part.base = layerOf(source, material.base);
   part.emissive = layerOf(source, material.emissive);
   part.emission = material.emission;
+  part.mask = layerOf(source, material.mask);
+  part.maskCutoff = material.maskCutoff;
   return part;
 }
 
@@ -138,7 +154,7 @@ void addNode(SceneRecord& record, std::vector<const aiNode*>& nodes, const aiNod
     throw InputError("a node is moved by numbers that are not finite", path.string(), "export the scene again");
   }
   for (unsigned i = 0; i < node.mNumMeshes; ++i) {
-    if (node.mMeshes[i] < record.parts.size() && !record.parts[node.mMeshes[i]].mesh.empty()) {
+    if (node.mMeshes[i] < record.parts.size() && !record.parts[node.mMeshes[i]].mesh.positions.empty()) {
       record.instances.push_back({node.mMeshes[i], worldFromNode});
       nodes.push_back(&node);
     }

@@ -1,5 +1,6 @@
 #include "oc_core/scene/import/file_materials.h"
 
+#include <assimp/GltfMaterial.h>
 #include <assimp/material.h>
 #include <assimp/scene.h>
 
@@ -7,7 +8,9 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
+#include <string_view>
 #include <tuple>
 #include <utility>
 
@@ -81,6 +84,10 @@ class MaterialReader {
     FileMaterial& material = found_.materials.emplace_back();
     material.color = diffuseColor(source, found_.isGltf);
     material.emission = emissiveColor(source, found_.isGltf);
+    int shading = 0;
+    material.isUnlit = found_.isGltf && source.Get(AI_MATKEY_SHADING_MODEL, shading) == aiReturn_SUCCESS &&
+                       shading == aiShadingMode_Unlit;
+    addMask(material, source, withTextures);
     if (!withTextures) {
       return;
     }
@@ -114,12 +121,51 @@ class MaterialReader {
  private:
   static constexpr size_t kMaxWarnings = 20;
 
-  using Key = std::tuple<std::string, TextureWrap, TextureWrap>;
+  /// What an image is taken for.
+  enum class Use : uint8_t { kColor, kAlpha, kOpacity };
+
+  using Key = std::tuple<std::string, TextureWrap, TextureWrap, Use>;
 
   static bool names(const aiMaterial& source, aiTextureType type) { return source.GetTextureCount(type) > 0; }
 
-  /// Nothing where there is no such image, which is a warning.
-  std::optional<MaterialTexture> texture(const aiMaterial& source, aiTextureType type) {
+  /// glTF says how alpha is meant. Elsewhere a map of opacity is a mask, as of leaves and fences.
+  void addMask(FileMaterial& material, const aiMaterial& source, bool withTextures) {
+    if (!found_.isGltf) {
+      if (withTextures && names(source, aiTextureType_OPACITY)) {
+        material.mask = texture(source, aiTextureType_OPACITY, Use::kOpacity);
+      }
+      return;
+    }
+    aiString mode;
+    source.Get(AI_MATKEY_GLTF_ALPHAMODE, mode);
+    const bool isMask = std::string_view(mode.C_Str()) == "MASK";
+    if (!isMask && std::string_view(mode.C_Str()) != "BLEND") {
+      return;
+    }
+    if (isMask) {
+      aiColor4D factor(1, 1, 1, 1);
+      source.Get(AI_MATKEY_BASE_COLOR, factor);
+      float cutoff = 0.5f;
+      source.Get(AI_MATKEY_GLTF_ALPHACUTOFF, cutoff);
+      if (!std::isfinite(cutoff) || !std::isfinite(factor.a) || cutoff <= 0) {
+        return;  // all is there
+      }
+      material.isNothing = factor.a < cutoff;  // also where the texture has full alpha
+      material.maskCutoff = material.isNothing ? 1.0f : cutoff / factor.a;
+    }
+    if (withTextures && !material.isNothing && names(source, aiTextureType_BASE_COLOR)) {
+      material.mask = texture(source, aiTextureType_BASE_COLOR, Use::kAlpha);
+    }
+    if (!isMask) {
+      warn(sceneFile_.string() +
+               ": it has translucent materials, which are opaque here; where the alpha of a texture is less than a "
+               "half, nothing is drawn",
+           "");
+    }
+  }
+
+  /// Nothing where there is no such image, which is a warning, or none of that use.
+  std::optional<MaterialTexture> texture(const aiMaterial& source, aiTextureType type, Use use = Use::kColor) {
     aiString name;
     MaterialTexture used;
     if (source.GetTexture(type, 0, &name, nullptr, &used.uvChannel) != aiReturn_SUCCESS) {
@@ -129,10 +175,10 @@ class MaterialReader {
     int modeV = aiTextureMapMode_Wrap;
     source.Get(AI_MATKEY_MAPPINGMODE_U(type, 0), modeU);
     source.Get(AI_MATKEY_MAPPINGMODE_V(type, 0), modeV);
-    const Key key{name.C_Str(), wrapOf(modeU), wrapOf(modeV)};
+    const Key key{name.C_Str(), wrapOf(modeU), wrapOf(modeV), use};
     const auto [slot, isNew] = known_.insert({key, std::nullopt});
     if (isNew) {
-      if (std::optional<Image<Rgb8>> image = load(name.C_Str())) {
+      if (std::optional<Image<Rgb8>> image = load(name.C_Str(), use)) {
         slot->second = found_.textures.size();
         found_.textures.push_back({std::move(*image), std::get<1>(key), std::get<2>(key)});
       }
@@ -147,13 +193,14 @@ class MaterialReader {
     return used;
   }
 
-  std::optional<Image<Rgb8>> load(const std::string& name) {
+  std::optional<Image<Rgb8>> load(const std::string& name, Use use) {
     try {
       if (const aiTexture* embedded = scene_.GetEmbeddedTexture(name.c_str())) {
-        return embeddedImage(*embedded, sceneFile_.string() + ", texture " + printableText(name));
+        return embeddedImage(*embedded, sceneFile_.string() + ", texture " + printableText(name), use);
       }
       if (const std::optional<fs::path> file = findTextureFile(sceneFile_, name)) {
-        return readImage(*file, notice_);
+        const std::string bytes = readImageBytes(*file, notice_);
+        return decoded({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, file->string(), use);
       }
       warn("texture " + printableText(name) + " is missing: its materials have their plain colours",
            "put the image beside the scene, or load it with --no-textures");
@@ -163,10 +210,17 @@ class MaterialReader {
     return std::nullopt;
   }
 
-  Image<Rgb8> embeddedImage(const aiTexture& source, const std::string& where) const {
+  std::optional<Image<Rgb8>> decoded(std::span<const unsigned char> bytes, const std::string& where, Use use) const {
+    if (use == Use::kColor) {
+      return decodeImage(bytes, where, notice_);
+    }
+    return decodeOpacity(bytes, use == Use::kOpacity, where, notice_);
+  }
+
+  std::optional<Image<Rgb8>> embeddedImage(const aiTexture& source, const std::string& where, Use use) const {
     if (source.mHeight == 0) {
       const auto* bytes = reinterpret_cast<const unsigned char*>(source.pcData);
-      return decodeImage({bytes, source.mWidth}, where, notice_);
+      return decoded({bytes, source.mWidth}, where, use);
     }
     const uint64_t pixelCount = uint64_t{source.mWidth} * source.mHeight;
     if (source.mWidth == 0 || pixelCount > kMaxTexturePixels) {
@@ -174,7 +228,8 @@ class MaterialReader {
     }
     Image<Rgb8> image(static_cast<int>(source.mWidth), static_cast<int>(source.mHeight));
     for (size_t i = 0; i < image.size(); ++i) {
-      image[i] = {source.pcData[i].r, source.pcData[i].g, source.pcData[i].b};
+      const aiTexel& texel = source.pcData[i];
+      image[i] = use == Use::kColor ? Rgb8(texel.r, texel.g, texel.b) : Rgb8(texel.a);
     }
     return image;
   }

@@ -26,6 +26,11 @@ struct FileMaterial {
   std::optional<MaterialTexture> base;
   glm::vec3 emission{0};  ///< linear, may exceed 1
   std::optional<MaterialTexture> emissive;
+  /// What is there of a surface: where this is `maskCutoff` or more. A texture of values (Texture::value()).
+  std::optional<MaterialTexture> mask{};
+  float maskCutoff = 0.5f;  ///< positive
+  bool isNothing = false;   ///< nothing of its surfaces is there
+  bool isUnlit = false;     ///< its colours are light already
 };
 
 struct FileMaterials {

@@ -48,20 +48,30 @@ class RigReader {
     for (unsigned i = 0; i < scene_.mNumAnimations; ++i) {
       addAnimation(*scene_.mAnimations[i], i);
     }
-    if (rig_.animations.empty()) {
+    if (rig_.animations.empty() && !hasPose()) {
       return std::nullopt;
     }
     for (const aiNode* node : instanceNodes) {
       rig_.instanceNodes.push_back(numbers_.at(node));
     }
     for (unsigned m = 0; m < scene_.mNumMeshes; ++m) {
-      rig_.parts.push_back(record_.parts[m].mesh.empty() ? RigPart{} : partOf(*scene_.mMeshes[m]));
+      rig_.parts.push_back(record_.parts[m].mesh.positions.empty() ? RigPart{} : partOf(*scene_.mMeshes[m]));
     }
     warn();
     return std::move(rig_);
   }
 
  private:
+  /// Whether bones or morph targets move a mesh also where nothing is played.
+  bool hasPose() const {
+    for (unsigned m = 0; m < scene_.mNumMeshes; ++m) {
+      if (scene_.mMeshes[m]->mNumBones > 0 || scene_.mMeshes[m]->mNumAnimMeshes > 0) {
+        return true;
+      }
+    }
+    return false;
+  }
+
   void addNode(const aiNode& node, uint32_t parent) {
     const auto number = static_cast<uint32_t>(rig_.nodes.size());
     rig_.nodes.push_back({parent, placeOf(node.mTransformation, path_)});
@@ -276,7 +286,7 @@ class RigReader {
 
 std::optional<Rig> readFileRig(const aiScene& scene, const SceneRecord& record,
                                const std::vector<const aiNode*>& instanceNodes, const fs::path& path) {
-  return scene.mNumAnimations == 0 ? std::nullopt : RigReader(scene, record, path).read(instanceNodes);
+  return RigReader(scene, record, path).read(instanceNodes);
 }
 
 }  // namespace ocelli

@@ -12,8 +12,8 @@ struct aiScene;
 
 namespace ocelli {
 
-/// Nothing where there is no animation that takes some time. `record` has the parts of the scene's meshes, one each,
-/// and the copies of them; `instanceNodes` are the nodes of these.
+/// Nothing where there is no animation that takes some time, and no bone and no morph target. `record` has the parts of
+/// the scene's meshes, one each, and the copies of them; `instanceNodes` are the nodes of these.
 ///
 /// What a file says that cannot be is left out, so that the rest plays: keys and weights that are no numbers, keys that
 /// do not go forward in time, bones and channels of nodes that are not there. Weights are scaled so that their sum is

@@ -12,7 +12,17 @@
 
 namespace ocelli {
 
-Image<Rgb8> decodeImage(std::span<const unsigned char> bytes, const std::string& where, const MemoryNotice& notice) {
+namespace {
+
+struct DecodedPixels {
+  std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> bytes{nullptr, stbi_image_free};
+  int width = 0;
+  int height = 0;
+};
+
+/// Each pixel of so many channels: 3 of colour, 4 with alpha, or 2: brightness and alpha.
+DecodedPixels decodePixels(std::span<const unsigned char> bytes, int wanted, const std::string& where,
+                           const MemoryNotice& notice) {
   const auto fail = [&](const std::string& what) {
     throw InputError(what, where, "convert the texture to PNG or JPEG, or load the scene with --no-textures");
   };
@@ -36,17 +46,42 @@ Image<Rgb8> decodeImage(std::span<const unsigned char> bytes, const std::string&
     constexpr uint64_t kBytesPerPixel = 8 + 4 + 2 * sizeof(Rgb8);
     notice(pixelCount * kBytesPerPixel);
   }
-  const std::unique_ptr<stbi_uc, decltype(&stbi_image_free)> pixels(
-      stbi_load_from_memory(data, size, &width, &height, &channels, 3), stbi_image_free);
-  if (pixels == nullptr) {
+  DecodedPixels pixels;
+  pixels.bytes.reset(stbi_load_from_memory(data, size, &pixels.width, &pixels.height, &channels, wanted));
+  if (pixels.bytes == nullptr) {
     fail("cannot read this texture (" + std::string(stbi_failure_reason()) + ")");
   }
-  Image<Rgb8> image(width, height);
-  std::copy_n(pixels.get(), image.size() * 3, &image.data()->x);
+  return pixels;
+}
+
+}  // namespace
+
+Image<Rgb8> decodeImage(std::span<const unsigned char> bytes, const std::string& where, const MemoryNotice& notice) {
+  const DecodedPixels pixels = decodePixels(bytes, 3, where, notice);
+  Image<Rgb8> image(pixels.width, pixels.height);
+  std::copy_n(pixels.bytes.get(), image.size() * 3, &image.data()->x);
   return image;
 }
 
-Image<Rgb8> readImage(const std::filesystem::path& path, const MemoryNotice& notice) {
+std::optional<Image<Rgb8>> decodeOpacity(std::span<const unsigned char> bytes, bool orBrightness,
+                                         const std::string& where, const MemoryNotice& notice) {
+  const DecodedPixels pixels = decodePixels(bytes, 2, where, notice);
+  Image<Rgb8> image(pixels.width, pixels.height);
+  const std::span<const stbi_uc> values(pixels.bytes.get(), image.size() * 2);
+  bool isTransparent = false;
+  for (size_t i = 0; i < image.size(); ++i) {
+    isTransparent = isTransparent || values[2 * i + 1] != 255;
+  }
+  if (!isTransparent && !orBrightness) {
+    return std::nullopt;
+  }
+  for (size_t i = 0; i < image.size(); ++i) {
+    image[i] = Rgb8(values[2 * i + (isTransparent ? 1 : 0)]);
+  }
+  return image;
+}
+
+std::string readImageBytes(const std::filesystem::path& path, const MemoryNotice& notice) {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(path, ignored)) {
     throw InputError("there is no such texture file", path.string(),
@@ -55,7 +90,11 @@ Image<Rgb8> readImage(const std::filesystem::path& path, const MemoryNotice& not
   if (notice) {
     notice(std::filesystem::file_size(path, ignored));
   }
-  const std::string bytes = readFile(path, std::numeric_limits<int>::max());
+  return readFile(path, std::numeric_limits<int>::max());
+}
+
+Image<Rgb8> readImage(const std::filesystem::path& path, const MemoryNotice& notice) {
+  const std::string bytes = readImageBytes(path, notice);
   return decodeImage({reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size()}, path.string(), notice);
 }
 
