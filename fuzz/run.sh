@@ -32,6 +32,7 @@ xargs -L 1 -P "$(nproc)" sh -c '
 ' "$root" <<END || status=1
 wire display_driver_wire/corpus $((2 * seconds))
 svol display_sim_frames/corpus $seconds
+kv6 display_sim_exports/kv6_corpus $seconds
 opack pack/corpus $seconds
 maze worlds/maze_corpus $seconds
 walk_map walkable/corpus $seconds
