@@ -55,7 +55,8 @@ std::vector<DeviceKind> builtinDevices() {
   return {
       {"file", Rest::kRequired, "PATH.svol", "a recording of what is shown",
        [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, profileOf(options)); }},
-      {"multivox", Rest::kOptional, "NAME", "a display or simulator of the multivox project, in shared memory",
+      {"multivox", Rest::kOptional, "NAME|HOST[:PORT]",
+       "a display or simulator of the multivox project, in shared memory or on the network",
        [](const std::string& rest, const DeviceOptions& options) {
          return openMultivox(rest, profileOf(options, "vortex"));
        }},

@@ -8,6 +8,7 @@
 
 #include "display_driver/devices/device_kinds.h"
 #include "tests/display_driver_devices/acted_display.h"
+#include "tests/display_driver_devices/acted_receiver.h"
 
 namespace ocelli::test {
 
@@ -26,15 +27,25 @@ struct TestDevice {
   std::function<std::string(const std::string& folder)> rest;
   bool tellsRotation = false;
   std::function<std::shared_ptr<void>()> surroundings{};  ///< what must be there while it is open
+  const char* kind = nullptr;                             ///< where that is not what the row is called
 };
 
-/// By name. A new kind needs a line here.
+/// By kind, and further ways of one. A new kind needs a line here.
 inline const std::map<std::string, TestDevice>& testDevices() {
   static const std::string memory = uniqueObject();
+  static std::string receiver;
   static const std::map<std::string, TestDevice> devices = {
       {"file", {[](const std::string& folder) { return ":" + folder + "/shown.svol"; }, true}},
       {"multivox",
        {[](const std::string&) { return ":" + memory; }, false, [] { return std::make_shared<ActedDisplay>(memory); }}},
+      {"multivox_network",
+       {[](const std::string&) { return ":" + receiver; }, false,
+        [] {
+          auto acted = std::make_shared<ActedReceiver>();
+          receiver = acted->place();
+          return acted;
+        },
+        "multivox"}},
       {"null", {[](const std::string&) { return std::string(); }, true}},
       {"sim", {[](const std::string&) { return std::string(); }, true}},
       {"usb", {nullptr}},
