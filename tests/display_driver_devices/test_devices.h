@@ -1,12 +1,16 @@
 // A device of each kind, for the tests that run over all of them.
 #pragma once
 
+#include <unistd.h>
+
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
 #include <string>
 
 #include "display_driver/devices/device_kinds.h"
+#include "display_driver/serial/pty_display.h"
 #include "tests/display_driver_devices/acted_display.h"
 #include "tests/display_driver_devices/acted_receiver.h"
 
@@ -30,6 +34,10 @@ struct TestDevice {
   const char* kind = nullptr;                             ///< where that is not what the row is called
 };
 
+inline std::string serialLine() {
+  return (std::filesystem::temp_directory_path() / ("ocelli_serial_" + std::to_string(getpid()))).string();
+}
+
 /// By kind, and further ways of one. A new kind needs a line here.
 inline const std::map<std::string, TestDevice>& testDevices() {
   static const std::string memory = uniqueObject();
@@ -47,6 +55,13 @@ inline const std::map<std::string, TestDevice>& testDevices() {
         },
         "multivox"}},
       {"null", {[](const std::string&) { return std::string(); }, true}},
+      {"serial",
+       {[](const std::string&) { return ":" + serialLine() + ",baud=921600"; }, true,
+        [] {
+          EmulatedDeviceOptions options;
+          options.firmware.profile = fastProfile();
+          return std::make_shared<PtyDisplay>(options, serialLine());
+        }}},
       {"sim", {[](const std::string&) { return std::string(); }, true}},
       {"usb", {nullptr}},
   };
