@@ -44,6 +44,7 @@ plan analysis_dataset/plan_corpus $seconds
 gaze study_gaze/corpus $seconds
 device_log display_driver_pacing/corpus $seconds
 wire_host display_driver_wire/host_corpus $seconds
+serial display_driver_serial/corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
 volume_record volume/record_corpus $seconds
