@@ -63,7 +63,8 @@ Json jsonOfKinds() {
 std::string listText(const UsbDisplays& usb) {
   std::string text;
   for (const DeviceKind& kind : deviceKinds()) {
-    text += fmt::format("{:<18} {}\n", kind.usage(), kind.help);
+    const std::string usage = kind.usage();
+    text += fmt::format("{:<18}{}{}\n", usage, usage.size() > 18 ? "\n" + std::string(19, ' ') : " ", kind.help);
   }
 #ifdef OCELLI_WITH_OPENGL
   for (const PictureDeviceKind& kind : pictureDeviceKinds()) {

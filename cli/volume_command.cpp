@@ -9,11 +9,7 @@
 #include "cli/command.h"
 #include "cli/interrupt.h"
 #include "cli/output_option.h"
-#include "cli/values.h"
-#include "display_sim/exports/export_nrrd.h"
-#include "display_sim/exports/export_png.h"
-#include "display_sim/exports/export_preview.h"
-#include "display_sim/exports/export_vti.h"
+#include "cli/volume_export_command.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/frames/svol_join.h"
 #include "display_sim/frames/svol_metadata.h"
@@ -204,93 +200,6 @@ void addJoin(CLI::App& parent, const CommandContext& context) {
         }
         context.note(fmt::format("wrote {}: {} frame{}", choice->output, result.frames, result.frames == 1 ? "" : "s"));
       });
-}
-
-struct VolumeExportChoice {
-  std::string volume;
-  std::optional<int64_t> frame;
-  std::string output;
-  std::optional<int> cells;
-  std::optional<int> pixels;
-};
-
-enum class ExportForm { kVti, kNrrd, kPreview, kSlices };
-
-ExportForm formOf(const std::string& output) {
-  const std::string extension = std::filesystem::path(output).extension();
-  if (extension == ".vti") {
-    return ExportForm::kVti;
-  }
-  if (extension == ".nrrd" || (extension.empty() && isStream(output))) {
-    return ExportForm::kNrrd;
-  }
-  if (extension.empty() || std::filesystem::is_directory(output)) {
-    return ExportForm::kSlices;
-  }
-  if (extension == ".png") {
-    return ExportForm::kPreview;
-  }
-  throw InputError("volumes have no form with this ending", output,
-                   "a name that ends in .vti, .nrrd or .png, or a folder for PNG files");
-}
-
-void refuseWhatDoesNotApply(const VolumeExportChoice& choice, ExportForm form) {
-  if (choice.frame && form == ExportForm::kPreview) {
-    throw InputError("a preview shows all frames", "--frame", "leave it out, or write another form");
-  }
-  if (choice.cells && form != ExportForm::kVti) {
-    throw InputError("only a .vti file has cells to choose", "--cells", "leave it out, or write a .vti file");
-  }
-  if (choice.pixels && form != ExportForm::kPreview) {
-    throw InputError("only a preview has a size to choose", "--pixels", "leave it out, or write a .png file");
-  }
-}
-
-void exportAs(ExportForm form, const VolumeExportChoice& choice, const Progress& progress) {
-  if (form == ExportForm::kPreview) {
-    SvolReader reader(choice.volume);
-    const PreviewOptions defaults;
-    exportPreview(choice.output, reader, {.pixels = choice.pixels.value_or(defaults.pixels)}, progress);
-    return;
-  }
-  const Volume volume = readSvol(choice.volume, frameNumber(choice.frame.value_or(0), "--frame"));
-  if (form == ExportForm::kVti) {
-    const VtiOptions defaults;
-    exportVti(choice.output, volume, {.cellsAcross = choice.cells.value_or(defaults.cellsAcross)}, progress);
-  } else if (form == ExportForm::kNrrd) {
-    exportNrrd(choice.output, volume, progress);
-  } else {
-    exportPngStack(choice.output, volume, progress);
-  }
-}
-
-void runVolumeExport(const VolumeExportChoice& choice, const CommandContext& context) {
-  const ExportForm form = formOf(choice.output);
-  refuseWhatDoesNotApply(choice, form);
-  runOrLeaveNothing(choice.output, context.progress(),
-                    [&](const Progress& progress) { exportAs(form, choice, progress); });
-  context.note(fmt::format("wrote {}", choice.output));
-}
-
-void addVolumeExport(CLI::App& parent, const CommandContext& context) {
-  CLI::App& command =
-      *parent.add_subcommand("export", "Write a volume for ParaView, as NRRD, as PNG files, or as an image that moves");
-  const auto choice = std::make_shared<VolumeExportChoice>();
-  command.add_option("VOLUME", choice->volume, "A volume or a recording (.svol)")->required();
-  command.add_option("--frame", choice->frame, "Which frame of a recording, from 0")->type_name("NUMBER");
-  command
-      .add_option(
-          "-o,--output", choice->output,
-          "A file (.png: an animated preview), or a folder that gets a PNG file for each slice; NRRD into pipes")
-      ->required()
-      ->type_name("OUT.vti|OUT.nrrd|OUT.png|DIR");
-  command.add_option("--cells", choice->cells, "Cells of a .vti across the display")->type_name("COUNT");
-  command.add_option("--pixels", choice->pixels, "Sides of a preview")->type_name("COUNT");
-  context.finish(command,
-                 "  ocelli volume export teapot.svol -o slices\n"
-                 "  ocelli volume export teapot.svol -o teapot.png\n"
-                 "  ocelli volume export teapot.svol --cells 512 -o teapot.vti",
-                 [choice, context] { runVolumeExport(*choice, context); });
 }
 
 }  // namespace

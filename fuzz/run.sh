@@ -32,6 +32,7 @@ xargs -L 1 -P "$(nproc)" sh -c '
 ' "$root" <<END || status=1
 wire display_driver_wire/corpus $((2 * seconds))
 svol display_sim_frames/corpus $seconds
+kv6 display_sim_exports/kv6_corpus $seconds
 opack pack/corpus $seconds
 maze worlds/maze_corpus $seconds
 walk_map walkable/corpus $seconds
@@ -43,6 +44,7 @@ plan analysis_dataset/plan_corpus $seconds
 gaze study_gaze/corpus $seconds
 device_log display_driver_pacing/corpus $seconds
 wire_host display_driver_wire/host_corpus $seconds
+serial display_driver_serial/corpus $seconds
 ply scene/ply_corpus $seconds
 scene_record scene/record_corpus $seconds
 volume_record volume/record_corpus $seconds

@@ -5,6 +5,7 @@
 #include "display_driver/device/file_device.h"
 #include "display_driver/device/null_device.h"
 #include "display_driver/devices/multivox_device.h"
+#include "display_driver/serial/serial_link.h"
 #ifdef OCELLI_WITH_USB
 #include "display_driver/usb/usb_port.h"
 #include "display_driver/wire/stream_device.h"
@@ -55,12 +56,16 @@ std::vector<DeviceKind> builtinDevices() {
   return {
       {"file", Rest::kRequired, "PATH.svol", "a recording of what is shown",
        [](const std::string& rest, const DeviceOptions& options) { return openFileDevice(rest, profileOf(options)); }},
-      {"multivox", Rest::kOptional, "NAME", "a display or simulator of the multivox project, in shared memory",
+      {"multivox", Rest::kOptional, "NAME|HOST[:PORT]",
+       "a display or simulator of the multivox project, in shared memory or on the network",
        [](const std::string& rest, const DeviceOptions& options) {
          return openMultivox(rest, profileOf(options, "vortex"));
        }},
       {"null", Rest::kNone, "", "takes everything and shows it nowhere, at the display's rate",
        [](const std::string&, const DeviceOptions& options) { return openNullDevice(profileOf(options)); }},
+      {"serial", Rest::kRequired, "DEVICE[,baud=RATE]",
+       "a display on a serial line; it says itself which profile it has",
+       [](const std::string& rest, const DeviceOptions&) { return openSerialDevice(rest); }},
       {"sim", Rest::kNone, "", "a simulated display, which gets the bytes that hardware would get",
        [](const std::string&, const DeviceOptions& options) { return openSim(options); }},
 #ifdef OCELLI_WITH_USB

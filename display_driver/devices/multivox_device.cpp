@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "display_driver/devices/multivox_memory.h"
+#include "display_driver/devices/multivox_network.h"
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
 
@@ -19,14 +21,12 @@ constexpr size_t kLongestName = 200;  // bytes; systems allow 255 for the whole 
 
 }  // namespace
 
-MultivoxDevice::MultivoxDevice(const std::string& object, const DisplayProfile& profile, const VoxelGrid& grid)
-    : info_{.kind = "multivox",
-            .name = object.substr(1),
-            .serial = {},
-            .link = fmt::format("shared memory {}", object)},
+MultivoxDevice::MultivoxDevice(std::unique_ptr<MultivoxTarget> target, const DisplayProfile& profile,
+                               const VoxelGrid& grid)
+    : info_{.kind = "multivox", .name = target->name(), .serial = {}, .link = target->link()},
       profile_(profile),
       newestDiff_(static_cast<size_t>(profile.storedSlices()), 0),
-      memory_(object, grid),
+      target_(std::move(target)),
       resampler_(profile, grid),
       thread_([this] { run(); }) {}
 
@@ -40,6 +40,7 @@ void MultivoxDevice::close() {
     stop_ = true;
     wake_.notify_all();
   }
+  target_->stop();
   if (thread_.joinable()) {
     thread_.join();
   }
@@ -96,21 +97,22 @@ void MultivoxDevice::end(Frame& frame, FrameStage stage, const std::string& prob
   frame.fence->moveTo(frame.state);
 }
 
-void MultivoxDevice::noteProblem() {
-  if (!memory_.problem().empty()) {
-    telemetry_.lastProblem = memory_.problem();
+void MultivoxDevice::noteTarget() {
+  telemetry_.bytesSent = target_->bytesSent();
+  if (!target_->problem().empty()) {
+    telemetry_.lastProblem = target_->problem();
   }
 }
 
 void MultivoxDevice::run() {
   std::unique_lock lock(mutex_);
   while (!stop_) {
-    if (!lookAtMemory(lock)) {
+    if (!lookAtTarget(lock)) {
       wake_.wait_for(lock, kLookEvery, [this] { return stop_; });
       continue;
     }
     if (mustShow()) {
-      showStaged();
+      showStaged(lock);
       continue;
     }
     if (pending_) {
@@ -119,23 +121,23 @@ void MultivoxDevice::run() {
     const bool write = shownMissing_ || (staged_ && !stagedWritten_);
     if (!write) {
       wake_.wait_for(lock, kLookEvery, [this] { return stop_ || pending_ || mustShow(); });
-    } else if (MultivoxMemory::Clock::now() < memory_.rested()) {
-      wake_.wait_until(lock, memory_.rested(), [this] { return stop_ || pending_; });
+    } else if (MultivoxTarget::Clock::now() < target_->rested()) {
+      wake_.wait_until(lock, target_->rested(), [this] { return stop_ || pending_; });
     } else if (shownMissing_) {
-      showAgain();
+      showAgain(lock);
     } else {
       writeStaged(lock);
     }
   }
 }
 
-/// Whether there is memory to write to.
-bool MultivoxDevice::lookAtMemory(std::unique_lock<std::mutex>& lock) {
+/// Whether there is a display to write to.
+bool MultivoxDevice::lookAtTarget(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
-  const MultivoxMemory::Found found = memory_.look();
-  const std::optional<MultivoxStatus> status = memory_.status();
+  const MultivoxTarget::Found found = target_->look();
+  const std::optional<MultivoxStatus> status = target_->status();
   lock.lock();
-  noteProblem();
+  noteTarget();
   telemetry_.connected = status.has_value();
   telemetry_.rotationsPerMinute = status ? status->revolutionsPerMinute : 0;
   if (!status) {
@@ -143,7 +145,7 @@ bool MultivoxDevice::lookAtMemory(std::unique_lock<std::mutex>& lock) {
     return false;
   }
   shownBits_ = status->bitsPerChannel == 0 ? kBitsAtStart : std::min(status->bitsPerChannel, kMaxShownBits);
-  if (found == MultivoxMemory::Found::kNew) {
+  if (found == MultivoxTarget::Found::kNew) {
     shownMissing_ = !shownCells_.empty();
     stagedWritten_ = false;
     telemetry_.reconnections += std::exchange(everConnected_, true) ? 1 : 0;
@@ -174,44 +176,50 @@ void MultivoxDevice::takeNewest(std::unique_lock<std::mutex>& lock) {
 
 void MultivoxDevice::writeStaged(std::unique_lock<std::mutex>& lock) {
   lock.unlock();
-  stagedWritten_ = memory_.write(resampler_.cells());
-  const auto now = MultivoxMemory::Clock::now();
+  stagedWritten_ = target_->write(resampler_.cells());
+  const auto now = MultivoxTarget::Clock::now();
   lock.lock();
-  noteProblem();
+  noteTarget();
   if (!stagedWritten_) {
     return;
   }
-  telemetry_.bytesSent += resampler_.cells().size();
   FrameState& state = staged_->state;
-  if (state.stage != FrameStage::kArrived) {  // it has where the memory was made anew since
+  state.bytes = target_->frameBytes();
+  if (state.stage != FrameStage::kArrived) {  // it has where the display was lost since
     ++telemetry_.framesArrived;
     state.stage = FrameStage::kArrived;
     state.sent = state.arrived = now;
-    state.bytes = resampler_.cells().size();
     staged_->fence->moveTo(state);
   }
 }
 
-void MultivoxDevice::showStaged() {
-  if (!memory_.show()) {
+void MultivoxDevice::showStaged(std::unique_lock<std::mutex>& lock) {
+  lock.unlock();
+  const bool shown = target_->show();
+  lock.lock();
+  noteTarget();
+  if (!shown) {
     stagedWritten_ = false;
-    noteProblem();
     return;
   }
   shownCells_.assign(resampler_.cells().begin(), resampler_.cells().end());
   ++telemetry_.framesShown;
-  ++telemetry_.bytesSent;
-  staged_->state.shown = MultivoxMemory::Clock::now();
+  FrameState& state = staged_->state;
+  state.shown = MultivoxTarget::Clock::now();
+  if (target_->sendsWhenShown()) {
+    state.sent = state.arrived = state.shown;
+  }
   end(*staged_, FrameStage::kShown, {});
   staged_.reset();
 }
 
-void MultivoxDevice::showAgain() {
-  if (memory_.write(shownCells_) && memory_.show()) {
-    shownMissing_ = false;
-    telemetry_.bytesSent += shownCells_.size() + 1;
-  }
-  noteProblem();
+void MultivoxDevice::showAgain(std::unique_lock<std::mutex>& lock) {
+  lock.unlock();
+  stagedWritten_ = false;  // what the target had made ready gives way
+  const bool shown = target_->write(shownCells_) && target_->show();
+  lock.lock();
+  noteTarget();
+  shownMissing_ = !shown;
 }
 
 std::string multivoxObject(const std::string& name) {
@@ -220,13 +228,18 @@ std::string multivoxObject(const std::string& name) {
       object.find('\0') != std::string::npos) {
     throw InputError(
         "no shared memory can have this name", fmt::format("multivox:{}", name),
-        "give a display's name (multivox:vortex), or that of its shared memory with one slash at its front");
+        "give a display's name (multivox:vortex), that of its shared memory with one slash at its front, or a host "
+        "(multivox:vortex.local)");
   }
   return object;
 }
 
 std::unique_ptr<Device> openMultivox(const std::string& name, const DisplayProfile& profile) {
-  return std::make_unique<MultivoxDevice>(multivoxObject(name), profile);
+  const VoxelGrid grid;
+  if (const std::optional<MultivoxPlace> place = multivoxPlace(name)) {
+    return std::make_unique<MultivoxDevice>(std::make_unique<MultivoxNetwork>(*place, grid), profile, grid);
+  }
+  return std::make_unique<MultivoxDevice>(std::make_unique<MultivoxMemory>(multivoxObject(name), grid), profile, grid);
 }
 
 }  // namespace ocelli

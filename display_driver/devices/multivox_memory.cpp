@@ -135,6 +135,7 @@ bool MultivoxMemory::writeAt(size_t offset, std::span<const uint8_t> bytes) {
       return false;
     }
     const size_t done = count > 0 ? static_cast<size_t>(count) : 0;
+    bytesSent_ += done;
     offset += done;
     bytes = bytes.subspan(done);
   }

@@ -20,55 +20,39 @@
 // is shown only when it is whole.
 #pragma once
 
-#include <chrono>
 #include <cstdint>
 #include <optional>
 #include <span>
 #include <string>
 
+#include "display_driver/devices/multivox_target.h"
 #include "display_driver/devices/voxel_grid.h"
 
 namespace ocelli {
 
-/// What the display's driver tells.
-struct MultivoxStatus {
-  int shownPage = 0;
-  int bitsPerChannel = 0;                  ///< 1 to 3; 0 where nobody has set it
-  int revolutionsPerMinute = 0;            ///< 0 while it stands still, and from simulators
-  std::chrono::microseconds frameTime{0};  ///< for one pass over the panel's lines; 0: not known
-};
-
-/// For one thread at a time.
-class MultivoxMemory {
+class MultivoxMemory final : public MultivoxTarget {
  public:
-  using Clock = std::chrono::steady_clock;
-  static constexpr std::chrono::milliseconds kMinRest{20};
-
   /// Opens nothing yet. `object` is a name for shm_open(): "/vortex_double_buffer".
   MultivoxMemory(std::string object, const VoxelGrid& grid);
-  ~MultivoxMemory();
+  ~MultivoxMemory() override;
   MultivoxMemory(const MultivoxMemory&) = delete;
   MultivoxMemory& operator=(const MultivoxMemory&) = delete;
 
-  enum class Found {
-    kNothing,  ///< no such object, or none that can be used: problem() says why
-    kNew,      ///< an object that was not there at the last look; what was written before is not in it
-    kSame,
-  };
+  std::string name() const override { return object_.substr(1); }
+  std::string link() const override { return "shared memory " + object_; }
   /// Looks for the object by its name, takes the one that has it now, and checks its size.
-  Found look();
+  Found look() override;
 
-  /// These are for after a look() that found the object. They return false, or nothing, where it is no longer usable.
-  std::optional<MultivoxStatus> status() const;
+  std::optional<MultivoxStatus> status() const override;
   /// Into the page that is not shown, which must have rested.
-  bool write(std::span<const uint8_t> cells);
+  bool write(std::span<const uint8_t> cells) override;
   /// Shows the page that was written last.
-  bool show();
-  /// From when on write() may be called.
-  Clock::time_point rested() const { return rested_; }
+  bool show() override;
+  Clock::time_point rested() const override { return rested_; }
+  size_t frameBytes() const override { return grid_.cells(); }
+  uint64_t bytesSent() const override { return bytesSent_; }
 
-  /// For people: why there is no object, or what disturbs; empty where all is well.
-  const std::string& problem() const { return problem_; }
+  const std::string& problem() const override { return problem_; }
   const std::string& object() const { return object_; }
 
  private:
@@ -85,6 +69,7 @@ class MultivoxMemory {
   int written_ = 0;           ///< the page that write() filled last
   std::optional<int> shown_;  ///< the page that show() showed last
   Clock::time_point rested_;
+  uint64_t bytesSent_ = 0;
   std::string problem_;
 };
 

@@ -139,14 +139,18 @@ CartesianVolume resample(const Volume& volume, int cellsAcross) {
   return grid;
 }
 
-void exportVti(const std::filesystem::path& path, const Volume& volume, const VtiOptions& options,
-               const Progress& progress) {
+void checkGridSize(int cellsAcross, const DisplayProfile& profile, const std::filesystem::path& output) {
   constexpr double kMaxCells = 1 << 30;
-  const double across = options.cellsAcross;
-  if (across < 2 || across > 1024 || across * across * across * volume.profile().halfHeightRadii > kMaxCells) {
-    throw InputError("the grid must have 2 to 1024 cells across, and at most 2^30 in all", path.string(),
+  const double across = cellsAcross;
+  if (across < 2 || across > 1024 || across * across * across * profile.halfHeightRadii > kMaxCells) {
+    throw InputError("the grid must have 2 to 1024 cells across, and at most 2^30 in all", output.string(),
                      "change the size of the grid");
   }
+}
+
+void exportVti(const std::filesystem::path& path, const Volume& volume, const VtiOptions& options,
+               const Progress& progress) {
+  checkGridSize(options.cellsAcross, volume.profile(), path);
   OutputFile file(path);
   report(progress, "resampling", 0);
   const CartesianVolume grid = resample(volume, options.cellsAcross);

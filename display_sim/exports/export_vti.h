@@ -37,6 +37,9 @@ struct CartesianVolume {
   }
 };
 
+/// Of a size that checkGridSize() lets pass.
 CartesianVolume resample(const Volume& volume, int cellsAcross);
+/// Throws InputError, naming `output`, where so many cells across are too few or too many.
+void checkGridSize(int cellsAcross, const DisplayProfile& profile, const std::filesystem::path& output);
 
 }  // namespace ocelli

@@ -14,28 +14,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
-bool isImage(const fs::path& path, const std::string& stem) {
+bool isImage(const fs::path& path, const std::string& stem, const std::string& ending) {
   constexpr std::string_view kUnfinished = ".partial";  // of a run that was killed
   std::string name = path.filename().string();
   if (name.ends_with(kUnfinished)) {
     name.resize(name.size() - kUnfinished.size());
   }
   const std::string start = stem + "_";
-  constexpr std::string_view kEnd = ".png";
-  return name.size() > start.size() + kEnd.size() && name.starts_with(start) && name.ends_with(kEnd) &&
-         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(start.size()), name.end() - kEnd.size(),
+  return name.size() > start.size() + ending.size() && name.starts_with(start) && name.ends_with(ending) &&
+         std::all_of(name.begin() + static_cast<std::ptrdiff_t>(start.size()),
+                     name.end() - static_cast<std::ptrdiff_t>(ending.size()),
                      [](unsigned char c) { return std::isdigit(c) != 0; });
 }
 
 /// The images in a folder. Throws where that is a file.
-std::vector<fs::path> imagesOf(const fs::path& folder, const std::string& stem) {
+std::vector<fs::path> imagesOf(const fs::path& folder, const std::string& stem, const std::string& ending) {
   std::error_code error;
   std::vector<fs::path> images;
   if (!fs::exists(folder, error)) {
     return images;
   }
   for (fs::directory_iterator at(folder, error), end; !error && at != end; at.increment(error)) {
-    if (isImage(at->path(), stem)) {
+    if (isImage(at->path(), stem, ending)) {
       images.push_back(at->path());
     }
   }
@@ -47,9 +47,9 @@ std::vector<fs::path> imagesOf(const fs::path& folder, const std::string& stem) 
 }
 
 /// Its images and itself, if it is there.
-void remove(const fs::path& folder, const std::string& stem) {
+void remove(const fs::path& folder, const std::string& stem, const std::string& ending) {
   std::error_code ignored;
-  for (const fs::path& image : imagesOf(folder, stem)) {
+  for (const fs::path& image : imagesOf(folder, stem, ending)) {
     fs::remove(image, ignored);
   }
   fs::remove(folder, ignored);
@@ -57,16 +57,16 @@ void remove(const fs::path& folder, const std::string& stem) {
 
 }  // namespace
 
-ImageFolder::ImageFolder(std::filesystem::path folder, std::string stem)
-    : folder_(std::move(folder)), stem_(std::move(stem)) {
+ImageFolder::ImageFolder(std::filesystem::path folder, std::string stem, std::string ending)
+    : folder_(std::move(folder)), stem_(std::move(stem)), ending_(std::move(ending)) {
   folder_ = fs::absolute(folder_).lexically_normal();
   if (!folder_.has_filename()) {
     folder_ = folder_.parent_path();  // "frames/"
   }
   partial_ = folder_;
   partial_ += ".partial";
-  imagesOf(folder_, stem_);
-  remove(partial_, stem_);
+  imagesOf(folder_, stem_, ending_);
+  remove(partial_, stem_, ending_);
   std::error_code error;
   unfinished_ = UnfinishedOutput(partial_, [&] { fs::create_directories(partial_, error); });
   if (error) {
@@ -87,16 +87,16 @@ ImageFolder::~ImageFolder() {
 
 std::filesystem::path ImageFolder::path(int number) const {
   char end[32];
-  std::snprintf(end, sizeof end, "_%04d.png", number);
-  return partial_ / (stem_ + end);
+  std::snprintf(end, sizeof end, "_%04d", number);
+  return partial_ / (stem_ + end + ending_);
 }
 
 void ImageFolder::finish() {
   std::error_code error;
   unfinished_.finish([&] {
-    remove(folder_, stem_);
+    remove(folder_, stem_, ending_);
     if (fs::exists(folder_, error)) {  // with other files
-      for (const fs::path& image : imagesOf(partial_, stem_)) {
+      for (const fs::path& image : imagesOf(partial_, stem_, ending_)) {
         if (!error) {
           fs::rename(image, folder_ / image.filename(), error);
         }

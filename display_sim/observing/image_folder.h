@@ -1,4 +1,4 @@
-// A folder of numbered PNG files that appears only when all of them are there.
+// A folder of numbered files, PNG unless said otherwise, that appears only when all of them are there.
 #pragma once
 
 #include <filesystem>
@@ -8,18 +8,19 @@
 
 namespace ocelli {
 
-/// `STEM_0000.png` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left,
+/// `STEM_0000ENDING` and so on are written to `FOLDER.partial`, which finish() renames; without that nothing is left,
 /// also where a signal ends the program (unfinished_output.h). In a folder that is there, such files of an earlier run
 /// are replaced; other files stay, and the images are moved to them. Throws WorkError, and InputError where the
 /// folder is a file.
 class ImageFolder {
  public:
-  ImageFolder(std::filesystem::path folder, std::string stem);
+  /// `ending` as ".png".
+  ImageFolder(std::filesystem::path folder, std::string stem, std::string ending = ".png");
   ~ImageFolder();
   ImageFolder(const ImageFolder&) = delete;
   ImageFolder& operator=(const ImageFolder&) = delete;
 
-  /// Where the image of this number is to be written.
+  /// Where the file of this number is to be written.
   std::filesystem::path path(int number) const;
   void finish();
 
@@ -27,6 +28,7 @@ class ImageFolder {
   std::filesystem::path folder_;
   std::filesystem::path partial_;
   std::string stem_;
+  std::string ending_;
   UnfinishedOutput unfinished_;
   bool isOpen_ = false;
 };

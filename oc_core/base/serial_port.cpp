@@ -21,9 +21,10 @@ struct BaudRate {
   int bitsPerSecond;
   speed_t speed;
 };
-constexpr std::array kRates{BaudRate{9600, B9600},     BaudRate{19200, B19200},   BaudRate{38400, B38400},
-                            BaudRate{57600, B57600},   BaudRate{115200, B115200}, BaudRate{230400, B230400},
-                            BaudRate{460800, B460800}, BaudRate{921600, B921600}};
+constexpr std::array kRates{BaudRate{9600, B9600},       BaudRate{19200, B19200},     BaudRate{38400, B38400},
+                            BaudRate{57600, B57600},     BaudRate{115200, B115200},   BaudRate{230400, B230400},
+                            BaudRate{460800, B460800},   BaudRate{921600, B921600},   BaudRate{1000000, B1000000},
+                            BaudRate{1500000, B1500000}, BaudRate{2000000, B2000000}, BaudRate{3000000, B3000000}};
 
 bool askForLowLatency(int descriptor) {
   serial_struct settings{};

@@ -7,7 +7,7 @@ namespace ocelli {
 
 inline constexpr int kUsualBaudRate = 115200;
 
-/// "9600, 19200, ... or 921600".
+/// "9600, 19200, ... or 3000000".
 std::string baudRatesText();
 
 struct SerialPlace {

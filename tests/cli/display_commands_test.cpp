@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "display_sim/exports/kv6_file.h"
 #include "display_sim/frames/svol_file.h"
 #include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
@@ -233,11 +234,12 @@ TEST_F(DisplayCommands, volumeInfoVerifyAndExport) {
   EXPECT_EQ(nlohmann::json::parse(info.output)["profile"]["name"], "test");
   EXPECT_THAT(runProgram("volume info " + quoted("a.svol")).output, HasSubstr("24 of 64x64"));
   EXPECT_THAT(runProgram("volume verify " + quoted("a.svol")).output, HasSubstr("1 frame of 24 slices, all whole"));
-  for (const char* output : {"a.vti", "a.nrrd", "slices", "a.png"}) {
+  for (const char* output : {"a.vti", "a.nrrd", "a.kv6", "slices", "a.png"}) {
     EXPECT_EQ(runProgram("volume export " + quoted("a.svol") + " -o " + quoted(output)).exitCode, 0) << output;
   }
   EXPECT_TRUE(fileBytes(folder_ / "a.nrrd").starts_with("NRRD0005"));
   EXPECT_TRUE(fileBytes(folder_ / "a.vti").starts_with("<?xml"));
+  EXPECT_FALSE(kv6FromBytes(fileBytes(folder_ / "a.kv6"), "a.kv6").voxels.empty());
   EXPECT_EQ(readPng(folder_ / "slices/slice_0023.png").width(), 64);
 }
 
@@ -300,6 +302,34 @@ TEST_F(DisplayCommands, volumesAreJoinedToRecordings) {
   EXPECT_THAT(runProgram("volume info --frames " + quoted("film.svol")).output, HasSubstr("0.500000  delta"));
   EXPECT_EQ(runProgram("volume export --frame 1 " + quoted("film.svol") + " -o " + quoted("b.nrrd")).exitCode, 0);
   EXPECT_EQ(runProgram("volume export --frame 2 " + quoted("film.svol") + " -o " + quoted("c.nrrd")).exitCode, 2);
+}
+
+TEST_F(DisplayCommands, aRecordingBecomesNumberedFiles) {
+  Volume second = readSvol(folder_ / "a.svol");
+  second.light(3, 40, 20, 7);
+  writeSvol(folder_ / "b.svol", second);
+  ASSERT_EQ(
+      runProgram("volume join " + quoted("a.svol") + " " + quoted("b.svol") + " -o " + quoted("film.svol")).exitCode,
+      0);
+  const ProgramResult each =
+      runProgram("volume export " + quoted("film.svol") + " --each-frame kv6 --cells 40 -o " + quoted("models"));
+  ASSERT_EQ(each.exitCode, 0) << each.error;
+  EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_ / "models"), {}), 2);
+  for (const int frame : {0, 1}) {
+    const std::string number = std::to_string(frame);
+    EXPECT_EQ(runProgram("volume export " + quoted("film.svol") + " --frame " + number + " --cells 40 -o " +
+                         quoted("one.kv6"))
+                  .exitCode,
+              0);
+    EXPECT_EQ(fileBytes(folder_ / "one.kv6"), fileBytes(folder_ / ("models/frame_000" + number + ".kv6")));
+  }
+  EXPECT_NE(fileBytes(folder_ / "models/frame_0000.kv6"), fileBytes(folder_ / "models/frame_0001.kv6"));
+  for (const char* arguments : {"--each-frame png -o x", "--each-frame obj -o x", "--each-frame kv6 -o x.kv6",
+                                "--each-frame kv6 --frame 1 -o x", "--each-frame nrrd --cells 9 -o x"}) {
+    const ProgramResult refused = runShell("cd " + quoted("") + " && \"$OCELLI\" volume export film.svol " + arguments);
+    EXPECT_EQ(refused.exitCode, 2) << arguments << refused.error;
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "x"));
+  }
 }
 
 TEST_F(DisplayCommands, anUnfinishedRecordingIsToldFromADamagedOne) {

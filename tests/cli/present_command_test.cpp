@@ -262,6 +262,21 @@ TEST_F(PresentCommand, imagesHaveOneOfTheFormatsThatThereAre) {
   EXPECT_TRUE(std::filesystem::is_empty(folder_.path()));
 }
 
+TEST_F(PresentCommand, aDisplayThatCannotBeReachedIsSaid) {
+  const auto present = [](const std::string& device) {
+    return runProgram("present " + std::string(kTeapot) + "--device " + device);
+  };
+  const ProgramResult nobody = present("multivox:127.0.0.1:1");
+  EXPECT_EQ(nobody.exitCode, 1);
+  EXPECT_THAT(nobody.error, testing::AllOf(HasSubstr("refused"), HasSubstr("127.0.0.1")));
+  const ProgramResult unknown = present("multivox:no-such-host.invalid");
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_THAT(unknown.error, HasSubstr("not known"));
+  const ProgramResult noLine = present("serial:/dev/no_such_line");
+  EXPECT_EQ(noLine.exitCode, 1);
+  EXPECT_THAT(noLine.error, HasSubstr("/dev/no_such_line"));
+}
+
 TEST_F(PresentCommand, whatDoesNotGoTogetherIsRefused) {
   const auto refusal = [](const std::string& arguments) {
     const ProgramResult result = runProgram("present " + arguments);
