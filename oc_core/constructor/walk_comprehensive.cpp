@@ -182,7 +182,7 @@ class WalkBuilder {
     WalkUnseen why = WalkUnseen::kNoWay;  ///< no rays come into it
     PieceRays rays{};                     ///< that do
     std::vector<int> frusta{};
-    std::vector<uint32_t> next{};  ///< regions that its rays go on to
+    std::vector<uint32_t> next{};    ///< regions that its rays go on to
     std::vector<PieceRays> exits{};  ///< of each of them
   };
 
@@ -407,9 +407,12 @@ void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& option
 }  // namespace
 
 const char* textOf(WalkUnseen why) {
-  static constexpr std::array<const char*, 7> kTexts{"it is seen",      "no way leads there from the start",
-                                                     "it has no floor", "rays turn too often on the way",
-                                                     "no rays come in", "too few pixels are left for it",
+  static constexpr std::array<const char*, 7> kTexts{"it is seen",
+                                                     "no way leads there from the start",
+                                                     "it has no floor",
+                                                     "rays turn too often on the way",
+                                                     "no rays come in",
+                                                     "too few pixels are left for it",
                                                      "something stands before it"};
   return kTexts[static_cast<size_t>(why)];
 }

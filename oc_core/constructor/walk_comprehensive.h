@@ -55,11 +55,12 @@ const char* textOf(WalkUnseen why);
 /// Of a cell, in a comprehensive image.
 struct WalkCellView {
   WalkUnseen unseen = WalkUnseen::kNothing;
-  int parent = -1;                     ///< the cell before it on the tour; -1 for the start and where there is none
-  size_t turns = 0;                    ///< bends of its rays
-  double pixels = 0;                   ///< of its middle (middleOf) on the floor, whatever stands before it
-  double seenPixels = 0;  ///< those of them that show it, by rays: all cast where they are few; without a scene `pixels`
-  int hiddenIn = -1;      ///< where it is hidden, the cell in which most of its rays end
+  int parent = -1;    ///< the cell before it on the tour; -1 for the start and where there is none
+  size_t turns = 0;   ///< bends of its rays
+  double pixels = 0;  ///< of its middle (middleOf) on the floor, whatever stands before it
+  double seenPixels =
+      0;              ///< those of them that show it, by rays: all cast where they are few; without a scene `pixels`
+  int hiddenIn = -1;  ///< where it is hidden, the cell in which most of its rays end
   std::optional<glm::dvec2> center{};  ///< the pixel of its centre on the floor
 };
 
@@ -70,9 +71,10 @@ struct ComprehensiveWalk {
   std::vector<int> cellOfFrustum;   ///< of each frustum of the camera; that of the start for its root
 };
 
-/// An image of that size. With the rays of the scene, in the units of the map, the report tells what is really seen, and
-/// lanes and starts are chosen by that; without, what would be seen of empty boxes. Throws InputError where the map has no cells, for a start that is none of them, and for
-/// options out of range. Cells that it cannot show are in the report.
+/// An image of that size. With the rays of the scene, in the units of the map, the report tells what is really seen,
+/// and lanes and starts are chosen by that; without, what would be seen of empty boxes. Throws InputError where the map
+/// has no cells, for a start that is none of them, and for options out of range. Cells that it cannot show are in the
+/// report.
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
                                         int height, const RayScene* scene = nullptr);
 

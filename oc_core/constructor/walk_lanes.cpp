@@ -24,7 +24,8 @@ size_t bestOf(const std::vector<WalkLanes::Found>& found) {
 }
 
 bool isTried(const std::vector<WalkLanes::Found>& found) {
-  return found.size() == walkLanes().size() || (!found.empty() && worthOf(found[bestOf(found)]) >= kFree * (1 + kFloorWorth));
+  return found.size() == walkLanes().size() ||
+         (!found.empty() && worthOf(found[bestOf(found)]) >= kFree * (1 + kFloorWorth));
 }
 
 }  // namespace
@@ -35,6 +36,9 @@ const std::vector<PieceLane>& walkLanes() {
       {.straight = 0.7},
       {.aside = -1},
       {.aside = 1},
+      {.top = 0.6},
+      {.straight = 0.7, .top = 0.6},
+      {.top = 0.4},
       {.before = 0.5},
       {.aside = -1, .straight = 0.7},
       {.aside = 1, .straight = 0.7},

@@ -1,7 +1,7 @@
-// By which lane rays go through a region to each of its exits, where something may stand in the way. Lanes are tried one
-// after the other, an image each, in all regions at once: how much of a lane is free depends little on what comes before
-// it. Then each exit has that of which most was free when it was last built, or a little less where it shows more of the
-// region itself.
+// By which lane rays go through a region to each of its exits, where something may stand in the way. Lanes are tried
+// one after the other, an image each, in all regions at once: how much of a lane is free depends little on what comes
+// before it. Then each exit has that of which most was free when it was last built, or a little less where it shows
+// more of the region itself.
 #pragma once
 
 #include <cstdint>

@@ -339,7 +339,8 @@ class RegionPiece {
       rays.mouth = out;
       const double keeps = behind / (behind + near);
       const double most = std::max(entry.height(), kTallerShare * entry.height() / keeps);
-      rays.mouth.top = out.floor + std::min(out.height(), most);
+      const double share = exits_[static_cast<size_t>(strip.exit)].lane.top;
+      rays.mouth.top = out.floor + share * std::min(out.height(), most);
       const bool isOblique = near < kOblique * far;
       if (isOblique && entry.top > out.floor + kMinLevelShare * out.height()) {
         rays.mouth.top = std::min(rays.mouth.top, entry.top);  // level, so that its near end is seen too

@@ -32,6 +32,7 @@ struct PieceLane {
   double before = 1;    ///< how far before the exit they turn to it, in its widths
   double straight = 0;  ///< how far they go straight on first, in widths of the entry: past the open leaf of a door
   double into = 0.4;    ///< how far into the region, in its depths, where the exit lies beside the entry
+  double top = 1;       ///< up to which share of the exit's height they go: less looks down to stairs
 };
 
 /// An exit that rays go on to.

@@ -186,8 +186,8 @@ WalkSight::Middle WalkSight::count(const GraphCamera& camera, const WalkCell& ce
     corner.y += static_cast<double>(kOnFloor * cell.height);
   }
   for (const int i : frusta) {
-    for (const std::vector<glm::dvec3>* corners : {&floor, &above}) {
-      const PartSamples all = samplesOf(frustumImage(camera, i, *corners), kCountedAcross, kCountedPixels);
+    for (const std::vector<glm::dvec3>& corners : {floor, above}) {
+      const PartSamples all = samplesOf(frustumImage(camera, i, corners), kCountedAcross, kCountedPixels);
       for (const glm::vec2& pixel : all.pixels) {
         if (known.emplace(pixel.x, pixel.y).second) {
           ways.push_back(camera.rayPath(pixel));

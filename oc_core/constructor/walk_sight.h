@@ -1,6 +1,6 @@
-// What the rays of a comprehensive camera really meet, by casting some of them: a walk map knows boxes and openings, not
-// the furniture, trees and open doors that stand in them. Slow reference: all pixels of the image cast, and those counted
-// that show the middle of a cell (bench/walk_acceptance.h).
+// What the rays of a comprehensive camera really meet, by casting some of them: a walk map knows boxes and openings,
+// not the furniture, trees and open doors that stand in them. Slow reference: all pixels of the image cast, and those
+// counted that show the middle of a cell (bench/walk_acceptance.h).
 #pragma once
 
 #include <cstddef>

@@ -84,7 +84,7 @@ struct Explorer::State {
   ChosenConstructor live;
   std::optional<ChosenConstructor> next{};  ///< takes over when `live` has collapsed
   double deployed = 0;
-  bool failed = false;   ///< the constructor has no camera for this moment
+  bool failed = false;  ///< the constructor has no camera for this moment
   /// Where rays cannot bend as far as they should: how far they could not. It deploys again where they can.
   std::optional<double> failedAt{};
   bool arrived = false;  ///< has been led to where the constructor wants to begin

@@ -147,9 +147,9 @@ TEST_F(RayMapCommand, whatARayMapCannotDoIsSaid) {
 
 /// What the command says before it has played a frame of the script.
 TEST_F(RayMapCommand, tablesOfChangesMustBeWritableBeforeTheWalkBegins) {
-  const ProgramResult result =
-      runProgram("explore builtin:boxes,count=40 --offscreen '" OCELLI_SOURCE_DIR
-                 "/oc_core/explore/examples/town_walk.json' --changes " + path("nosuch/changes.csv") + " -o " + path("frames"));
+  const ProgramResult result = runProgram("explore builtin:boxes,count=40 --offscreen '" OCELLI_SOURCE_DIR
+                                          "/oc_core/explore/examples/town_walk.json' --changes " +
+                                          path("nosuch/changes.csv") + " -o " + path("frames"));
   EXPECT_EQ(result.exitCode, 1) << result.error;
   EXPECT_THAT(result.error, HasSubstr("changes.csv"));
   EXPECT_FALSE(std::filesystem::exists(folder_ / "frames")) << "nothing was drawn";
