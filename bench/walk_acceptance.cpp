@@ -102,8 +102,10 @@ WalkAcceptance acceptWalks(const WalkScene& scene, int width, int height, const 
   }
   numberCells(reached);
   std::optional<ComprehensiveWalk> made;
-  result.cameraMilliseconds =
-      milliseconds([&] { made.emplace(makeComprehensiveWalk(reached, options, width, height)); });
+  result.cameraMilliseconds = milliseconds([&] {
+    const RayScene rays(scene.mesh);
+    made.emplace(makeComprehensiveWalk(reached, options, width, height, &rays));
+  });
   const ComprehensiveWalk& walk = *made;
   result.frusta = walk.camera.frusta().size();
   const std::vector<size_t> pixels = pixelsOfMiddles(reached, walk.camera, scene.mesh);

@@ -316,6 +316,12 @@ struct EditChoice {
 void edit(const EditChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   checkSecondOutput(choice.image, "--image", choice.output);
+  if (namesRayMap(choice.camera.camera)) {
+    throw InputError("a ray map is no list of operations or turns, so there is nothing to edit",
+                     "--camera " + choice.camera.camera,
+                     "give a constructor, or the JSON file of a graph or curved ray camera; `ocelli camera info` tells "
+                     "what a ray map holds");
+  }
   const bool fromInput = choice.edits == "-";
   std::istringstream file(fromInput ? "" : readFile(choice.edits));
   std::istream& lines = fromInput ? std::cin : file;

@@ -9,6 +9,7 @@
 #include "cli/command.h"
 #include "cli/explore_window.h"
 #include "cli/number_check.h"
+#include "cli/output_option.h"
 #include "cli/scene_options.h"
 #include "display_sim/observing/frame_sink.h"
 #include "oc_core/base/conventions.h"
@@ -17,6 +18,7 @@
 #include "oc_core/base/output_folder.h"
 #include "oc_core/explore/explore_offscreen.h"
 #include "oc_core/explore/explore_shown_camera.h"
+#include "oc_core/ray_map/ray_map_file.h"
 #include "oc_core/walkable/walkable.h"
 
 namespace ocelli {
@@ -93,6 +95,13 @@ std::shared_ptr<ExploreScene> openScene(const ExploreChoice& choice, const Progr
 void explore(const ExploreChoice& choice, const CommandContext& context) {
   const bool plays = !choice.script.empty();
   checkExploreWindow(choice.window, plays, choice.jumps || !choice.changes.empty());
+  checkSecondOutput(choice.changes, "--changes", "");
+  if (namesRayMap(choice.camera)) {
+    throw InputError("a ray map is no camera to walk with: its rays stay where its file has them",
+                     "--camera " + choice.camera,
+                     "draw it with `ocelli render SCENE --camera " + choice.camera +
+                         " -o IMAGE.png`, or give a constructor, or the JSON file of a graph or curved ray camera");
+  }
   if (choice.benchmark && !plays) {
     throw InputError("a script is needed", "--benchmark",
                      "give --offscreen SCRIPT.json, such as oc_core/explore/examples/town_walk.json");

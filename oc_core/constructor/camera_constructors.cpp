@@ -76,7 +76,8 @@ MultiperspectiveCamera comprehensiveCamera(JsonFields& fields, const GuidedScene
   walk.nearness = options.nearness;
   walk.evenness = options.evenness;
   walk.eyeHeight = fields.has("eye_height") ? options.eyeHeight : walk.eyeHeight;
-  return makeComprehensiveWalk(map, walk, width, height).camera;
+  const RayScene rays(scene.mesh);
+  return makeComprehensiveWalk(map, walk, width, height, &rays).camera;
 }
 
 MultiperspectiveCamera mazeCamera(JsonFields& fields, const GuidedScene& scene, const PinholeCamera& reference) {

@@ -7,10 +7,13 @@
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
+#include <memory>
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/frustum_image.h"
+#include "oc_core/constructor/walk_lanes.h"
 #include "oc_core/constructor/walk_piece.h"
+#include "oc_core/constructor/walk_sight.h"
 #include "oc_core/constructor/walk_start.h"
 #include "oc_core/constructor/walk_tour.h"
 
@@ -24,43 +27,58 @@ constexpr double kGrowth = 2;
 constexpr double kFollow = 0.5;
 /// Pixels of a middle of which as many more mean little.
 constexpr double kEnough = 60;
+/// Exits that fewer rays get to by any lane are avoided, if there is another way.
+constexpr double kBlocked = 0.03;
+/// Of the height of a cell: floors that rise less are level.
+constexpr float kLevel = 0.2f;
+/// Of the pixels of a lane: where it shows the middle of its region with so many, more are not worth more.
+constexpr double kMiddleShare = 0.05;
+/// Estimates of more pixels than that are not counted again.
+constexpr double kSurely = 200;
 /// So many starts are tried where none is given: until all cells are seen.
 constexpr size_t kStarts = 16;
+/// Where rays tell what is seen, so many of them are tried in all builds: those whose first images lack least.
+constexpr size_t kSeenStarts = 4;
 
-double pixelsOf(const GraphCamera::Part& part) {
-  double twice = 0;
-  for (size_t i = 0; i < part.size(); ++i) {
-    const glm::dvec2& a = part[i];
-    const glm::dvec2& b = part[(i + 1) % part.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return twice / 2;
-}
-
-/// What cells lack: 1 for each without pixels, half for one with kEnough.
+/// What cells lack: 1 for each that is not seen, and up to 1 for its pixels, half of it for one with kEnough.
 double lackingIn(const ComprehensiveWalk& walk) {
   double lacking = 0;
   for (const WalkCellView& view : walk.cells) {
-    lacking += 1 / (1 + view.pixels / kEnough);
+    lacking += 1 / (1 + view.seenPixels / kEnough) + (view.unseen == WalkUnseen::kNothing ? 0 : 1);
   }
   return lacking;
+}
+
+/// Of a cell that rays come to.
+void judge(WalkCellView& view, double minPixels) {
+  if (view.seenPixels >= minPixels) {
+    view.unseen = WalkUnseen::kNothing;
+  } else if (view.turns > 0) {
+    view.unseen = view.pixels < minPixels ? WalkUnseen::kTooFewPixels : WalkUnseen::kHidden;
+  }
 }
 
 class WalkBuilder {
  public:
   WalkBuilder(const WalkMap& map, const WalkComprehensiveOptions& options, const WalkStart& start, int width,
-              int height)
-      : map_(map), options_(options), width_(width), height_(height), regions_(walkBoxesOf(map)), start_(start) {
+              int height, const WalkSight* sight, WalkLanes& lanes)
+      : map_(map),
+        options_(options),
+        width_(width),
+        height_(height),
+        sight_(sight),
+        lanes_(lanes),
+        regions_(walkBoxesOf(map)),
+        start_(start) {
     raiseTops();
     if (regions_[start_.cell].border.empty()) {
       throw InputError(nameOfCell(start_.cell) + " has no floor", kWalkComprehensive, "begin in another cell");
     }
-    tour_ = walkTourOf(regions_, start_.cell, options.order);
+    avoidBlocked();
     for (const uint32_t region : tour_.order) {
       const WalkCell& cell = map_.cells[regions_[region].cell];
       reach_ += 2 * (static_cast<double>(cell.halfLength) + static_cast<double>(cell.halfWidth));
     }
-    reachable_ = reachable();
     // Small cells need more than their share of the floor.
     double sum = 0;
     for (const WalkRegion& region : regions_) {
@@ -71,12 +89,23 @@ class WalkBuilder {
     }
   }
 
+  /// Tries lanes in all regions until the best of each is known, and builds with these, once.
+  ComprehensiveWalk first() {
+    do {
+      isTrying_ = false;
+      built(floors_, Looks::kAtLanes);
+    } while (isTrying_);
+    avoidBlocked();
+    return built(floors_, Looks::kAtAll);
+  }
+
+  /// Of builds with weights that follow what is seen.
   ComprehensiveWalk best() {
     std::vector<double> weights = floors_;
     std::optional<ComprehensiveWalk> best;
     double least = 0;
     for (int build = 0; build < options_.builds; ++build) {
-      ComprehensiveWalk walk = built(weights);
+      ComprehensiveWalk walk = built(weights, Looks::kAtAll);
       share(weights, walk);
       const double lacking = lackingIn(walk);
       if (!best || lacking < least) {
@@ -84,10 +113,26 @@ class WalkBuilder {
         best = std::move(walk);
       }
     }
-    return *best;
+    return *std::move(best);
   }
 
  private:
+  /// How rays go through a region to an exit.
+  LaneWay wayOf(const WalkTour::Stop& stop, uint32_t region, uint32_t exit) const {
+    return {region, stop.parent < 0 ? UINT32_MAX : stop.way.portal, exit};
+  }
+  bool isBlocked(const WalkTour::Stop& stop, const WalkExit& exit, uint32_t region) const {
+    return sight_ != nullptr && lanes_.freeOf(wayOf(stop, region, exit.portal)) < kBlocked;
+  }
+  /// Another tour, where lanes that are blocked can be avoided.
+  void avoidBlocked() {
+    tour_ = walkTourOf(regions_, start_.cell, options_.order,
+                       [&](const WalkTour::Stop& stop, const WalkExit& exit, uint32_t region) {
+                         return isBlocked(stop, exit, region);
+                       });
+    reachable_ = reachable();
+  }
+
   /// Moves weights towards those of cells whose middles have fewer pixels than others for their size.
   void share(std::vector<double>& weights, const ComprehensiveWalk& walk) const {
     // The mean over cells, of logarithms.
@@ -137,6 +182,8 @@ class WalkBuilder {
     WalkUnseen why = WalkUnseen::kNoWay;  ///< no rays come into it
     PieceRays rays{};                     ///< that do
     std::vector<int> frusta{};
+    std::vector<uint32_t> next{};    ///< regions that its rays go on to
+    std::vector<PieceRays> exits{};  ///< of each of them
   };
 
   /// Whether rays can come into each region: there is something of it, and an opening to it from one that can be
@@ -152,7 +199,10 @@ class WalkBuilder {
     return can;
   }
 
-  ComprehensiveWalk built(const std::vector<double>& weights) const {
+  /// Rays are cast, if there is a scene, for lanes alone, or for what is seen as well.
+  enum class Looks { kAtLanes, kAtAll };
+
+  ComprehensiveWalk built(const std::vector<double>& weights, Looks looks) {
     std::vector<double> after(weights);  // with the region itself, and those after it that can be reached
     for (size_t i = tour_.order.size(); i-- > 1;) {
       const uint32_t region = tour_.order[i];
@@ -161,7 +211,7 @@ class WalkBuilder {
     const WalkRegion& first = regions_[start_.cell];
     WalkBeginning beginning = beginWalk(first, start_, options_.eyeHeight, reach_, width_, height_);
     std::vector<Built> all(regions_.size());
-    all[start_.cell].rays = {GraphCamera::kRoot, beginning.entry, 0};
+    all[start_.cell].rays = {GraphCamera::kRoot, GraphCamera::kRoot, beginning.entry, 0};
     for (const uint32_t region : tour_.order) {
       all[region].why = reasonAt(all, region);
       if (all[region].why == WalkUnseen::kNothing) {
@@ -170,17 +220,46 @@ class WalkBuilder {
       }
     }
     limitRoot(beginning.camera, beginning.entry, first.size);
-    ComprehensiveWalk walk{std::move(beginning.camera), start_, std::vector<WalkCellView>(map_.cells.size())};
+    noteLanes(beginning.camera, all);
+    ComprehensiveWalk walk{std::move(beginning.camera), start_, std::vector<WalkCellView>(map_.cells.size()), {}};
+    walk.cellOfFrustum.assign(walk.camera.frusta().size(), static_cast<int>(start_.cell));
     for (uint32_t i = 0; i < regions_.size(); ++i) {
-      tell(walk, all[i], i);
+      tell(walk, all[i], i, looks == Looks::kAtAll ? sight_ : nullptr);
     }
     for (WalkCellView& view : walk.cells) {
-      const bool shown = view.turns > 0;
-      if (shown) {
-        view.unseen = view.pixels >= options_.minPixels ? WalkUnseen::kNothing : WalkUnseen::kTooFewPixels;
-      }
+      judge(view, options_.minPixels);
     }
     return walk;
+  }
+
+  /// What each lane of an image is worth.
+  void noteLanes(const GraphCamera& camera, const std::vector<Built>& all) {
+    for (uint32_t region = 0; sight_ != nullptr && region < all.size(); ++region) {
+      for (size_t i = 0; i < all[region].next.size(); ++i) {
+        const LaneWay way = wayOf(tour_.stops[region], region, tour_.stops[all[region].next[i]].way.portal);
+        const WalkLanes::Found found = foundIn(camera, all[region].exits[i], map_.cells[regions_[region].cell]);
+        isTrying_ = lanes_.note(way, lanes_.laneOf(way), found) || isTrying_;
+      }
+    }
+  }
+
+  WalkLanes::Found foundIn(const GraphCamera& camera, const PieceRays& rays, const WalkCell& cell) const {
+    if (rays.frustum < 0) {
+      return {};
+    }
+    const double free = sight_->throughShare(camera, rays.first, rays.frustum, rays.mouth);
+    if (std::abs(cell.floorRise) < kLevel * cell.height) {
+      return {free, 1};  // other rays see level floors; those that go up or down stairs may pass over all of it
+    }
+    double floor = 0;
+    for (int i = rays.frustum;; i = camera.frusta()[static_cast<size_t>(i)].parent) {
+      floor += sight_->pixelsOfMiddle(camera, rays.first, i, cell);
+      if (i == rays.first) {
+        break;
+      }
+    }
+    const double all = pixelsOf(camera.frusta()[static_cast<size_t>(rays.first)].part);
+    return {free, std::min(1.0, floor / std::max(kMiddleShare * all, 1e-9))};
   }
 
   /// Why no rays come into a region.
@@ -206,7 +285,8 @@ class WalkBuilder {
     for (const uint32_t child : tour_.stops[region].next) {
       const WalkExit* exit = reachable_[child] ? exitTo(region, child) : nullptr;
       if (exit != nullptr) {
-        exits.push_back({exit->mouth, after[child]});
+        const size_t lane = lanes_.laneOf(wayOf(tour_.stops[region], region, exit->portal));
+        exits.push_back({exit->mouth, after[child], walkLanes()[lane]});
         next.push_back(child);
       }
     }
@@ -216,10 +296,12 @@ class WalkBuilder {
       all[next[i]].rays = fans.exits[i];
     }
     all[region].frusta = fans.frusta;
+    all[region].next = next;
+    all[region].exits = fans.exits;
   }
 
   /// Adds what a region shows of its cell.
-  void tell(ComprehensiveWalk& walk, const Built& built, uint32_t region) const {
+  void tell(ComprehensiveWalk& walk, const Built& built, uint32_t region, const WalkSight* sight) const {
     const uint32_t cell = regions_[region].cell;
     WalkCellView& view = walk.cells[cell];
     if (region == cell) {
@@ -237,8 +319,11 @@ class WalkBuilder {
     const std::vector<glm::dvec3> middle = middleOf(map_.cells[cell]);
     const glm::dvec3 center(map_.cells[cell].center);
     for (const int i : built.frusta) {
+      walk.cellOfFrustum[static_cast<size_t>(i)] = static_cast<int>(cell);
       const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
-      view.pixels += std::max(pixelsOf(frustumImage(walk.camera, i, middle)), 0.0);
+      const double pixels = std::max(pixelsOf(frustumImage(walk.camera, i, middle)), 0.0);
+      view.pixels += pixels;
+      view.seenPixels += sight == nullptr ? pixels : sight->pixelsOfMiddle(walk.camera, i, map_.cells[cell]);
       const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);
       if (!view.center && h.w > 0 && frustum.plane.height(center) > 0) {
         const glm::dvec2 pixel = glm::dvec2(h) / h.w;
@@ -260,13 +345,40 @@ class WalkBuilder {
   const WalkComprehensiveOptions& options_;
   int width_;
   int height_;
+  const WalkSight* sight_;
+  WalkLanes& lanes_;
   std::vector<WalkRegion> regions_;
   WalkStart start_;
   WalkTour tour_;
+  bool isTrying_ = false;        ///< not all lanes that were built have been tried
   std::vector<bool> reachable_;  ///< of each region
   std::vector<double> floors_;   ///< of each region: its weight at first
   double reach_ = 0;
 };
+
+/// Counts pixel by pixel where few are seen, so that the report is right.
+void confirm(ComprehensiveWalk& walk, const WalkMap& map, const WalkSight& sight, double minPixels) {
+  for (size_t i = 0; i < walk.cells.size(); ++i) {
+    WalkCellView& view = walk.cells[i];
+    if (view.seenPixels > kSurely || view.unseen == WalkUnseen::kNoFloor) {
+      continue;
+    }
+    // Its own frusta, and those of which some rays come in by chance.
+    std::vector<int> frusta;
+    for (size_t f = 0; f < walk.cellOfFrustum.size(); ++f) {
+      if (walk.cellOfFrustum[f] == static_cast<int>(i) ||
+          sight.pixelsOfMiddle(walk.camera, static_cast<int>(f), map.cells[i]) > 0) {
+        frusta.push_back(static_cast<int>(f));
+      }
+    }
+    const WalkSight::Middle middle = sight.count(walk.camera, map.cells[i], frusta);
+    view.seenPixels = middle.pixels;
+    judge(view, minPixels);
+    if (view.unseen == WalkUnseen::kHidden && middle.stoppedIn >= 0) {
+      view.hiddenIn = walk.cellOfFrustum[static_cast<size_t>(middle.stoppedIn)];
+    }
+  }
+}
 
 void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& options) {
   if (map.cells.empty()) {
@@ -295,35 +407,47 @@ void checkWalkOptions(const WalkMap& map, const WalkComprehensiveOptions& option
 }  // namespace
 
 const char* textOf(WalkUnseen why) {
-  static constexpr std::array<const char*, 6> kTexts{"it is seen",      "no way leads there from the start",
-                                                     "it has no floor", "rays turn too often on the way",
-                                                     "no rays come in", "too few pixels are left for it"};
+  static constexpr std::array<const char*, 7> kTexts{"it is seen",
+                                                     "no way leads there from the start",
+                                                     "it has no floor",
+                                                     "rays turn too often on the way",
+                                                     "no rays come in",
+                                                     "too few pixels are left for it",
+                                                     "something stands before it"};
   return kTexts[static_cast<size_t>(why)];
 }
 
-std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
-  const double half = static_cast<double>(std::min(cell.halfLength, cell.halfWidth)) / 2;
-  const glm::dvec3 rise(0, static_cast<double>(cell.floorRise) / (2 * static_cast<double>(cell.halfLength)), 0);
-  const glm::dvec3 along = (glm::dvec3(cell.axis) + rise) * half;
-  const glm::dvec3 across = glm::dvec3(cell.right()) * half;
-  const glm::dvec3 center(cell.center);
-  return {center + along - across, center + along + across, center - along + across, center - along - across};
-}
-
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
-                                        int height) {
+                                        int height, const RayScene* scene) {
   checkWalkOptions(map, options);
   const std::vector<WalkStart> starts =
       options.start ? std::vector<WalkStart>{*options.start} : chooseWalkStarts(map, walkBoxesOf(map), kStarts);
   if (starts.empty()) {
     throw InputError("no cell of the map has floor", kWalkComprehensive, "use another map, or another camera");
   }
-  std::optional<ComprehensiveWalk> best;
+  const std::optional<WalkSight> sight = scene != nullptr ? std::optional<WalkSight>(*scene) : std::nullopt;
+  WalkLanes lanes;
+  std::vector<std::unique_ptr<WalkBuilder>> builders;
+  std::vector<std::pair<double, size_t>> order;  // of builders, by what their first images lack
   for (const WalkStart& start : starts) {
-    ComprehensiveWalk walk = WalkBuilder(map, options, start, width, height).best();
+    order.emplace_back(0, builders.size());
+    builders.push_back(
+        std::make_unique<WalkBuilder>(map, options, start, width, height, sight ? &*sight : nullptr, lanes));
+    if (sight) {
+      order.back().first = lackingIn(builders.back()->first());
+    }
+  }
+  std::stable_sort(order.begin(), order.end());
+  order.resize(std::min(order.size(), sight ? kSeenStarts : order.size()));
+  std::optional<ComprehensiveWalk> best;
+  for (const auto& [lacking, i] : order) {
+    ComprehensiveWalk walk = builders[i]->best();
     if (!best || lackingIn(walk) < lackingIn(*best)) {
       best = std::move(walk);
     }
+  }
+  if (sight) {
+    confirm(*best, map, *sight, options.minPixels);
   }
   return *std::move(best);
 }

@@ -19,6 +19,7 @@
 
 #include "oc_core/camera/graph_camera.h"
 #include "oc_core/constructor/maze_tour.h"
+#include "oc_core/render/raycast.h"
 #include "oc_core/scene/walk_map.h"
 
 namespace ocelli {
@@ -46,6 +47,7 @@ enum class WalkUnseen : uint8_t {
   kTooManyTurns,  ///< of rays, more than a graph camera takes
   kNoRays,        ///< none come in: those that reach the cell before it pass its opening by
   kTooFewPixels,  ///< the image is too small for it
+  kHidden,        ///< something stands before it, or in the way of its rays
 };
 /// "no way leads there from the start".
 const char* textOf(WalkUnseen why);
@@ -53,9 +55,12 @@ const char* textOf(WalkUnseen why);
 /// Of a cell, in a comprehensive image.
 struct WalkCellView {
   WalkUnseen unseen = WalkUnseen::kNothing;
-  int parent = -1;                     ///< the cell before it on the tour; -1 for the start and where there is none
-  size_t turns = 0;                    ///< bends of its rays
-  double pixels = 0;                   ///< of its middle (middleOf) on the floor, whatever stands before it
+  int parent = -1;    ///< the cell before it on the tour; -1 for the start and where there is none
+  size_t turns = 0;   ///< bends of its rays
+  double pixels = 0;  ///< of its middle (middleOf) on the floor, whatever stands before it
+  double seenPixels =
+      0;              ///< those of them that show it, by rays: all cast where they are few; without a scene `pixels`
+  int hiddenIn = -1;  ///< where it is hidden, the cell in which most of its rays end
   std::optional<glm::dvec2> center{};  ///< the pixel of its centre on the floor
 };
 
@@ -63,15 +68,14 @@ struct ComprehensiveWalk {
   GraphCamera camera;
   WalkStart start;
   std::vector<WalkCellView> cells;  ///< of each cell of the map
+  std::vector<int> cellOfFrustum;   ///< of each frustum of the camera; that of the start for its root
 };
 
-/// The middle of a cell, whose pixels count: the corners of the square on its floor, half as wide as its shorter side,
-/// that lies around its centre.
-std::vector<glm::dvec3> middleOf(const WalkCell& cell);
-
-/// An image of that size. Throws InputError where the map has no cells, for a start that is none of them, and for
-/// options out of range. Cells that it cannot show are in the report.
+/// An image of that size. With the rays of the scene, in the units of the map, the report tells what is really seen,
+/// and lanes and starts are chosen by that; without, what would be seen of empty boxes. Throws InputError where the map
+/// has no cells, for a start that is none of them, and for options out of range. Cells that it cannot show are in the
+/// report.
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
-                                        int height);
+                                        int height, const RayScene* scene = nullptr);
 
 }  // namespace ocelli

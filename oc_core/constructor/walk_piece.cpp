@@ -16,8 +16,7 @@ namespace {
 
 /// Cosine between rays and the way out: rays that would pass an exit more obliquely turn before it. Walls are thick.
 constexpr double kFrontal = 0.7;
-/// How far before an exit rays turn to it, in its widths, and in depths of the region before it.
-constexpr double kTurnWidths = 1;
+/// How far before an exit rays turn to it at most, in depths of the region before it.
 constexpr double kTurnDepths = 0.5;
 /// The plane where they turn is tilted towards them by half of the turn, or so much that the exit lies beyond it.
 constexpr double kTurnTilt = 1.6;
@@ -31,10 +30,10 @@ constexpr double kMinDepth = 0.01;
 /// then meet at least so much of its height.
 constexpr double kOblique = 0.5;
 constexpr double kMinLevelShare = 0.3;
-/// What lies less far ahead than this, in distances aside, lies beside the entry. Rays to it first go so far into the
-/// region, in its depths.
+/// What lies less far ahead than this, in distances aside, lies beside the entry. Rays to it first go into the region.
 constexpr double kAhead = 0.4;
-constexpr double kInto = 0.4;
+/// Rays that do not pass the middle of an exit take this share of it at most, and keep this far from borders.
+constexpr double kAsideShare = 0.6;
 /// Of the height of what shows of an exit, how wide it is at least, if the exit is: narrower ones stretch what is seen.
 constexpr double kMinMouth = 0.25;
 /// Of lengths at an exit, the least that is wanted.
@@ -130,7 +129,8 @@ class RegionPiece {
       const glm::dvec2 way(middle.x - width() / 2, middle.y);
       const glm::dvec2 out(glm::dot(mouth.ahead(), frame_.right), glm::dot(mouth.ahead(), frame_.ahead));
       const double nearest = std::min(strip.begin.y, strip.end.y);
-      strip.turns = !(glm::dot(way, out) > kFrontal * glm::length(way)) || !(nearest > kMinDepth * width());
+      strip.turns = exits_[i].lane.around != 0 || exits_[i].lane.straight > 0 ||
+                    !(glm::dot(way, out) > kFrontal * glm::length(way)) || !(nearest > kMinDepth * width());
       strip.angle = angleOf(middle);
       ways.push_back(strip);
     }
@@ -177,9 +177,10 @@ class RegionPiece {
       WalkMouth mouth = exits_[static_cast<size_t>(strip.exit)].mouth;
       const double wanted = std::max(strip.share * width() / std::max(scale_, kMinScale),
                                      kMinMouth * std::min(mouth.height(), entry_.height()));
-      const double share = std::min(1.0, wanted / mouth.width());
+      const double aside = exits_[static_cast<size_t>(strip.exit)].lane.aside;
+      const double share = std::min(aside != 0 ? kAsideShare : 1.0, wanted / mouth.width());
       const glm::dvec2 half = (mouth.right - mouth.left) * (share / 2);
-      const glm::dvec2 middle = mouth.middle();
+      const glm::dvec2 middle = mouth.middle() + (mouth.right - mouth.left) * (aside * (1 - share) / 2);
       mouth.left = middle - half;
       mouth.right = middle + half;
       mouths_[static_cast<size_t>(strip.exit)] = mouth;
@@ -220,21 +221,47 @@ class RegionPiece {
     glm::dvec2 next;
   };
 
-  std::vector<Turn> turnsTo(const WalkMouth& mouth, double whole) const {
+  /// Beside the middle of the way, in the region.
+  std::optional<glm::dvec2> swerveTo(const WalkMouth& mouth, double around) const {
+    const glm::dvec2 way = mouth.middle() - entry_.middle();
+    const glm::dvec2 half = entry_.middle() + way / 2.0;
+    const glm::dvec2 aside = glm::dvec2(-way.y, way.x) * around;
+    const auto span = planSpan(border_, half, half + aside, 0);
+    if (!span || !(span->second > 0)) {
+      return std::nullopt;
+    }
+    return half + aside * std::min(1.0, kAsideShare * span->second);
+  }
+
+  std::vector<Turn> turnsTo(const WalkMouth& mouth, double whole, const PieceLane& lane, double at) const {
     const glm::dvec2 out = mouth.ahead();
     const auto deep = planSpan(border_, mouth.middle(), mouth.middle() - out, 1e-6 * region_.size);
     const double room = std::max(deep ? deep->second : whole, kMinRoom * whole);
-    const glm::dvec2 before = mouth.middle() - out * std::min(kTurnWidths * whole, kTurnDepths * room);
+    const glm::dvec2 before = mouth.middle() - out * std::min(lane.before * whole, kTurnDepths * room);
     const auto facesIt = [&](const glm::dvec2& from) {
       return glm::dot(glm::normalize(mouth.middle() - from), out) > kFrontal;
     };
     std::vector<Turn> turns;
     glm::dvec2 from = entry_.middle();
-    const glm::dvec2 goal = frame_.inFrame(facesIt(from) ? mouth.middle() : before);
-    if (!(goal.y >
-          kAhead * std::abs(goal.x - width() / 2))) {  // it lies beside the entry: first rays go into the region
-      from = frame_.inPlan({width() / 2, std::max({kInto * most_.y, goal.y, kMinInto * width()})});
-      turns.push_back({from, glm::normalize((facesIt(from) ? mouth.middle() : before) - from)});
+    const auto goTo = [&](const glm::dvec2& point, const glm::dvec2& goal) {
+      from = point;
+      turns.push_back({from, glm::normalize(goal - from)});
+    };
+    const auto goalFrom = [&](const glm::dvec2& point) { return facesIt(point) ? mouth.middle() : before; };
+    const auto isAhead = [&](const glm::dvec2& inFrame) {
+      return inFrame.y > kAhead * std::abs(inFrame.x - width() / 2);
+    };
+    const std::optional<glm::dvec2> swerve = lane.around != 0 ? swerveTo(mouth, lane.around) : std::nullopt;
+    const glm::dvec2 goal = frame_.inFrame(goalFrom(from));
+    if (lane.straight > 0) {
+      const glm::dvec2 point = frame_.inPlan({at, lane.straight * width()});
+      goTo(point, goalFrom(point));
+    } else if (swerve && isAhead(frame_.inFrame(*swerve))) {
+      goTo(*swerve, goalFrom(*swerve));
+    } else if (!isAhead(goal)) {  // it lies beside the entry: first rays go into the region
+      const glm::dvec2 point =
+          frame_.inPlan({width() / 2, std::max({lane.into * most_.y, goal.y, kMinInto * width()})});
+      goTo(point, goalFrom(point));
     }
     if (!facesIt(from)) {
       turns.push_back({before, out});
@@ -247,7 +274,9 @@ class RegionPiece {
     const WalkMouth& mouth = mouths_[static_cast<size_t>(strip.exit)];
     EntryFrame frame = frame_;
     WalkMouth entry = entry_;
-    for (const Turn& turn : turnsTo(mouth, exits_[static_cast<size_t>(strip.exit)].mouth.width())) {
+    const PieceExit& exit = exits_[static_cast<size_t>(strip.exit)];
+    int first = -1;
+    for (const Turn& turn : turnsTo(mouth, exit.mouth.width(), exit.lane, (from + to) / 2)) {
       const glm::dvec2 at = frame.inFrame(turn.at);
       if (!(at.y > kMinDepth * entry.width())) {
         return;
@@ -260,6 +289,7 @@ class RegionPiece {
       }
       fans_.frusta.push_back(straight.frustum);
       frustum = straight.frustum;
+      first = first < 0 ? frustum : first;
       const glm::dvec2 way = glm::normalize(frame.right * slope + frame.ahead);
       const double before = glm::dot(mouth.middle() - turn.at, turn.next);
       const double tilt = std::min(1.0, kTurnTilt * before / mouth.width());
@@ -277,7 +307,9 @@ class RegionPiece {
       to = entry.width();
     }
     const EntryStrip through{strip.exit, frame.inFrame(mouth.left), frame.inFrame(mouth.right)};
-    keep(strip, addFan(frame, frustum, entry, through, rayTo(from, through.begin), rayTo(to, through.end)));
+    PieceRays rays = addFan(frame, frustum, entry, through, rayTo(from, through.begin), rayTo(to, through.end));
+    rays.first = first < 0 ? rays.frustum : first;
+    keep(strip, rays);
   }
 
   /// Rays of `frustum` that come in by `entry`, between two of them.
@@ -307,7 +339,8 @@ class RegionPiece {
       rays.mouth = out;
       const double keeps = behind / (behind + near);
       const double most = std::max(entry.height(), kTallerShare * entry.height() / keeps);
-      rays.mouth.top = out.floor + std::min(out.height(), most);
+      const double share = exits_[static_cast<size_t>(strip.exit)].lane.top;
+      rays.mouth.top = out.floor + share * std::min(out.height(), most);
       const bool isOblique = near < kOblique * far;
       if (isOblique && entry.top > out.floor + kMinLevelShare * out.height()) {
         rays.mouth.top = std::min(rays.mouth.top, entry.top);  // level, so that its near end is seen too
@@ -331,6 +364,7 @@ class RegionPiece {
     for (const Plane& limit : region_.limits) {
       limitWhereOneCan(camera_, rays.frustum, limit);
     }
+    rays.first = rays.frustum;
     rays.turns = turnsOf(camera_, rays.frustum);
     return rays;
   }

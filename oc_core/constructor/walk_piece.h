@@ -25,15 +25,27 @@
 
 namespace ocelli {
 
+/// By which way rays go on to an exit.
+struct PieceLane {
+  double aside = 0;     ///< which part of the exit they pass: -1 its left, 0 its middle, 1 its right
+  double around = 0;    ///< how far they swerve half way there, to the right, in lengths of the way
+  double before = 1;    ///< how far before the exit they turn to it, in its widths
+  double straight = 0;  ///< how far they go straight on first, in widths of the entry: past the open leaf of a door
+  double into = 0.4;    ///< how far into the region, in its depths, where the exit lies beside the entry
+  double top = 1;       ///< up to which share of the exit's height they go: less looks down to stairs
+};
+
 /// An exit that rays go on to.
 struct PieceExit {
   WalkMouth mouth;
   double weight = 1;  ///< of what comes after it
+  PieceLane lane{};
 };
 
 /// What reaches an exit.
 struct PieceRays {
   int frustum = -1;  ///< whose rays do; -1 for none
+  int first = -1;    ///< through which they come into the region: that or one before it
   WalkMouth mouth;   ///< as much of it as they see
   size_t turns = 0;  ///< of them
 };

@@ -4,7 +4,8 @@
 
 namespace ocelli {
 
-WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, TourOrder order) {
+WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, TourOrder order,
+                    const std::function<bool(const WalkTour::Stop&, const WalkExit&, uint32_t region)>& isBlocked) {
   WalkTour tour;
   tour.stops.resize(regions.size());
   struct Way {
@@ -13,9 +14,11 @@ WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, Tour
     size_t steps;
   };
   std::deque<Way> pending{{-1, {0, regions[start].cell, start, {}}, 0}};
-  while (!pending.empty()) {
-    const Way way = pending.front();
-    pending.pop_front();
+  std::deque<Way> blocked;
+  while (!pending.empty() || !blocked.empty()) {
+    std::deque<Way>& from = pending.empty() ? blocked : pending;
+    const Way way = from.front();
+    from.pop_front();
     const uint32_t region = way.exit.region;
     WalkTour::Stop& stop = tour.stops[region];
     if (stop.reached) {
@@ -27,12 +30,15 @@ WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, Tour
       tour.stops[static_cast<size_t>(way.parent)].next.push_back(region);
     }
     std::vector<Way> ways;
+    std::vector<Way> blockedHere;
     for (const WalkExit& exit : regions[region].exits) {
       if (!tour.stops[exit.region].reached) {
-        ways.push_back({static_cast<int>(region), exit, way.steps + 1});
+        (isBlocked && isBlocked(stop, exit, region) ? blockedHere : ways)
+            .push_back({static_cast<int>(region), exit, way.steps + 1});
       }
     }
     pending.insert(order == TourOrder::kBreadthFirst ? pending.end() : pending.begin(), ways.begin(), ways.end());
+    blocked.insert(blocked.end(), blockedHere.begin(), blockedHere.end());
   }
   return tour;
 }

@@ -22,7 +22,9 @@ struct WalkTour {
   std::vector<Stop> stops;      ///< of each region
 };
 
-/// `start` must be a region. The exits of regions lead the way.
-WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, TourOrder order);
+/// `start` must be a region. The exits of regions lead the way. Those of which `isBlocked` says so, given how one came
+/// into a region and the exit, are taken only where no others lead on.
+WalkTour walkTourOf(const std::vector<WalkRegion>& regions, uint32_t start, TourOrder order,
+                    const std::function<bool(const WalkTour::Stop&, const WalkExit&, uint32_t region)>& isBlocked = {});
 
 }  // namespace ocelli

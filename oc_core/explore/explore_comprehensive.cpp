@@ -48,7 +48,7 @@ class LiveComprehensive final : public LiveConstructor {
     WalkComprehensiveOptions options;
     options.nearness = options_.nearness;
     options.evenness = options_.evenness;
-    ComprehensiveWalk walk = makeComprehensiveWalk(*scene.walkMap(), options, size.x, size.y);
+    ComprehensiveWalk walk = makeComprehensiveWalk(*scene.walkMap(), options, size.x, size.y, &scene.rays());
     const auto seen = std::count_if(walk.cells.begin(), walk.cells.end(),
                                     [](const WalkCellView& cell) { return cell.unseen == WalkUnseen::kNothing; });
     note_ = fmt::format("{} of {} rooms, streets and crossings in one image", seen, walk.cells.size());

@@ -84,7 +84,9 @@ struct Explorer::State {
   ChosenConstructor live;
   std::optional<ChosenConstructor> next{};  ///< takes over when `live` has collapsed
   double deployed = 0;
-  bool failed = false;   ///< the constructor has no camera for this moment
+  bool failed = false;  ///< the constructor has no camera for this moment
+  /// Where rays cannot bend as far as they should: how far they could not. It deploys again where they can.
+  std::optional<double> failedAt{};
   bool arrived = false;  ///< has been led to where the constructor wants to begin
   std::optional<Glide> glide{};
   double dissolve = 0;
@@ -94,8 +96,9 @@ struct Explorer::State {
 
   ChosenConstructor& chosen() { return next ? *next : live; }
   bool changes() const { return next.has_value() || live.waits(); }
-  /// How far the image shows the camera deployed.
-  double shown() const { return live.row->deploysEvenly ? evenlyEased(deployed) : eased(deployed); }
+  /// How far the image shows a camera that has deployed by so much.
+  double shownOf(double share) const { return live.row->deploysEvenly ? evenlyEased(share) : eased(share); }
+  double shown() const { return shownOf(deployed); }
 };
 
 Explorer::Explorer(ExploreScene& scene, const ExplorerOptions& options)
@@ -138,6 +141,7 @@ void Explorer::applyWaiting() {
     state.next.reset();
     state.arrived = false;
     state.failed = false;
+    state.failedAt.reset();
   }
   if (state.live.pick) {
     state.live.constructor->pick(scene_, *state.live.pick);
@@ -164,14 +168,14 @@ void Explorer::followOptions(double seconds) {
   }
 }
 
-LiveMoment Explorer::momentFor(const PinholeCamera& view, double seconds) const {
+LiveMoment Explorer::momentFor(const PinholeCamera& view, double seconds, double shown) const {
   const int behind = state_->width - view.width();
   return {scene_,
           view,
           walker_.view(),
           walker_.options(),
           seconds,
-          state_->shown(),
+          shown,
           behind > 0 ? std::optional(glm::ivec2(behind, state_->height)) : std::nullopt};
 }
 
@@ -188,7 +192,7 @@ void Explorer::move(const WalkInput& input, double seconds) {
     return;
   }
   const PinholeCamera view = walker_.camera(state.width, state.height);
-  const LiveMoment moment = momentFor(view, seconds);
+  const LiveMoment moment = momentFor(view, seconds, state.shown());
   if (!state.arrived && !state.next && !waysMissing()) {
     state.arrived = true;
     const std::optional<WalkerView> wanted = state.live.constructor->wantedView(moment);
@@ -258,15 +262,29 @@ void Explorer::startDissolve() {
   state_->dissolveFrom = frame_.number - 1;
 }
 
+PinholeCamera Explorer::viewFor(double shown) const {
+  const State& state = *state_;
+  const int wanted = state.live.constructor->showsBehind() ? static_cast<int>(state.width / 2 * shown) : 0;
+  const int width = state.width - (wanted > kMinBehind * state.height ? wanted : 0);
+  return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, width, state.height);
+}
+
+/// Makes the camera of the moment. One that failed while it deployed would succeed again where it has collapsed, and
+/// so come and go for ever: it stays collapsed until it can be made where it failed.
+LiveCamera Explorer::makeCamera(double seconds) {
+  State& state = *state_;
+  if (state.failedAt) {
+    const double shown = state.shownOf(*state.failedAt);
+    state.live.constructor->camera(momentFor(viewFor(shown), 0, shown));
+    state.failedAt.reset();
+  }
+  return state.live.constructor->camera(momentFor(viewFor(state.shown()), seconds, state.shown()));
+}
+
 void Explorer::makeFrame(double seconds) {
   State& state = *state_;
-  const auto viewOf = [&](int width) {
-    return walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, width, state.height);
-  };
-  LiveConstructor& constructor = *state.live.constructor;
-  const int wanted = constructor.showsBehind() ? static_cast<int>(state.width / 2 * state.shown()) : 0;
-  const PinholeCamera whole = viewOf(state.width);
-  const PinholeCamera view = viewOf(state.width - (wanted > kMinBehind * state.height ? wanted : 0));
+  const PinholeCamera whole =
+      walkerCamera(walker_.view(), scene_, walker_.options().fovHorizontal, state.width, state.height);
 
   frame_.walker = walker_.view();
   frame_.pinhole = whole;
@@ -276,7 +294,7 @@ void Explorer::makeFrame(double seconds) {
   std::vector<ExploreNote> notes;
   try {
     if (!waysMissing()) {
-      LiveCamera made = constructor.camera(momentFor(view, seconds));
+      LiveCamera made = makeCamera(seconds);
       notes = std::move(made.notes);
       state.failed = false;
       if (state.deployed > 0) {
@@ -298,6 +316,7 @@ void Explorer::makeFrame(double seconds) {
   } catch (const InputError& error) {
     if (state.deployed > 0) {
       startDissolve();
+      state.failedAt = state.deployed;
     }
     state.failed = true;
     state.deployed = 0;
@@ -339,7 +358,10 @@ void Explorer::resize(int width, int height) {
 }
 
 void Explorer::choose(std::string_view constructor) {
-  const LiveConstructorRow& row = findLiveConstructor(constructor);
+  choose(findLiveConstructor(constructor));
+}
+
+void Explorer::choose(const LiveConstructorRow& row) {
   State& state = *state_;
   if (state.chosen().row == &row) {
     return;

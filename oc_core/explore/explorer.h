@@ -61,6 +61,8 @@ class Explorer {
 
   /// By name; throws InputError for an unknown one. The one that is chosen, though the one before may still collapse.
   void choose(std::string_view constructor);
+  /// One that is in no table. The row must outlive this.
+  void choose(const LiveConstructorRow& row);
   const LiveConstructorRow& chosen() const;
   /// Of chosen(). Throws InputError, naming the option and its range.
   double option(std::string_view name) const;
@@ -83,7 +85,9 @@ class Explorer {
  private:
   struct State;
 
-  LiveMoment momentFor(const PinholeCamera& view, double seconds) const;
+  PinholeCamera viewFor(double shown) const;
+  LiveMoment momentFor(const PinholeCamera& view, double seconds, double shown) const;
+  LiveCamera makeCamera(double seconds);
   void applyWaiting();
   void move(const WalkInput& input, double seconds);
   void deploy(double seconds);

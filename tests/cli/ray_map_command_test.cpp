@@ -139,7 +139,20 @@ TEST_F(RayMapCommand, whatARayMapCannotDoIsSaid) {
   run("ocri build " + kBoxes + "--camera di --size 60x40 -o " + path("image.exr"));
   EXPECT_THAT(refusal("render " + kBoxes + "--camera " + path("image.exr") + " -o " + path("x.png")),
               HasSubstr("this is a reference image"));
+  EXPECT_THAT(refusal("camera edit " + camera + " -o " + path("x.json")),
+              AllOf(HasSubstr("a ray map is no list of operations or turns"), HasSubstr("--camera")));
+  EXPECT_THAT(refusal("explore " + camera), AllOf(HasSubstr("no camera to walk with"), HasSubstr("ocelli render")));
   EXPECT_THAT(refusal("ocri mesh " + path("di.exr") + " -o " + path("x.ply")), HasSubstr("this is a ray map"));
+}
+
+/// What the command says before it has played a frame of the script.
+TEST_F(RayMapCommand, tablesOfChangesMustBeWritableBeforeTheWalkBegins) {
+  const ProgramResult result = runProgram("explore builtin:boxes,count=40 --offscreen '" OCELLI_SOURCE_DIR
+                                          "/oc_core/explore/examples/town_walk.json' --changes " +
+                                          path("nosuch/changes.csv") + " -o " + path("frames"));
+  EXPECT_EQ(result.exitCode, 1) << result.error;
+  EXPECT_THAT(result.error, HasSubstr("changes.csv"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "frames")) << "nothing was drawn";
 }
 
 }  // namespace

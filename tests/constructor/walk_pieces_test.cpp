@@ -48,7 +48,7 @@ TEST(WalkPieces, whatCannotBeReachedTakesNoRays) {
 
 TEST(WalkPieces, eachReasonHasItsText) {
   std::set<std::string> texts;
-  for (int why = 0; why <= static_cast<int>(WalkUnseen::kTooFewPixels); ++why) {
+  for (int why = 0; why <= static_cast<int>(WalkUnseen::kHidden); ++why) {
     EXPECT_TRUE(texts.insert(textOf(static_cast<WalkUnseen>(why))).second);
   }
   EXPECT_STREQ(textOf(WalkUnseen::kNoRays), "no rays come in");

@@ -16,7 +16,7 @@
 namespace ocelli {
 namespace {
 
-/// What must be seen of a scene, by ray casting: a little less than it is (0.57, 1 and 0.82), so that a change for
+/// What must be seen of a scene, by ray casting: a little less than it is (0.92, 1 and 1), so that a change for
 /// the worse shows.
 struct SeenShare {
   const char* scene;
@@ -56,22 +56,28 @@ TEST_P(WalkScenes, areSeenInOneImage) {
   const std::string name = GetParam().scene;
   const GuidedScene scene = loadGuidedScene(name, options);
   const WalkMap map = findWalkMap(scene.mesh, inUnits({}, metreOf(name, scene).units));
-  const ComprehensiveWalk walk = makeComprehensiveWalk(map, {}, 1920, 1080);
+  const RayScene rays(scene.mesh);
+  const ComprehensiveWalk walk = makeComprehensiveWalk(map, {}, 1920, 1080, &rays);
   const std::vector<size_t> pixels = pixelsOnFloors(map, walk.camera, scene.mesh);
   size_t connected = 0;
   size_t seen = 0;
+  size_t seenUntold = 0;
   for (size_t i = 0; i < walk.cells.size(); ++i) {
     const WalkCellView& view = walk.cells[i];
     connected += view.unseen != WalkUnseen::kNoWay ? 1 : 0;
     seen += pixels[i] >= 4 ? 1 : 0;
     if (view.unseen != WalkUnseen::kNothing) {
-      std::printf("%s, cell %zu: %s (%.2f pixels)\n", name.c_str(), i, textOf(view.unseen), view.pixels);
+      std::printf("%s, cell %zu: %s (%.2f pixels, %.2f seen, in cell %d)\n", name.c_str(), i, textOf(view.unseen),
+                  view.pixels, view.seenPixels, view.hiddenIn);
+      seenUntold += pixels[i] >= 4 ? 1 : 0;
     } else {
-      EXPECT_GE(view.pixels, 4);
-      EXPECT_GT(view.turns, 0u);
+      EXPECT_GE(pixels[i], 4u) << "cell " << i << " is not seen";
     }
+    EXPECT_EQ(view.hiddenIn >= 0, view.unseen == WalkUnseen::kHidden) << "cell " << i;
   }
   std::printf("%s: %zu cells, %zu connected, %zu seen\n", name.c_str(), walk.cells.size(), connected, seen);
+  // Rays that come to a cell by chance are sampled: few pixels of theirs may be missed.
+  EXPECT_LE(seenUntold, 1u);
   EXPECT_GE(static_cast<double>(seen), GetParam().cells * static_cast<double>(connected));
   test::keepImage(walk.camera, scene.mesh, "comprehensive_" + name.substr(8));
   // Rays of strips cross: 17 % at most of what is seen is shown twice.
@@ -79,8 +85,8 @@ TEST_P(WalkScenes, areSeenInOneImage) {
 }
 
 INSTANTIATE_TEST_SUITE_P(BuiltIn, WalkScenes,
-                         testing::Values(SeenShare{"builtin:house", 0.5}, SeenShare{"builtin:house,seed=3", 0.9},
-                                         SeenShare{"builtin:house,seed=7", 0.75}));
+                         testing::Values(SeenShare{"builtin:house", 0.85}, SeenShare{"builtin:house,seed=3", 0.95},
+                                         SeenShare{"builtin:house,seed=7", 0.95}));
 
 }  // namespace
 }  // namespace ocelli

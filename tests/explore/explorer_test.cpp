@@ -241,6 +241,39 @@ TEST(Explorer, theSceneGoesOnWhereAConstructorCannot) {
   EXPECT_THAT(notesOf(explorer), HasSubstr("click an object"));
 }
 
+/// Cannot bend its rays by more than half, unless the eye is to the right of x = 2.
+class HalfConstructor final : public LiveConstructor {
+ public:
+  LiveCamera camera(const LiveMoment& moment) override {
+    if (moment.deployed > 0.5 && moment.walker.eye.x < 2) {
+      throw InputError("its rays cannot turn so far", "half camera", "go to the right");
+    }
+    return {GraphCamera(moment.view)};
+  }
+};
+
+TEST(Explorer, aCameraThatFailsWhileItDeploysSettlesAndSaysWhy) {
+  const LiveConstructorRow row{
+      "half", "", "", {}, true, [](const ExploreScene&) { return std::make_unique<HalfConstructor>(); }, nullptr};
+  ExploreScene scene(test::hall());
+  Explorer explorer(scene, test::smallPictures());
+  explorer.jumpTo({{0, 1.6, 0}, 0, 0});
+  explorer.choose(row);
+  rest(explorer);
+  for (int i = 0; i < kMaxFrames; ++i) {
+    explorer.advance({}, test::kExploreFrame);
+    ASSERT_EQ(explorer.frame().deployed, 0) << "frame " << i;
+    ASSERT_TRUE(explorer.atRest()) << "frame " << i;
+    ASSERT_EQ(explorer.frame().notes.front().kind, ExploreNote::Kind::kProblem) << notesOf(explorer);
+    ASSERT_THAT(notesOf(explorer), HasSubstr("its rays cannot turn so far"));
+  }
+  // Where they can, it deploys again.
+  explorer.jumpTo({{3, 1.6, 0}, 0, 0});
+  rest(explorer);
+  EXPECT_EQ(explorer.frame().deployed, 1);
+  EXPECT_THAT(notesOf(explorer), Not(HasSubstr("its rays cannot turn so far")));
+}
+
 TEST(Explorer, saysWhereThereIsNoFloor) {
   GuidedScene made;
   test::addBox(made, {{-3, -3, -3}, {3, 3, 3}}, 1, glm::vec3(0.5f));
