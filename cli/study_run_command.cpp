@@ -42,7 +42,7 @@ struct RunChoice {
 
 #ifdef OCELLI_WITH_OPENGL
 /// Throws for a session that ended before its end.
-void report(SessionEnding ending, const RunChoice& choice, const CommandContext& context) {
+void tellEnding(SessionEnding ending, const RunChoice& choice, const CommandContext& context) {
   const std::string where = "session of " + choice.subject;
   const std::string resume =
       "go on with it: ocelli study resume --db " + choice.database + " --subject " + choice.subject;

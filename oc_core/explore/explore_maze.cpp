@@ -22,9 +22,6 @@ namespace {
 constexpr std::array<double, 4> kStepSeconds{1.2, 1.8, 2.4, 1.5};
 constexpr double kMazeTurnShare = 0.8;    // of the image, both parts turn
 constexpr double kMazeDeployShare = 0.5;  // what is behind takes half of the image from what is ahead
-/// Widths of the tunnel in which ways deploy as one walks out of a crossing: with 2, frames may change
-/// by 2 % more than they are allowed to.
-constexpr double kDeployWidths = 2.25;
 /// The phase from which on the image ahead is a pinhole's before the chosen way. In the one before, rays come in almost
 /// parallel, at the slant of the crossing: the way is as tall as in the pinhole's, but not quite as wide. So it
 /// dissolves.
@@ -150,7 +147,6 @@ class LiveMaze final : public LiveConstructor {
     options.fovWayDegrees = shows(MazeOption::kFovWay);
     options.fovHorizontalDegrees = moment.walkerOptions.fovHorizontal;
     options.lowered = moment.deployed;
-    options.deployWidths = kDeployWidths;
     return options;
   }
 

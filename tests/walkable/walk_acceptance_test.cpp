@@ -68,7 +68,7 @@ void accept(const bench::WalkScene& scene, FoundTotals& totals) {
 
 // The bounds catch what becomes worse: they are what was measured, less some percent. Recall and precision of cities:
 // floor 99.0 % and 92.1 %, rooms 67.2 % and 91.1 %, openings 63.4 % and 57.6 %, seen 98.4 %. Of houses: floor 92.9 %
-// and 99.7 %, rooms 99.4 % and 93.8 %, openings 100 % and 93.0 %, seen 96.7 %. The aim is that all cells are seen;
+// and 99.7 %, rooms 99.4 % and 93.8 %, openings 100 % and 93.0 %, seen 98.5 %. The aim is that all cells are seen;
 // docs/results.md, "Where one can walk", tells what is missing.
 
 TEST(WalkAcceptance, FindsCities) {
@@ -104,7 +104,7 @@ TEST(WalkAcceptance, FindsHouses) {
   EXPECT_GE(totals.roomPrecision(), 0.9);
   EXPECT_GE(totals.openingRecall(), 0.97);
   EXPECT_GE(totals.openingPrecision(), 0.9);
-  EXPECT_GE(totals.seenShare(), 0.93);
+  EXPECT_GE(totals.seenShare(), 0.95);
 }
 
 }  // namespace
