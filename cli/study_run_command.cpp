@@ -95,14 +95,14 @@ template <class Run>
 void runWithPage(const RunChoice& choice, const CommandContext& context, const Run& run) {
   StudyRunOptions options = optionsOf(choice, context);
   if (!choice.live) {
-    report(run(options), choice, context);
+    tellEnding(run(options), choice, context);
     return;
   }
 #ifdef OCELLI_WITH_LIVE_PAGE
   options.live = std::make_shared<LiveBoard>();
   const LiveServer server(*choice.live, [board = options.live] { return board->json(); });
   context.note("page      " + server.address());
-  report(run(options), choice, context);
+  tellEnding(run(options), choice, context);
 #else
   throw InputError("this program was built without the page of a session", "--live",
                    "build it with -DOCELLI_WITH_LIVE_PAGE=ON (docs/install.md)");
