@@ -5,6 +5,7 @@
 #include <thread>
 
 #include "display_driver/devices/multivox_device.h"
+#include "display_driver/devices/multivox_memory.h"
 #include "tests/display_driver_devices/numbered_frames.h"
 
 namespace ocelli {
