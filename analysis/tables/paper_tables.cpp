@@ -217,8 +217,8 @@ Table PaperTables::subjects() const {
       }
     }
     const bool isKnown = analysis_.data.endingsAreKnown;
-    add(fmt::format("completed {} session{}", k, k == 1 ? "" : "s or more"), fmt::format("completed-{}", k),
-        isKnown ? std::optional(static_cast<int>(ids.size())) : std::nullopt,
+    const std::optional<int> count = isKnown ? std::optional(static_cast<int>(ids.size())) : std::nullopt;
+    add(fmt::format("completed {} session{}", k, k == 1 ? "" : "s or more"), fmt::format("completed-{}", k), count,
         isKnown ? "" : "tables do not tell how sessions ended", k == 3 ? std::optional(25.0) : std::nullopt,
         std::move(ids));
   }
