@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <glm/geometric.hpp>
 #include <map>
 #include <optional>
 #include <utility>
 
 #include "bench/timing.h"
+#include "oc_core/constructor/walk_sight.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/walkable/walkable.h"
 #include "oc_core/worlds/city_plan.h"
@@ -19,16 +19,6 @@ namespace {
 
 constexpr float kOnFloor = 0.3f;  // metres: what is as near to a cell's floor is its floor; kerbs and rugs are
 
-/// Whether a point lies over the middle of a cell: the square half as wide as its shorter side (middleOf()).
-bool isInMiddle(const WalkCell& cell, const glm::vec3& point) {
-  const glm::vec3 from = point - cell.center;
-  const float half = std::min(cell.halfLength, cell.halfWidth) / 2;
-  const float along = glm::dot(from, cell.axis);
-  const float floor = cell.floorRise * along / (2 * cell.halfLength);
-  return std::abs(along) <= half && std::abs(glm::dot(from, cell.right())) <= half &&
-         std::abs(from.y - floor) <= kOnFloor + std::abs(cell.floorRise) / 10;
-}
-
 /// Of each cell the pixels that show its middle.
 std::vector<size_t> pixelsOfMiddles(const WalkMap& map, const GraphCamera& camera, const Mesh& mesh) {
   const FragmentImage image = raycast(camera, mesh, RayScene(mesh));
@@ -39,7 +29,7 @@ std::vector<size_t> pixelsOfMiddles(const WalkMap& map, const GraphCamera& camer
     }
     const glm::vec3 point = positionOf(image[i], mesh);
     for (size_t cell = 0; cell < map.cells.size(); ++cell) {
-      pixels[cell] += isInMiddle(map.cells[cell], point) ? 1 : 0;
+      pixels[cell] += isOverMiddle(map.cells[cell], point, kOnFloor) ? 1 : 0;
     }
   }
   return pixels;

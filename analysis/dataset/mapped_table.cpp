@@ -11,6 +11,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/trimmed.h"
 #include "oc_core/base/utf8.h"
 
 namespace ocelli {
@@ -29,12 +30,6 @@ std::string shown(const std::string& field) {
   }
   return fmt::format("\"{}...\" ({} bytes)", cleanText(std::string_view(field).substr(0, kMaxShownBytes)),
                      field.size());
-}
-
-std::string_view trimmed(std::string_view text) {
-  const size_t first = text.find_first_not_of(' ');
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(' ') - first + 1);
 }
 
 /// Empty where it is.

@@ -16,16 +16,6 @@ constexpr double kMinEdge = 1e-4;
 /// Of the distances to zNear and zFar, so that rays cross what is seen strictly between them.
 constexpr double kDepthMargin = 1e-3;
 
-double areaOf(const Part& part) {
-  double twice = 0;
-  for (size_t i = 0; i < part.size(); ++i) {
-    const glm::dvec2& a = part[i];
-    const glm::dvec2& b = part[(i + 1) % part.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return twice / 2;
-}
-
 Part tidied(const Part& part) {
   Part kept;
   for (const glm::dvec2& corner : part) {
@@ -58,6 +48,16 @@ std::vector<glm::dvec3> clippedAtDepth(const std::vector<glm::dvec3>& corners, d
 }
 
 }  // namespace
+
+double areaOf(const Part& part) {
+  double twice = 0;
+  for (size_t i = 0; i < part.size(); ++i) {
+    const glm::dvec2& a = part[i];
+    const glm::dvec2& b = part[(i + 1) % part.size()];
+    twice += a.x * b.y - a.y * b.x;
+  }
+  return twice / 2;
+}
 
 Part imagePart(std::span<const glm::dvec3> corners, const PinholeCamera& camera) {
   std::vector<glm::dvec3> polygon;

@@ -12,6 +12,9 @@ namespace ocelli {
 /// where that is less than a thousandth of a square pixel. No two corners coincide.
 GraphCamera::Part imagePart(std::span<const glm::dvec3> corners, const PinholeCamera& camera);
 
+/// Square pixels of a part; negative for one that runs counter-clockwise as seen.
+double areaOf(const GraphCamera::Part& part);
+
 /// What two convex parts share; empty as above.
 GraphCamera::Part common(const GraphCamera::Part& part, const GraphCamera::Part& other);
 

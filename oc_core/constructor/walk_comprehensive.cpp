@@ -11,6 +11,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/constructor/frustum_image.h"
+#include "oc_core/constructor/image_parts.h"
 #include "oc_core/constructor/walk_lanes.h"
 #include "oc_core/constructor/walk_piece.h"
 #include "oc_core/constructor/walk_sight.h"
@@ -258,7 +259,7 @@ class WalkBuilder {
         break;
       }
     }
-    const double all = pixelsOf(camera.frusta()[static_cast<size_t>(rays.first)].part);
+    const double all = areaOf(camera.frusta()[static_cast<size_t>(rays.first)].part);
     return {free, std::min(1.0, floor / std::max(kMiddleShare * all, 1e-9))};
   }
 
@@ -321,7 +322,7 @@ class WalkBuilder {
     for (const int i : built.frusta) {
       walk.cellOfFrustum[static_cast<size_t>(i)] = static_cast<int>(cell);
       const GraphCamera::Frustum& frustum = walk.camera.frusta()[static_cast<size_t>(i)];
-      const double pixels = std::max(pixelsOf(frustumImage(walk.camera, i, middle)), 0.0);
+      const double pixels = std::max(areaOf(frustumImage(walk.camera, i, middle)), 0.0);
       view.pixels += pixels;
       view.seenPixels += sight == nullptr ? pixels : sight->pixelsOfMiddle(walk.camera, i, map_.cells[cell]);
       const glm::dvec4 h = frustum.pixelFromWorld * glm::dvec4(center, 1);

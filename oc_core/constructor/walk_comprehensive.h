@@ -73,8 +73,8 @@ struct ComprehensiveWalk {
 
 /// An image of that size. With the rays of the scene, in the units of the map, the report tells what is really seen,
 /// and lanes and starts are chosen by that; without, what would be seen of empty boxes. Throws InputError where the map
-/// has no cells, for a start that is none of them, and for options out of range. Cells that it cannot show are in the
-/// report.
+/// has no cells, for a start that is not one of them, and for options out of range. The report lists the cells that it
+/// cannot show.
 ComprehensiveWalk makeComprehensiveWalk(const WalkMap& map, const WalkComprehensiveOptions& options, int width,
                                         int height, const RayScene* scene = nullptr);
 

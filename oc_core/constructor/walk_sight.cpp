@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "oc_core/constructor/frustum_image.h"
+#include "oc_core/constructor/image_parts.h"
 
 namespace ocelli {
 namespace {
@@ -69,7 +70,7 @@ PartSamples samplesOf(const GraphCamera::Part& part, int across = kRaysAcross, d
     }
   }
   const auto found = static_cast<double>(samples.pixels.size());
-  samples.area = areFew || samples.pixels.empty() ? 1 : pixelsOf(part) / found;
+  samples.area = areFew || samples.pixels.empty() ? 1 : areaOf(part) / found;
   return samples;
 }
 
@@ -82,16 +83,6 @@ size_t depthOf(const GraphCamera& camera, int i) {
 }
 
 }  // namespace
-
-double pixelsOf(const GraphCamera::Part& part) {
-  double twice = 0;
-  for (size_t i = 0; i < part.size(); ++i) {
-    const glm::dvec2& a = part[i];
-    const glm::dvec2& b = part[(i + 1) % part.size()];
-    twice += a.x * b.y - a.y * b.x;
-  }
-  return twice / 2;
-}
 
 std::vector<glm::dvec3> middleOf(const WalkCell& cell) {
   const double half = static_cast<double>(std::min(cell.halfLength, cell.halfWidth)) / 2;

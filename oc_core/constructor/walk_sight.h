@@ -50,7 +50,4 @@ std::vector<glm::dvec3> middleOf(const WalkCell& cell);
 /// Whether a point lies over that middle, within `height` of the floor.
 bool isOverMiddle(const WalkCell& cell, const glm::vec3& point, float height);
 
-/// Square pixels of a part of an image.
-double pixelsOf(const GraphCamera::Part& part);
-
 }  // namespace ocelli

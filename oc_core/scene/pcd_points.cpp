@@ -159,7 +159,7 @@ class PcdReader {
       hasPoints_ = true;
     } else if (keyword == "DATA") {
       if (values.size() != 1 || (values[0] != "ascii" && values[0] != "binary" && values[0] != "binary_compressed")) {
-        fail("DATA is none of ascii, binary and binary_compressed");
+        fail("DATA must be ascii, binary or binary_compressed");
       }
       data_ = values[0];
     } else if (keyword != "VERSION" && keyword != "VIEWPOINT") {
@@ -175,7 +175,7 @@ class PcdReader {
       PcdField& field = fields_[i];
       if (keyword == "TYPE") {
         if (values[i] != "F" && values[i] != "I" && values[i] != "U") {
-          fail("a TYPE is none of F, I and U");
+          fail("a TYPE must be F, I or U");
         }
         field.type = values[i].front();
         continue;

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <optional>
 
+#include "oc_core/base/trimmed.h"
+
 namespace ocelli {
 namespace {
 
@@ -12,13 +14,6 @@ namespace {
 constexpr double kMaxPixels = 1e6;
 
 using Cells = std::vector<std::string_view>;
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r";
-  const size_t first = text.find_first_not_of(kSpace);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 /// Nothing where there are too many.
 std::optional<Cells> cellsOf(std::string_view line) {

@@ -6,6 +6,8 @@
 #include <array>
 #include <string_view>
 
+#include "oc_core/base/trimmed.h"
+
 namespace ocelli {
 namespace {
 
@@ -31,13 +33,6 @@ constexpr std::array<CommandKind, 8> kCommands{
       "end the session; `ocelli study resume` can go on with it"},
      {"quit", ConsoleCommand::Kind::kQuit, Rest::kNone, "quit", "the same, and close the window at once"},
      {"help", ConsoleCommand::Kind::kHelp, Rest::kNone, "help", "these lines"}}};
-
-std::string_view trimmed(std::string_view text) {
-  constexpr std::string_view kSpace = " \t\r\n";
-  const size_t first = text.find_first_not_of(kSpace);
-  return first == std::string_view::npos ? std::string_view()
-                                         : text.substr(first, text.find_last_not_of(kSpace) - first + 1);
-}
 
 }  // namespace
 

@@ -199,9 +199,9 @@ TEST(PcdPoints, SayWhatIsWrong) {
   expectPcdError("SIZE 4\n", "SIZE does not have a value for each");
   expectPcdError("FIELDS x y z\nSIZE 4 3 4\n", "'3' is no SIZE");
   expectPcdError("FIELDS x y z\nCOUNT 1 1 70000\n", "'70000' is no COUNT");
-  expectPcdError("FIELDS x y z\nTYPE F F X\n", "none of F, I and U");
+  expectPcdError("FIELDS x y z\nTYPE F F X\n", "must be F, I or U");
   expectPcdError("WIDTH -1\n", "WIDTH is not one whole number");
-  expectPcdError("DATA zip\n", "DATA is none of");
+  expectPcdError("DATA zip\n", "DATA must be");
   expectPcdError(pcdHeader("ascii", 2) + "1 2 3\n", "too short for 2 points");
   expectPcdError(pcdHeader("ascii", 1) + "1 2\n", "line 12 does not have 3 numbers");
   expectPcdError(pcdHeader("ascii", 1) + "1 2 3 4\n", "line 12 does not have 3 numbers");

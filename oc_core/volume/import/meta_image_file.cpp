@@ -12,6 +12,7 @@
 #include <optional>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/trimmed.h"
 #include "oc_core/volume/import/number_list.h"
 #include "oc_core/volume/import/volume_reader_rows.h"
 
@@ -77,12 +78,6 @@ constexpr std::array<std::string_view, 34> kKnownFields{"ObjectType",
                                                         "ID",
                                                         "Name"};
 
-std::string trimmed(const std::string& text) {
-  const size_t begin = text.find_first_not_of(" \t\r");
-  const size_t end = text.find_last_not_of(" \t\r");
-  return begin == std::string::npos ? "" : text.substr(begin, end + 1 - begin);
-}
-
 class MetaImageFields {
  public:
   explicit MetaImageFields(const ByteSource& source) : where_(source.name()) {
@@ -146,11 +141,11 @@ class MetaImageFields {
       return;
     }
     const size_t equals = line.find_first_of("=:");
-    const std::string name = trimmed(line.substr(0, equals));
+    const std::string name(trimmed(std::string_view(line).substr(0, equals)));
     if (equals == std::string::npos || name.empty()) {
       fail(fmt::format("line {} of the header is not \"Name = value\"", number), kExportAgain);
     }
-    if (!values_.emplace(name, trimmed(line.substr(equals + 1))).second) {
+    if (!values_.emplace(name, trimmed(std::string_view(line).substr(equals + 1))).second) {
       fail(fmt::format("line {} of the header repeats {}", number, name), kExportAgain);
     }
   }
@@ -287,7 +282,7 @@ std::vector<std::string> dataFilesOf(const MetaImageFields& fields, double slice
     const std::string& rest = fields.rest();
     for (size_t begin = 0; begin < rest.size();) {
       const size_t end = std::min(rest.find('\n', begin), rest.size());
-      if (std::string file = trimmed(rest.substr(begin, end - begin)); !file.empty()) {
+      if (std::string file(trimmed(std::string_view(rest).substr(begin, end - begin))); !file.empty()) {
         files.push_back(std::move(file));
       }
       begin = end + 1;
