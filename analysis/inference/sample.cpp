@@ -45,11 +45,11 @@ double medianOfSorted(const std::vector<double>& sorted) {
   return sorted.size() % 2 == 1 ? sorted[half] : (sorted[half - 1] + sorted[half]) / 2;
 }
 
-Ranks ranksOf(const std::vector<double>& values) {
+SampleRanks ranksOf(const std::vector<double>& values) {
   std::vector<size_t> order(values.size());
   std::iota(order.begin(), order.end(), size_t{0});
   std::sort(order.begin(), order.end(), [&](size_t a, size_t b) { return values[a] < values[b]; });
-  Ranks ranks;
+  SampleRanks ranks;
   ranks.of.resize(values.size());
   for (size_t begin = 0; begin < order.size();) {
     size_t end = begin;

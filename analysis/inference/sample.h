@@ -21,11 +21,11 @@ double differenceOf(double first, double second);
 double medianOfSorted(const std::vector<double>& sorted);
 
 /// Ranks from 1, ties (up to rounding) with the mean of theirs.
-struct Ranks {
+struct SampleRanks {
   std::vector<double> of;
   double tieSum = 0;  ///< sum of t^3 - t over groups of t ties
 };
-Ranks ranksOf(const std::vector<double>& values);
+SampleRanks ranksOf(const std::vector<double>& values);
 
 /// Throws InputError where one is not.
 void requireFinite(const std::vector<double>& values, const char* function);

@@ -112,7 +112,7 @@ Estimable<SignedRankTest> signedRankTest(const std::vector<double>& values, doub
   if (sizes.empty()) {
     return Estimable<SignedRankTest>::impossible(values.empty() ? "there are no values" : "all values are 0");
   }
-  const Ranks ranks = ranksOf(sizes);
+  const SampleRanks ranks = ranksOf(sizes);
   SignedRankTest test;
   test.count = values.size();
   test.zeros = values.size() - sizes.size();
@@ -152,7 +152,7 @@ Estimable<RankSumTest> rankSumTest(const std::vector<double>& first, const std::
   }
   std::vector<double> all = second;
   all.insert(all.end(), first.begin(), first.end());
-  const Ranks ranks = ranksOf(all);
+  const SampleRanks ranks = ranksOf(all);
   const auto m = static_cast<double>(first.size());
   const auto n = static_cast<double>(second.size());
   const double variance = m * n / 12 * (m + n + 1 - ranks.tieSum / ((m + n) * (m + n - 1)));

@@ -104,7 +104,7 @@ void ScriptPlayer::perform(const KeyStep& step) {
   give({KeyEvent{step.key, true, step.modifiers}, KeyEvent{step.key, false, step.modifiers}});
 }
 
-void ScriptPlayer::perform(const TextStep& step) {
+void ScriptPlayer::perform(const TypeStep& step) {
   for (const char32_t character : charactersOf(step.text)) {
     give({TextEvent{character}});
   }

@@ -35,7 +35,7 @@ class ScriptPlayer {
   void perform(const CameraStep& step);
   void perform(const DropStep& step);
   void perform(const KeyStep& step);
-  void perform(const TextStep& step);
+  void perform(const TypeStep& step);
   void perform(const MoveStep& step);
   void perform(const ClickStep& step);
   void perform(const DragStep& step);

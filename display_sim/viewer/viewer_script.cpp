@@ -152,7 +152,7 @@ const std::map<std::string, StepReader>& stepReaders() {
       {"camera", [](JsonFields& fields, const auto&) { return CameraStep{readName(fields, "camera")}; }},
       {"drop", [](JsonFields& fields, const auto&) { return DropStep{readName(fields, "drop")}; }},
       {"key", [](JsonFields& fields, const auto&) { return readKey(fields); }},
-      {"text", [](JsonFields& fields, const auto&) { return TextStep{fields.text("text")}; }},
+      {"text", [](JsonFields& fields, const auto&) { return TypeStep{fields.text("text")}; }},
       {"move", [](JsonFields& fields, const auto&) { return MoveStep{readPlace(fields, "move")}; }},
       {"click",
        [](JsonFields& fields, const std::string& where) {

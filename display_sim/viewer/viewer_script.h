@@ -35,7 +35,7 @@ struct KeyStep {
   Modifiers modifiers;
 };
 /// Text that is typed.
-struct TextStep {
+struct TypeStep {
   std::string text;
 };
 /// The pointer goes somewhere, in pixels of the window.
@@ -116,7 +116,7 @@ struct SaveTransferStep {
 };
 
 using ScriptStep =
-    std::variant<OpenStep, CameraStep, DropStep, KeyStep, TextStep, MoveStep, ClickStep, DragStep, ScrollStep,
+    std::variant<OpenStep, CameraStep, DropStep, KeyStep, TypeStep, MoveStep, ClickStep, DragStep, ScrollStep,
                  ResizeStep, WaitStep, SecondsStep, EffectStep, ShowStep, SaveStep, SaveEffectStep, SaveLensPictureStep,
                  SaveCameraStep, TransferStep, IsoStep, SaveVolumePictureStep, SaveTransferStep>;
 

@@ -11,28 +11,28 @@
 namespace ocelli {
 namespace {
 
-void add(std::vector<ProtocolText>& texts, const std::string& where, const std::string& text) {
+void add(std::vector<ScreenText>& texts, const std::string& where, const std::string& text) {
   texts.push_back({where, text});
 }
 
-void add(std::vector<ProtocolText>& texts, const std::string& where, const std::vector<std::string>& list) {
+void add(std::vector<ScreenText>& texts, const std::string& where, const std::vector<std::string>& list) {
   for (size_t i = 0; i < list.size(); ++i) {
     add(texts, fmt::format("{} {}", where, i + 1), list[i]);
   }
 }
 
-void add(std::vector<ProtocolText>& texts, const std::string& where, const ProtocolPage& page) {
+void add(std::vector<ScreenText>& texts, const std::string& where, const ProtocolPage& page) {
   add(texts, where + ", \"title\"", page.title);
   add(texts, where + ", \"paragraphs\"", page.paragraphs);
 }
 
-void add(std::vector<ProtocolText>& texts, const std::string& where, const std::vector<ProtocolPage>& pages) {
+void add(std::vector<ScreenText>& texts, const std::string& where, const std::vector<ProtocolPage>& pages) {
   for (size_t i = 0; i < pages.size(); ++i) {
     add(texts, fmt::format("{} {}", where, i + 1), pages[i]);
   }
 }
 
-void add(std::vector<ProtocolText>& texts, const std::string& where, const ProtocolForm& form) {
+void add(std::vector<ScreenText>& texts, const std::string& where, const ProtocolForm& form) {
   add(texts, where + ", \"title\"", form.title);
   add(texts, where + ", \"introduction\"", form.introduction);
   for (size_t i = 0; i < form.fields.size(); ++i) {
@@ -48,7 +48,7 @@ void add(std::vector<ProtocolText>& texts, const std::string& where, const Proto
   }
 }
 
-void add(std::vector<ProtocolText>& texts, const std::string& where, const std::vector<ProtocolForm>& forms) {
+void add(std::vector<ScreenText>& texts, const std::string& where, const std::vector<ProtocolForm>& forms) {
   for (size_t i = 0; i < forms.size(); ++i) {
     add(texts, fmt::format("{} {}", where, i + 1), forms[i]);
   }
@@ -56,8 +56,8 @@ void add(std::vector<ProtocolText>& texts, const std::string& where, const std::
 
 }  // namespace
 
-std::vector<ProtocolText> textsOf(const Protocol& protocol) {
-  std::vector<ProtocolText> texts;
+std::vector<ScreenText> textsOf(const Protocol& protocol) {
+  std::vector<ScreenText> texts;
   if (protocol.consent) {
     add(texts, "\"consent\"", *protocol.consent);
   }
@@ -85,7 +85,7 @@ std::vector<ProtocolText> textsOf(const Protocol& protocol) {
 
 std::set<char32_t> glyphsOf(const Protocol& protocol) {
   std::set<char32_t> all;
-  for (const ProtocolText& each : textsOf(protocol)) {
+  for (const ScreenText& each : textsOf(protocol)) {
     all.merge(shapedGlyphsOf(each.text));
   }
   return all;
@@ -103,7 +103,7 @@ void requireDrawable(const Protocol& protocol) {
   }
   std::string fields;
   size_t count = 0;
-  for (const ProtocolText& each : textsOf(protocol)) {
+  for (const ScreenText& each : textsOf(protocol)) {
     const std::set<char32_t> glyphs = shapedGlyphsOf(each.text);
     const bool isOne = std::ranges::any_of(undrawable, [&](const UndrawableCharacters& some) {
       return std::ranges::any_of(some.characters, [&](char32_t character) { return glyphs.contains(character); });

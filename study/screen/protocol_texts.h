@@ -9,13 +9,13 @@
 
 namespace ocelli {
 
-struct ProtocolText {
+struct ScreenText {
   std::string where;  ///< the field: "consent", "paragraphs" 2
   std::string text;
 };
 
 /// All that subjects read.
-std::vector<ProtocolText> textsOf(const Protocol& protocol);
+std::vector<ScreenText> textsOf(const Protocol& protocol);
 /// Their characters, without line breaks and tabs: for the fonts of the screens.
 std::set<char32_t> glyphsOf(const Protocol& protocol);
 

@@ -203,7 +203,7 @@ TEST(RemoteServer, RestsWhereItCanTakeNoConnection) {
   // From here on its threads open nothing of their own.
   expectHonestService(server.port());
   ASSERT_TRUE(eventually([&] { return server.counts().connectionsNow == 0; }));
-  // UndefinedBehaviorSanitizer asks the kernel about classes that it has not met, through a pipe, and there is none below.
+  // UndefinedBehaviorSanitizer asks the kernel through a pipe about classes that it has not met: below it cannot.
   EXPECT_STRNE(WorkError("an error", "somewhere", "nothing").what(), "");
   rlimit before{};
   ASSERT_EQ(getrlimit(RLIMIT_NOFILE, &before), 0);

@@ -43,7 +43,7 @@ TEST(ViewerScript, readsEveryStep) {
   EXPECT_EQ(std::get<OpenStep>(stepOf(R"({"open": "builtin:fence"})")).source, "builtin:fence");
   EXPECT_EQ(std::get<CameraStep>(stepOf(R"({"camera": "cell"})")).camera, "cell");
   EXPECT_EQ(std::get<DropStep>(stepOf(R"({"drop": "a.ply"})")).file, "a.ply");
-  EXPECT_EQ(std::get<TextStep>(stepOf(R"({"text": "é"})")).text, "é");
+  EXPECT_EQ(std::get<TypeStep>(stepOf(R"({"text": "é"})")).text, "é");
   EXPECT_EQ(std::get<MoveStep>(stepOf(R"({"move": [3, 4.5]})")).to, glm::dvec2(3, 4.5));
   EXPECT_EQ(std::get<ClickStep>(stepOf(R"({"click": {"at": [3, 4]}})")).button, PointerButton::kLeft);
   const auto drag = std::get<DragStep>(stepOf(R"({"drag": {"from": [1, 2], "to": [3, 4], "button": "right"}})"));

@@ -170,7 +170,7 @@ TEST_P(ViewerTest, aSceneIsTypedIntoThePanel) {
   TestViewer test(GetParam());
   test.player.play(ClickStep{{150, 42}});
   test.key(Key::kA, {.control = true});
-  test.player.play(TextStep{"builtin:fence"});
+  test.player.play(TypeStep{"builtin:fence"});
   EXPECT_EQ(test.viewer.state().reconstruction.content, ReconstructionShown::Content::kMarked);  // letters are no keys
   test.key(Key::kEnter);
   test.settle();

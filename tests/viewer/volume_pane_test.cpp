@@ -129,7 +129,7 @@ TEST_P(VolumePaneTest, numbersOfAPointAreTyped) {
   test.player.play(ClickStep{test.placeOf(1)});
   test.key(Key::kEnter);
   test.settle();
-  test.player.play(TextStep{"0.625"});
+  test.player.play(TypeStep{"0.625"});
   test.key(Key::kEnter);
   test.settle();
   EXPECT_EQ(test.editor().points()[1].value, 0.625);
