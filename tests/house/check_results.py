@@ -2,7 +2,7 @@
 
 Usage: check_results.py EXPECTED.json BUILD RESULTS.xml ...
 
-RESULTS are what `ctest --output-junit` wrote. EXPECTED has for each BUILD ("release", "asan", "thorough") the number of tests that
+RESULTS are what `ctest --output-junit` or a test program with `--gtest_output=xml` wrote. EXPECTED has for each BUILD ("release", "asan", "thorough") the number of tests that
 there must be at least, and the skips that are no surprise: a pattern of whole test names, what the test must have printed,
 the condition of the machine under which it may be skipped, the builds in which it may (all, where none is named), and the
 reason. Exits with 1 where something is not as expected.
@@ -42,9 +42,22 @@ CONDITIONS = {
 }
 
 
+def outcome_in_program(case):
+    """The same of a case in what a test program wrote itself."""
+    told = [part.get("message") or part.text or "" for part in case if part.tag in ("failure", "skipped")]
+    if case.find("failure") is not None:
+        outcome = "failed"
+    else:
+        outcome = "ran" if case.get("result") == "completed" else "skipped"
+    return f"{case.get('classname')}.{case.get('name')}", outcome, "\n".join(told)
+
+
 def outcomes(path):
     """(name, "ran" | "failed" | "skipped", what it printed) of each test of a file."""
     for case in ElementTree.parse(path).iter("testcase"):
+        if case.get("result") is not None:
+            yield outcome_in_program(case)
+            continue
         printed = "".join(part.text or "" for part in case.iter("system-out"))
         if case.get("status") == "run":
             outcome = "ran"

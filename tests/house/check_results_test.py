@@ -22,6 +22,13 @@ add_test(NAME is_disabled COMMAND sh -c "exit 0")
 set_tests_properties(is_disabled PROPERTIES DISABLED TRUE)
 """
 
+PROGRAM = """<testsuites><testsuite name="Mesh">
+<testcase name="Closes" status="run" result="completed" classname="Mesh" />
+<testcase name="Opens/0" status="run" result="completed" classname="All/Mesh"><failure message="3 is not 4" /></testcase>
+<testcase name="Scans" status="run" result="skipped" classname="Mesh"><skipped message="set OCELLI_DATA_DIR" /></testcase>
+<testcase name="DISABLED_Bends" status="notrun" result="suppressed" classname="Mesh" />
+</testsuite></testsuites>"""
+
 
 def expected(least=1, **skip):
     defaults = {"tests": "skips", "prints": "no such device", "if": "always", "reason": "a device"}
@@ -61,6 +68,20 @@ class CheckResults(unittest.TestCase):
                     "skips": "skipped",
                     "is_disabled": "skipped",
                 },
+            )
+
+    def test_reads_what_test_programs_write(self):
+        with tempfile.TemporaryDirectory() as folder:
+            file = pathlib.Path(folder, "mesh_test.xml")
+            file.write_text(PROGRAM, encoding="utf-8")
+            self.assertEqual(
+                list(check_results.outcomes(file)),
+                [
+                    ("Mesh.Closes", "ran", ""),
+                    ("All/Mesh.Opens/0", "failed", "3 is not 4"),
+                    ("Mesh.Scans", "skipped", "set OCELLI_DATA_DIR"),
+                    ("Mesh.DISABLED_Bends", "skipped", ""),
+                ],
             )
 
     def test_counts_what_ran(self):
