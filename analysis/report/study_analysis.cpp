@@ -51,7 +51,7 @@ SimulatedRows simulatedRowsFromName(const std::string& name, const std::string& 
     }
     names.emplace_back(known);
   }
-  throw InputError(fmt::format("\"{}\" says not which rows to take", name), where,
+  throw InputError(fmt::format("\"{}\" does not say which rows to take", name), where,
                    fmt::format("one of {}", fmt::join(names, ", ")));
 }
 

@@ -33,7 +33,8 @@ PreparedEffect prepareEffect(const EffectRequest& request, const std::shared_ptr
   for (const std::string& way : request.ways) {
     effect.checkWay(way);
   }
-  StageInputs inputs{.referenceSize = request.referenceSize.value_or(effect.referenceSize),
+  StageInputs inputs{.scene = {},
+                     .referenceSize = request.referenceSize.value_or(effect.referenceSize),
                      .cellSide = request.cellSide,
                      .environmentHeight = request.environmentHeight,
                      .progress = progress,
