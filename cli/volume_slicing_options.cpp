@@ -7,6 +7,7 @@
 #include "cli/number_check.h"
 #include "cli/values.h"
 #include "display_sim/volume_slicing/swept_range.h"
+#include "display_sim/volume_solidity/masked_volume.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/volume/transfer_file.h"

@@ -46,9 +46,9 @@ class Effects(unittest.TestCase):
     def test_figures_are_those_of_the_program(self):
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "mirror.json"
-            run("shade", "builtin:mirror", "--by", "di,ddoc", "--size", "72x48", "--json", path)
+            run("shade", "builtin:mirror", "--by", "di,ddoc", "--size", "72x48", "--image-size", "180x120", "--json", path)
             theirs = json.loads(path.read_text(encoding="utf-8"))
-        found = ocelli.effects.compare("builtin:mirror", by=["di", "ddoc"], size=SIZE, progress=False)
+        found = ocelli.effects.compare("builtin:mirror", by=["di", "ddoc"], size=SIZE, image_size=(180, 120), progress=False)
         self.assertEqual(list(found.figures), ["traced", "di", "ddoc"])
         self.assertEqual(found.pictures["di"].shape, (48, 72, 3))
         self.assertEqual(found.maps["di"]["errors"].dtype, numpy.uint8)

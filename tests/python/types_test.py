@@ -90,7 +90,7 @@ class Types(unittest.TestCase):
         for module in PUBLIC_MODULES[1:]:
             for name in module.__all__:
                 each = getattr(module, name)
-                self.assertIn(getattr(each, "__module__", None), (module.__name__, "ocelli._ocelli"), name)
+                self.assertIn(getattr(each, "__module__", None), (module.__name__, "ocelli._ocelli", "ocelli._table"), name)
 
 
 if __name__ == "__main__":
