@@ -8,7 +8,6 @@ import pathlib
 import signal
 import subprocess
 import tempfile
-import threading
 import unittest
 from unittest import mock
 
@@ -153,11 +152,16 @@ class Analyses(unittest.TestCase):
 
     def test_ctrl_c_ends_it(self):
         # From its own progress, so that the work has begun for sure.
+        told = []
+
         def interrupt(stage, fraction):
-            threading.Thread(target=os.kill, args=(os.getpid(), signal.SIGINT)).start()
+            told.append(stage)
+            if len(told) == 2:
+                signal.raise_signal(signal.SIGINT)
 
         with self.assertRaises(KeyboardInterrupt):
             ocelli.analyse(self.database, progress=interrupt)
+        self.assertEqual(len(told), 2)
 
 
 if __name__ == "__main__":

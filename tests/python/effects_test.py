@@ -3,6 +3,7 @@
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import unittest
@@ -93,6 +94,10 @@ class Effects(unittest.TestCase):
 
         with self.assertRaises(Enough):
             ocelli.effects.draw("builtin:mirror", by="ddoc", size=SIZE, progress=stop)
+
+    def test_ctrl_c_ends_it(self):
+        with self.assertRaises(KeyboardInterrupt):
+            ocelli.effects.draw("builtin:mirror", by="ddoc", size=SIZE, progress=lambda *_: signal.raise_signal(signal.SIGINT))
 
 
 if __name__ == "__main__":
