@@ -19,7 +19,7 @@ def render(
     *,
     view: ViewLike = None,
     size: Size = (720, 480),
-    method: str = "raster",
+    method: str | None = None,
     progress: Progress = None,
     **options: object,
 ) -> ReferenceImage: ...
@@ -30,6 +30,7 @@ def render(
     *,
     view: ViewLike = None,
     size: Size = (720, 480),
+    method: str | None = None,
     step: float | None = None,
     opacity: float | None = None,
     progress: Progress = None,

@@ -43,7 +43,7 @@ def volume(
 
     An array is not copied where it is dense, of a type that voxels can have (integers of 8, 16 and 32 bits, float32,
     float64) and in the byte order of the machine: `volume(array).array` is the same memory. What you write to it later is
-    seen by what is drawn later. Files are mapped: what is not looked at is not read.
+    seen by what is drawn later; do not write while something is drawn. Files are mapped: what is not looked at is not read.
 
     Args:
         source: a file or a folder of DICOM files; "builtin:volume,name=NAME"; an array `[k, j, i]`, of which i lies densest

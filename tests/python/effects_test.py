@@ -25,7 +25,7 @@ WAYS = {"reflection": "ddoc", "refraction": "di", "shadow": "outlines", "relief"
 
 
 def run(*arguments):
-    subprocess.run([PROGRAM, *map(str, arguments), "--quiet"], check=True)
+    subprocess.run([PROGRAM, *map(str, arguments), "--quiet"], check=True, stdout=subprocess.DEVNULL)
 
 
 class Effects(unittest.TestCase):

@@ -332,13 +332,32 @@ class Slices(unittest.TestCase):
         self.assertIn("ordered", ocelli.dithers())
 
 
+def write_nrrd(path, voxels):
+    header = "NRRD0004\ntype: int16\ndimension: 3\nsizes: 6 5 4\nspacings: 1 2 3\nencoding: raw\nendian: little\n\n"
+    path.write_bytes(header.encode() + voxels.tobytes())
+
+
 class Files(unittest.TestCase):
+    def test_a_series_has_moments(self):
+        voxels = numpy.arange(4 * 5 * 6, dtype="<i2").reshape(4, 5, 6)
+        with tempfile.TemporaryDirectory() as folder:
+            for time in range(3):
+                write_nrrd(pathlib.Path(folder) / f"t{time}.nrrd", voxels * (time + 1))
+            with self.assertWarnsRegex(UserWarning, "times"):
+                first = ocelli.volume(folder)
+                later = ocelli.volume(first, seconds=2)
+        self.assertEqual((first.series.times, len(first.series)), ([0, 1, 2], 3))
+        numpy.testing.assert_array_equal(first.array, voxels)
+        numpy.testing.assert_array_equal(later.array, voxels * 3)
+        self.assertEqual(first.transfer, later.transfer)  # that of the first one for all: nothing flickers
+        with self.assertRaisesRegex(ocelli.InputError, "no time"):
+            ocelli.volume(first, seconds=7)
+
     def test_a_file_is_mapped(self):
         voxels = numpy.arange(4 * 5 * 6, dtype="<i2").reshape(4, 5, 6)
         with tempfile.TemporaryDirectory() as folder:
             path = pathlib.Path(folder) / "small.nrrd"
-            header = "NRRD0004\ntype: int16\ndimension: 3\nsizes: 6 5 4\nspacings: 1 2 3\nencoding: raw\nendian: little\n\n"
-            path.write_bytes(header.encode() + voxels.tobytes())
+            write_nrrd(path, voxels)
             volume = ocelli.volume(path, transfer={**GREY, "opacity_length": 0.5})
         numpy.testing.assert_array_equal(volume.array, voxels)
         self.assertEqual(volume.spacing, (1, 2, 3))
