@@ -3,19 +3,13 @@
 #include <fmt/ranges.h>
 
 #include <CLI/CLI.hpp>
-#include <algorithm>
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
-#include "analysis/dataset/mapped_trials.h"
-#include "analysis/dataset/merge.h"
-#include "analysis/report/default_plan.h"
+#include "analysis/dataset/column_map.h"
 #include "analysis/report/report_files.h"
-#include "analysis/report/report_task.h"
-#include "analysis/report/study_report.h"
+#include "analysis/report/study_analysis.h"
 #include "analysis/tables/explain.h"
-#include "analysis/tables/paper_tables.h"
 #include "cli/command.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
@@ -26,39 +20,13 @@ namespace ocelli {
 namespace {
 
 struct AnalyseChoice {
-  std::vector<std::string> sources;
-  std::string plan;
-  std::string protocol;
-  std::string columns;
+  StudyAnalysisRequest request;
+  std::string simulated = kSimulatedRowsNames.front().first;
   std::string folder;
-  std::vector<std::string> only;
-  std::string simulated = "unless-people";
-  bool otherProtocols = false;
   bool csv = false;
   std::string explain;
-  std::optional<uint64_t> seed{};
   bool asJson = false;
 };
-
-DatasetMergeOptions mergeOptions(const AnalyseChoice& choice) {
-  DatasetMergeOptions options;
-  options.allowOtherProtocols = choice.otherProtocols;
-  if (choice.simulated == "only") {
-    options.simulated = SimulatedRows::kOnly;
-  } else if (choice.simulated == "together") {
-    options.simulated = SimulatedRows::kTogetherWithPeople;
-  }
-  return options;
-}
-
-std::string nowUtc() {
-  const std::time_t now = std::chrono::system_clock::to_time_t(std::chrono::system_clock::now());
-  std::tm utc{};
-  gmtime_r(&now, &utc);
-  char text[32];
-  std::strftime(text, sizeof text, "%Y-%m-%dT%H:%M:%SZ", &utc);
-  return text;
-}
 
 /// In the databases, so that a withdrawal finds the report: it names subjects, and holds rows of them with --csv.
 void noteReport(const AnalysisData& analysis, const std::string& folder, const std::vector<ReportFile>& files,
@@ -83,52 +51,21 @@ void noteReport(const AnalysisData& analysis, const std::string& folder, const s
   }
 }
 
-void checkTasks(const std::vector<std::string>& wanted, const std::vector<std::string>& known) {
-  for (const std::string& task : wanted) {
-    if (std::find(known.begin(), known.end(), task) == known.end()) {
-      throw InputError(fmt::format("this study has no task \"{}\"", task), "--only",
-                       fmt::format("some of {}", fmt::join(known, ",")));
-    }
-  }
-}
-
-std::vector<Dataset> readSources(const AnalyseChoice& choice) {
-  std::vector<Dataset> parts;
-  if (!choice.columns.empty()) {
-    parts.push_back(readMappedTables(choice.sources, readColumnMap(choice.columns)));
-    return parts;
-  }
-  for (const std::string& source : choice.sources) {
-    parts.push_back(readSource(source, choice.protocol));
-  }
-  return parts;
-}
-
-/// Nothing where nobody says it.
-nlohmann::ordered_json simulatedAsJson(const Dataset& data) {
-  return data.subjectsAreKnown() || data.isSimulated() ? nlohmann::ordered_json(data.isSimulated())
-                                                       : nlohmann::ordered_json(nullptr);
-}
-
 void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (!choice.folder.empty()) {
     checkReportFolder(choice.folder);
   }
-  Dataset data = merge(readSources(choice), mergeOptions(choice));
-  const std::vector<std::string> tasks = plannableTasks(data);
-  checkTasks(choice.only, tasks);
-  AnalysisPlan plan = choice.plan.empty() ? defaultPlanOf(data) : readPlan(choice.plan, tasks);
-  plan.seed = choice.seed.value_or(plan.seed);
-  const AnalysisData analysis = applyPlan(std::move(data), plan);
-  const std::vector<Table> tables = paperTables(analysis);
+  const StudyAnalysis study = analyseStudy(choice.request);
+  const AnalysisData& analysis = study.analysis;
+  const std::vector<Table>& tables = study.tables;
   if (choice.folder.empty() && findCell(tables, choice.explain) != nullptr) {
     context.print(explainCell(tables, analysis.data, choice.explain));
     return;
   }
   StudyReportOptions options;
-  options.only = {choice.only.begin(), choice.only.end()};
+  options.only = {choice.request.only.begin(), choice.request.only.end()};
   options.version = OCELLI_VERSION;
-  options.created = nowUtc();
+  options.created = reportTimeNow();
   options.progress = context.progress();
   const ReportDocument report = studyReport(analysis, tables, options);
   for (const std::string& warning : analysis.warnings) {
@@ -154,12 +91,15 @@ void analyse(const AnalyseChoice& choice, const CommandContext& context) {
   context.note(fmt::format("wrote {} files about {} trials of {} subjects to {}", files.size(),
                            analysis.flow.analysedTrials, analysis.flow.analysed, choice.folder));
   if (choice.asJson) {
-    const nlohmann::ordered_json json = {{"folder", choice.folder},
-                                         {"data_sha256", analysis.dataSha256},
-                                         {"plan_sha256", analysis.plan.sha256},
-                                         {"subjects", analysis.flow.analysed},
-                                         {"trials", analysis.flow.analysedTrials},
-                                         {"simulated", simulatedAsJson(analysis.data)}};
+    nlohmann::ordered_json json = {{"folder", choice.folder},
+                                   {"data_sha256", analysis.dataSha256},
+                                   {"plan_sha256", analysis.plan.sha256},
+                                   {"subjects", analysis.flow.analysed},
+                                   {"trials", analysis.flow.analysedTrials},
+                                   {"simulated", nullptr}};
+    if (const std::optional<bool> simulated = isSimulated(analysis)) {
+      json["simulated"] = *simulated;
+    }
     // The name of a folder may be any bytes.
     context.print(textOfJson(json, 2) + "\n");
   }
@@ -169,9 +109,6 @@ void runAnalyse(const AnalyseChoice& choice, const CommandContext& context) {
   if (choice.folder.empty() && choice.explain.empty()) {
     throw InputError("a report needs a folder", "-o", "-o FOLDER, or --explain CELL");
   }
-  if (!choice.columns.empty() && !choice.protocol.empty()) {
-    throw InputError("tables of other tools have no protocol of Ocelli", "--protocol", "--columns without it");
-  }
   analyse(choice, context);
 }
 
@@ -180,33 +117,38 @@ void runAnalyse(const AnalyseChoice& choice, const CommandContext& context) {
 void addAnalyseCommand(CLI::App& program, const CommandContext& context) {
   CLI::App& command = *program.add_subcommand("analyse", "Analyse the trials of a study, as a report");
   const auto choice = std::make_shared<AnalyseChoice>();
+  std::vector<std::string> simulatedNames;
+  for (const auto& [name, rows] : kSimulatedRowsNames) {
+    simulatedNames.emplace_back(name);
+  }
   command
-      .add_option("DB", choice->sources,
+      .add_option("DB", choice->request.sources,
                   "Databases of a study, folders of its CSV export, or with --columns tables of other tools")
       ->required();
-  command.add_option("--plan", choice->plan, "The registered plan of the analysis")->type_name("FILE");
-  command.add_option("--protocol", choice->protocol, "The study's protocol, which CSV exports do not hold")
+  command.add_option("--plan", choice->request.plan, "The registered plan of the analysis")->type_name("FILE");
+  command.add_option("--protocol", choice->request.protocol, "The study's protocol, which CSV exports do not hold")
       ->type_name("FILE");
   command
-      .add_option("--columns", choice->columns,
+      .add_option("--columns", choice->request.columns,
                   fmt::format("Read tables of another tool: which column is what, by {} or a map of your own",
                               fmt::join(builtInColumnMapNames(), ", ")))
       ->type_name("NAME|MAP.json");
   command.add_option("-o,--output", choice->folder, "Folder of the report: new, empty, or an earlier report")
       ->type_name("FOLDER");
-  command.add_option("--only", choice->only, "Leave out the other tasks; survey is one")
+  command.add_option("--only", choice->request.only, "Leave out the other tasks; survey is one")
       ->delimiter(',')
       ->type_name("TASK,TASK,...");
   command
       .add_option("--simulated", choice->simulated, "Which rows to take where there are people and simulated subjects")
-      ->check(CLI::IsMember({"unless-people", "only", "together"}))
-      ->type_name("unless-people|only|together")
+      ->check(CLI::IsMember(simulatedNames))
+      ->type_name(fmt::format("{}", fmt::join(simulatedNames, "|")))
       ->capture_default_str();
-  command.add_flag("--other-protocols", choice->otherProtocols, "Allow sources of different protocols");
+  command.add_flag("--other-protocols", choice->request.merge.allowOtherProtocols,
+                   "Allow sources of different protocols");
   command.add_flag("--csv", choice->csv,
                    "Also the analysed trials and answers as CSV, and analysis.R, which repeats the models in R");
   command.add_option("--explain", choice->explain, "Print the rows behind a cell of the tables")->type_name("CELL");
-  command.add_option("--seed", choice->seed, "Of what is random, in place of the plan's")
+  command.add_option("--seed", choice->request.seed, "Of what is random, in place of the plan's")
       ->check(CLI::NonNegativeNumber);
   command.add_flag("--json", choice->asJson, "Print hashes and counts as JSON");
   context.finish(command,
@@ -214,7 +156,10 @@ void addAnalyseCommand(CLI::App& program, const CommandContext& context) {
                  "  ocelli analyse a.db b.db --plan plan.json --only find,count --csv -o report\n"
                  "  ocelli analyse data/*.csv --columns psychopy -o report\n"
                  "  ocelli analyse study.db --explain table-7.1/stationary/session-1/gc",
-                 [choice, context] { runAnalyse(*choice, context); });
+                 [choice, context] {
+                   choice->request.merge.simulated = simulatedRowsFromName(choice->simulated, "--simulated");
+                   runAnalyse(*choice, context);
+                 });
 }
 
 }  // namespace ocelli

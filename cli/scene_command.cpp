@@ -21,6 +21,7 @@
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/volume/builtin_volumes.h"
 #include "oc_core/volume/volume_summary.h"
+#include "oc_core/volume/volume_summary_json.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
@@ -273,7 +274,7 @@ void printVolumeInfo(const SceneChoice& scene, bool asJson, const CommandContext
   }
   const size_t index = options.seconds ? series.indexAt(*options.seconds) : 0;
   const VolumeSummary summary = summaryOf(series, index, options.level, context.progress());
-  context.print(asJson ? volumeInfoAsJson(scene.source, summary) : volumeInfoAsText(scene.source, summary));
+  context.print(asJson ? volumeSummaryJson(scene.source, summary) : volumeInfoAsText(scene.source, summary));
 }
 
 void addSceneList(CLI::App& parent, const CommandContext& context) {

@@ -18,7 +18,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/shade/effects.h"
+#include "oc_core/shade/prepared_effect.h"
 #include "oc_core/shade/shade_page.h"
 
 namespace ocelli {
@@ -72,71 +72,47 @@ void checkOutputs(const ShadeChoice& choice) {
   }
 }
 
-/// Throws InputError for options that the effect does not have, and for values that they do not take.
-std::map<std::string, std::string> givenOptions(const ShadeChoice& choice, const Effect& effect) {
-  std::map<std::string, std::string> given;
-  for (const auto& [name, value] : choice.options) {
-    if (value.empty()) {
-      continue;
-    }
-    const auto row = std::find_if(effect.options.begin(), effect.options.end(),
-                                  [&](const EffectOption& option) { return name == option.name; });
-    if (row == effect.options.end()) {
-      throw InputError(fmt::format("the effect \"{}\" has no such option", effect.name), "--" + name,
-                       "leave it away, or choose another --effect");
-    }
-    row->check(value);
-    given[name] = value;
+EffectRequest requestOf(const ShadeChoice& choice) {
+  EffectRequest request{.source = choice.scene.source,
+                        .effect = choice.effect,
+                        .ways = choice.by,
+                        .roles = choice.roles,
+                        .environmentHeight = choice.environmentHeight,
+                        .options = choice.options,
+                        .scene = choice.scene.options};
+  const ImageSize size = imageSizeFromText(choice.size, "--size");
+  request.size = {size.width, size.height};
+  if (!choice.imageSize.empty()) {
+    const ImageSize given = imageSizeFromText(choice.imageSize, "--image-size");
+    request.referenceSize = glm::ivec2(given.width, given.height);
   }
-  return given;
+  if (!choice.cell.empty()) {
+    request.cellSide = cellSideFromText(choice.cell, "--cell");
+  }
+  if (!choice.view.empty()) {
+    request.view = readViewOption(choice.view);
+  }
+  return request;
 }
 
 class ShadeRun {
  public:
   ShadeRun(const ShadeChoice& choice, const CommandContext& context)
-      : choice_(choice), context_(context), effect_(shadeEffect(choice.effect)) {
-    const ImageSize size = imageSizeFromText(choice.size, "--size");
-    glm::ivec2 referenceSize = effect_.referenceSize;
-    if (!choice.imageSize.empty()) {
-      const ImageSize given = imageSizeFromText(choice.imageSize, "--image-size");
-      referenceSize = {given.width, given.height};
-    }
-    for (const std::string& way : choice.by) {
-      effect_.checkWay(way);
-    }
-    SceneOptions sceneOptions = choice.scene.options;
-    sceneOptions.shading = effect_.lightsScene ? Shading::kNone : sceneOptions.shading;
-    const std::map<std::string, std::string> options = givenOptions(choice, effect_);
-    const std::shared_ptr<const DepthRayCaster> caster = openCaster();
-    const auto scene = std::make_shared<const ShadedScene>(
-        loadShadedScene(choice.scene.source, rolesFor(choice.scene.source, choice.roles, effect_.needsRoles),
-                        sceneOptions, context.progress()));
-    effect_.requireObjects(*scene);
-    camera_.emplace(choice.view.empty() ? effect_.defaultView(*scene) : readViewOption(choice.view), size.width,
-                    size.height);
-    StageInputs inputs{.scene = scene, .referenceSize = referenceSize};
-    if (!choice.cell.empty()) {
-      inputs.cellSide = cellSideFromText(choice.cell, "--cell");
-    }
-    inputs.environmentHeight = choice.environmentHeight;
-    inputs.progress = context.progress();
-    inputs.picture = camera_;
-    inputs.options = options;
-    inputs.caster = caster;
-    stage_ = effect_.stage(inputs);
-    stage_->checkView(*camera_);
-  }
+      : choice_(choice),
+        context_(context),
+        effect_(shadeEffect(choice.effect)),
+        prepared_(prepareEffect(requestOf(choice), openCaster(), context.progress())) {}
 
   void run() {
     if (!choice_.comparesAnything()) {
-      write(stage_->build(choice_.by.front())->draw(*camera_));
+      write(prepared_.stage->build(choice_.by.front())->draw(prepared_.camera));
       return;
     }
     ShadeReport report{.scene = choice_.scene.source,
                        .effect = effect_,
                        .version = OCELLI_VERSION,
-                       .view = camera_->view(),
-                       .size = {camera_->width(), camera_->height()},
+                       .view = prepared_.camera.view(),
+                       .size = {prepared_.camera.width(), prepared_.camera.height()},
                        .runs = choice_.runs};
     std::vector<std::string> ways{kTraced};
     for (const std::string& way : choice_.by) {
@@ -145,12 +121,12 @@ class ShadeRun {
       }
     }
     for (const std::string& way : ways) {
-      report.ways.push_back(stage_->measure(way, *camera_, choice_.runs));
+      report.ways.push_back(prepared_.stage->measure(way, prepared_.camera, choice_.runs));
       if (!choice_.output.empty() && way == choice_.by.front()) {
         write(report.ways.back().picture);
       }
     }
-    report.facts = stage_->facts(*camera_);
+    report.facts = prepared_.stage->facts(prepared_.camera);
     write(report);
   }
 
@@ -197,8 +173,7 @@ class ShadeRun {
   const ShadeChoice& choice_;
   const CommandContext& context_;
   const Effect& effect_;
-  std::optional<PinholeCamera> camera_;
-  std::unique_ptr<EffectStage> stage_;
+  PreparedEffect prepared_;
 };
 
 /// What `--by` takes, said once for effects that take the same.

@@ -127,7 +127,9 @@ void runVolume(const SolidityChoice& choice, const SolidityOptions& options, con
                              .shown = {.surface = choice.scene.options.iso},
                              .ways = choice.ways.empty() ? allWays() : choice.ways,
                              .settings = {.referenceEye = reference.eye(), .cellEyes = {reference.eye()}}};
-  requireSurface(wanted.scene, choice.scene);
+  if (const std::optional<double>& iso = choice.scene.options.iso) {
+    requireSurface(wanted.scene, *iso, choice.scene.source);
+  }
   for (const View& corner : cell.edgeViews(reference.view(), 0)) {
     wanted.settings.cellEyes.push_back(corner.eye);
   }

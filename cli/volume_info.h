@@ -8,6 +8,5 @@
 namespace ocelli {
 
 std::string volumeInfoAsText(const std::string& source, const VolumeSummary& summary);
-std::string volumeInfoAsJson(const std::string& source, const VolumeSummary& summary);
 
 }  // namespace ocelli

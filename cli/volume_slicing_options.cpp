@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
-#include <glm/matrix.hpp>
 
 #include "cli/number_check.h"
 #include "cli/values.h"
 #include "display_sim/volume_slicing/swept_range.h"
+#include "display_sim/volume_solidity/masked_volume.h"
 #include "oc_core/base/conventions.h"
 #include "oc_core/base/error.h"
 #include "oc_core/volume/transfer_file.h"
@@ -114,19 +114,6 @@ std::vector<glm::vec3> viewersOf(const VolumeSlicingChoice& choice) {
   return eyes;
 }
 
-void requireSurface(const VolumeScene& scene, const SceneChoice& choice) {
-  if (!choice.options.iso) {
-    return;
-  }
-  const ValueRange range = valueRange(*scene.volume);
-  if (!(*choice.options.iso >= range.least && *choice.options.iso <= range.greatest)) {
-    throw InputError(fmt::format("no surface of this volume has the value {:g}: its values run from {:g} to {:g}",
-                                 *choice.options.iso, range.least, range.greatest),
-                     choice.source,
-                     fmt::format("give --iso a value between {:g} and {:g}", range.least, range.greatest));
-  }
-}
-
 ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const VolumeScene& scene,
                                         const CommandContext& context) {
   const VolumeSlicingChoice& slicing = choice.slicing;
@@ -153,12 +140,7 @@ ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const Volume
     // Nobody sees its colours: any absolute ones will do, which a mask of one value has too.
     VolumeScene mask = loadVolumeScene(
         slicing.mask, {.fit = false, .transfer = "ct-bone", .warn = choice.scene.options.warn}, context.progress());
-    // As the volume was, from its own world into the display.
-    const glm::dmat4 ownFromIndex = scene.volume->grid().isAnatomical
-                                        ? sceneFromPatient() * scene.volume->grid().worldFromIndex
-                                        : scene.volume->grid().worldFromIndex;
-    mask.worldFromIndex = scene.worldFromIndex * glm::inverse(ownFromIndex) * mask.worldFromIndex;
-    options.mask = std::make_shared<const VolumeScene>(std::move(mask));
+    options.mask = std::make_shared<const VolumeScene>(placedMask(std::move(mask), scene));
   } else {
     if (slicing.mask.find(':') == std::string::npos) {
       throw InputError("\"" + slicing.mask + "\" is neither a volume nor a range of values", kMaskOption,
@@ -176,7 +158,9 @@ ShownVolumeOptions shownVolumeOptionsOf(const VolumeToShow& choice, const Volume
 ShownVolume loadShownVolume(const VolumeToShow& choice, const DisplayProfile& profile, const CommandContext& context) {
   VolumeScene scene = loadVolume(choice.scene, choice.volume, context);
   const ShownVolumeOptions options = shownVolumeOptionsOf(choice, scene, context);
-  requireSurface(scene, choice.scene);
+  if (options.surface) {
+    requireSurface(scene, *options.surface, choice.scene.source);
+  }
   ShownVolume shown(std::move(scene), profile, options, context.progress());
   noteFewSteps(shown, context);
   return shown;
@@ -202,8 +186,8 @@ ShownSeries loadShownSeries(const VolumeToShow& choice, const DisplayProfile& pr
       options.transfer.clear();
       options.warn = {};
     }
-    if (series.volumes.size() == 1) {
-      requireSurface(scene, choice.scene);
+    if (series.volumes.size() == 1 && shownOptions.surface) {
+      requireSurface(scene, *shownOptions.surface, series.source);
     }
     shown.volumes.push_back(std::make_unique<ShownVolume>(std::move(scene), profile, shownOptions, context.progress()));
     bytes += shown.volumes.back()->samples().bytes();

@@ -38,9 +38,6 @@ SliceOptions volumeSliceOptionsOf(const SlicingChoice& slicing);
 /// The eyes of --viewer, or that of the default view.
 std::vector<glm::vec3> viewersOf(const VolumeSlicingChoice& choice);
 
-/// Throws InputError where --iso is given and no surface of the volume has that value.
-void requireSurface(const VolumeScene& scene, const SceneChoice& choice);
-
 struct VolumeToShow {
   SceneChoice scene;
   VolumeChoice volume;

@@ -50,6 +50,13 @@ bool VolumeMask::shows(const glm::dvec3& point) const {
   return volume_.valueAt(glm::ivec3(nearest)) >= kSet;
 }
 
+VolumeScene placedMask(VolumeScene mask, const VolumeScene& scene) {
+  const VolumeGrid& grid = scene.volume->grid();
+  const glm::dmat4 ownFromIndex = grid.isAnatomical ? sceneFromPatient() * grid.worldFromIndex : grid.worldFromIndex;
+  mask.worldFromIndex = scene.worldFromIndex * glm::inverse(ownFromIndex) * mask.worldFromIndex;
+  return mask;
+}
+
 TransferFunction transferWithin(const TransferFunction& transfer, const ValueRange& shown) {
   std::vector<TransferPoint> points;
   if (std::isfinite(shown.least)) {

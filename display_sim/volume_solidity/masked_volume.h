@@ -23,6 +23,10 @@ class VolumeMask {
   glm::dmat4 indexFromScene_;
 };
 
+/// `mask`, which stands in its own world as its file says, moved to where `scene` is: the same place of the world of
+/// both grids, or of both patients, is the same place of the scene.
+VolumeScene placedMask(VolumeScene mask, const VolumeScene& scene);
+
 /// The same, but for values outside of `shown`, which have no opacity.
 TransferFunction transferWithin(const TransferFunction& transfer, const ValueRange& shown);
 

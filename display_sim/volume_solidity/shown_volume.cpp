@@ -1,5 +1,7 @@
 #include "display_sim/volume_solidity/shown_volume.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -11,6 +13,7 @@
 #include "display_sim/volume_slicing/cell_share.h"
 #include "display_sim/volume_solidity/masked_volume.h"
 #include "display_sim/volume_solidity/volume_sight.h"
+#include "oc_core/base/error.h"
 
 namespace ocelli {
 namespace {
@@ -58,6 +61,15 @@ class SweptCell {
 };
 
 }  // namespace
+
+void requireSurface(const VolumeScene& scene, double value, const std::string& where) {
+  const ValueRange range = valueRange(*scene.volume);
+  if (!(value >= range.least && value <= range.greatest)) {
+    throw InputError(fmt::format("no surface of this volume has the value {:g}: its values run from {:g} to {:g}",
+                                 value, range.least, range.greatest),
+                     where, fmt::format("give --iso a value between {:g} and {:g}", range.least, range.greatest));
+  }
+}
 
 TransferFunction surfaceTransfer(double value, const glm::dvec3& color, const ValueRange& range, double opacityLength) {
   const double width = std::max((range.greatest - range.least) / 1000, 1e-12);

@@ -11,6 +11,7 @@
 #include <glm/vec3.hpp>
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "display_sim/volume_slicing/swept_light.h"
@@ -58,6 +59,9 @@ class ShownVolume {
   std::unique_ptr<SweptSamples> samples_;
   std::unique_ptr<SweptLight> light_;
 };
+
+/// Throws InputError where no surface of the volume has this value. `where` names the volume.
+void requireSurface(const VolumeScene& scene, double value, const std::string& where);
 
 /// A transfer function that shows a surface alone: opaque where the field has the value, within a thousandth of the
 /// range.

@@ -81,15 +81,17 @@ VolumeLevel checkedLevel(const VolumeSeries& series, size_t index, const VolumeS
   return level;
 }
 
+/// `transfer` is nullptr where the options, the series or the volume say it.
 VolumeAppearance appearanceIn(const VolumeSeries& series, const VolumeLevel& level, size_t index,
-                              const VolumeSceneOptions& options) {
-  if (options.transfer.empty() && series.appearance) {
+                              const TransferDescription* transfer, const VolumeSceneOptions& options) {
+  if (transfer == nullptr && options.transfer.empty() && series.appearance) {
     return *series.appearance;
   }
   const double meanSpacing = series.volumes[index]->grid().meanSpacing();
   const auto described = [&](const ScalarVolume& volume) {
-    const TransferDescription description =
-        options.transfer.empty() ? presetFor(volume).description : transferByName(options.transfer);
+    const TransferDescription description = transfer != nullptr        ? *transfer
+                                            : options.transfer.empty() ? presetFor(volume).description
+                                                                       : transferByName(options.transfer);
     if (options.warn && !hasScaleFor(description, volume)) {
       options.warn(
           fmt::format("all voxels have the value {:g}: nothing is shown by a transfer function whose values "
@@ -117,6 +119,31 @@ glm::dmat4 sceneFromGridWorld(const VolumeGrid& grid, bool fit, const std::strin
   glm::dmat4 toOrigin(1);
   toOrigin[3] = glm::dvec4(-center, 1);
   return glm::dmat4(unitFromSphere(glm::dvec3(0), glm::length(halfSize), source)) * toOrigin * upright;
+}
+
+VolumeScene volumeSceneWith(const VolumeSeries& series, size_t index, const TransferDescription* transfer,
+                            const VolumeSceneOptions& options, const Progress& progress) {
+  OC_CHECK(index < series.volumes.size(), "a series has the volume that is asked for");
+  const VolumeLevel level = checkedLevel(series, index, options, progress);
+  const VolumeGrid& whole = series.volumes[index]->grid();
+  if (options.warn) {
+    for (const std::string& warning : series.warnings) {
+      options.warn(warning);
+    }
+    if (level.factor > 1) {
+      options.warn(describeLevel(level, whole));
+    }
+  }
+  VolumeScene scene{
+      .volume = level.volume,
+      .worldFromIndex = sceneFromGridWorld(whole, options.fit, series.source) * level.volume->grid().worldFromIndex,
+      .appearance = appearanceIn(series, level, index, transfer, options),
+      .clips = options.clips,
+      .whole = series.volumes[index],
+      .levelFactor = level.factor,
+      .times = series.times};
+  report(progress, kLoadingStage, 1);
+  return scene;
 }
 
 }  // namespace
@@ -148,27 +175,12 @@ VolumeSeries loadVolumeSeries(const std::string& source, const std::string& seri
 
 VolumeScene volumeSceneAt(const VolumeSeries& series, size_t index, const VolumeSceneOptions& options,
                           const Progress& progress) {
-  OC_CHECK(index < series.volumes.size(), "a series has the volume that is asked for");
-  const VolumeLevel level = checkedLevel(series, index, options, progress);
-  const VolumeGrid& whole = series.volumes[index]->grid();
-  if (options.warn) {
-    for (const std::string& warning : series.warnings) {
-      options.warn(warning);
-    }
-    if (level.factor > 1) {
-      options.warn(describeLevel(level, whole));
-    }
-  }
-  VolumeScene scene{
-      .volume = level.volume,
-      .worldFromIndex = sceneFromGridWorld(whole, options.fit, series.source) * level.volume->grid().worldFromIndex,
-      .appearance = appearanceIn(series, level, index, options),
-      .clips = options.clips,
-      .whole = series.volumes[index],
-      .levelFactor = level.factor,
-      .times = series.times};
-  report(progress, kLoadingStage, 1);
-  return scene;
+  return volumeSceneWith(series, index, nullptr, options, progress);
+}
+
+VolumeScene volumeSceneAt(const VolumeSeries& series, size_t index, const TransferDescription& transfer,
+                          const VolumeSceneOptions& options, const Progress& progress) {
+  return volumeSceneWith(series, index, &transfer, options, progress);
 }
 
 }  // namespace ocelli

@@ -10,6 +10,8 @@
 
 namespace ocelli {
 
+struct TransferDescription;  // transfer_file.h
+
 struct VolumeSeries {
   std::string source;
   std::vector<std::shared_ptr<const ScalarVolume>> volumes{};  ///< at least 1; all of one grid and type
@@ -30,5 +32,8 @@ VolumeSeries loadVolumeSeries(const std::string& source, const std::string& seri
 /// does.
 VolumeScene volumeSceneAt(const VolumeSeries& series, size_t index, const VolumeSceneOptions& options = {},
                           const Progress& progress = {});
+/// The same with a transfer function that stands in no file, in place of `options.transfer`.
+VolumeScene volumeSceneAt(const VolumeSeries& series, size_t index, const TransferDescription& transfer,
+                          const VolumeSceneOptions& options = {}, const Progress& progress = {});
 
 }  // namespace ocelli

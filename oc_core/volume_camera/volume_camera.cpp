@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <type_traits>
 #include <utility>
 
 #include "oc_core/base/error.h"
@@ -37,21 +38,6 @@ RayFunction raysOf(const std::shared_ptr<const CurvedRayCamera>& camera, const V
   return [camera, points](const glm::vec2& pixel) { return camera->rayPath(pixel, points); };
 }
 
-VolumeCamera multiperspectiveAt(const std::string& nameOrFile, const PinholeCamera& reference,
-                                const VolumeScene& scene) {
-  return std::visit(
-      [&](auto camera) -> VolumeCamera {
-        const auto shared = std::make_shared<const decltype(camera)>(std::move(camera));
-        return {nameOrFile,
-                jsonText(*shared),
-                {shared->width(), shared->height()},
-                raysOf(shared, scene),
-                rayHullOf(shared),
-                kHasSmoothRays<decltype(camera)>};
-      },
-      constructCamera(nameOrFile, guidedVolume(scene), reference));
-}
-
 std::vector<CameraMap> mapsOf(const CameraChoice& choice, const PinholeCamera& reference,
                               const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
   if (choice.kind->ofViewAlone) {
@@ -70,7 +56,7 @@ std::vector<CameraMap> mapsOf(const CameraChoice& choice, const PinholeCamera& r
 VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& reference, const VolumeScene& scene,
                           const std::function<const RayTarget&()>& firstHits, const Progress& progress) {
   if (namesConstructor(nameOrFile)) {
-    return multiperspectiveAt(nameOrFile, reference, scene);
+    return volumeCamera(nameOrFile, constructCamera(nameOrFile, guidedVolume(scene), reference), scene);
   }
   return volumeCamera(cameraChoice(nameOrFile), reference, firstHits, progress);
 }
@@ -94,6 +80,21 @@ VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& refer
           std::move(map.ray),
           std::move(map.hull),
           map.isSmooth};
+}
+
+VolumeCamera volumeCamera(const std::string& name, MultiperspectiveCamera camera, const VolumeScene& scene) {
+  return std::visit(
+      [&](auto& each) -> VolumeCamera {
+        using Each = std::decay_t<decltype(each)>;
+        const auto shared = std::make_shared<const Each>(std::move(each));
+        return {name,
+                jsonText(*shared),
+                {shared->width(), shared->height()},
+                raysOf(shared, scene),
+                rayHullOf(shared),
+                kHasSmoothRays<Each>};
+      },
+      camera);
 }
 
 }  // namespace ocelli

@@ -12,6 +12,7 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/camera/ray_hull.h"
+#include "oc_core/constructor/multiperspective_camera.h"
 #include "oc_core/ocri/camera_choice.h"
 #include "oc_core/render/ray_target.h"
 #include "oc_core/volume/volume_scene.h"
@@ -36,5 +37,8 @@ VolumeCamera volumeCamera(const std::string& nameOrFile, const PinholeCamera& re
 /// The same of a camera with options, such as one that is being edited; none of graph and curved ray cameras.
 VolumeCamera volumeCamera(const CameraChoice& choice, const PinholeCamera& reference,
                           const std::function<const RayTarget&()>& firstHits, const Progress& progress = {});
+
+/// The same of a graph or curved ray camera that was constructed for the volume (guided_volume.h).
+VolumeCamera volumeCamera(const std::string& name, MultiperspectiveCamera camera, const VolumeScene& scene);
 
 }  // namespace ocelli

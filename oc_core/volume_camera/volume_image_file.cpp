@@ -31,6 +31,22 @@ Image<glm::vec3> imageBefore(const glm::vec3& background, const VolumeImage& ima
   return picture;
 }
 
+Image<glm::vec3> opaquePoints(const VolumeImage& image, const VolumeCamera& camera) {
+  Image<glm::vec3> points(image.width(), image.height());
+  parallelFor(static_cast<size_t>(image.height()), 8, [&](size_t begin, size_t end) {
+    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
+      for (int x = 0; x < image.width(); ++x) {
+        const float t = image(x, y).opaqueT();
+        if (t != VolumePixel::kNowhere) {
+          const RayPath ray = camera.ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
+          points(x, y) = ray.pointAt(ray.positionAt(t));
+        }
+      }
+    }
+  });
+  return points;
+}
+
 VolumeImageFacts factsOf(const VolumeImage& image) {
   VolumeImageFacts facts;
   for (const VolumePixel& pixel : image) {
@@ -59,19 +75,11 @@ void failShowingNothing(const VolumeCamera& camera, const VolumeScene& scene) {
 void writeVolumeImage(const std::filesystem::path& path, const VolumeImage& image, const VolumeCamera& camera,
                       double depthOpacity) {
   Image<float> depths(image.width(), image.height());
-  Image<glm::vec3> points(image.width(), image.height());
-  parallelFor(static_cast<size_t>(image.height()), 8, [&](size_t begin, size_t end) {
-    for (int y = static_cast<int>(begin); y < static_cast<int>(end); ++y) {
-      for (int x = 0; x < image.width(); ++x) {
-        const float t = image(x, y).opaqueT();
-        if (t != VolumePixel::kNowhere) {
-          const RayPath ray = camera.ray({static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f});
-          depths(x, y) = t;
-          points(x, y) = ray.pointAt(ray.positionAt(t));
-        }
-      }
-    }
-  });
+  for (size_t i = 0; i < image.size(); ++i) {
+    const float t = image[i].opaqueT();
+    depths[i] = t == VolumePixel::kNowhere ? 0 : t;
+  }
+  const Image<glm::vec3> points = opaquePoints(image, camera);
   nlohmann::ordered_json description = nlohmann::ordered_json::parse(camera.description);
   description["depth_opacity"] = depthOpacity;
   const VolumePixel* pixel = image.data();

@@ -15,6 +15,10 @@ namespace ocelli {
 /// Before a background, linear RGB.
 Image<glm::vec3> imageBefore(const glm::vec3& background, const VolumeImage& image);
 
+/// Where each ray is opaque, in the world of the scene; 0 where it is nowhere (VolumePixel::opaqueT()). `image` is that
+/// of the camera.
+Image<glm::vec3> opaquePoints(const VolumeImage& image, const VolumeCamera& camera);
+
 /// What a picture took and shows.
 struct VolumeImageFacts {
   uint64_t samples = 0;    ///< places where the field was looked at

@@ -15,10 +15,13 @@ void addSurfaces(VolumeScene& scene, const std::string& source, SurfaceFrame fra
   const bool isLit = options.shading == Shading::kLambert;
   options.fit = false;
   options.shading = Shading::kNone;
-  const Mesh loaded = loadScene(source, options, progress);
+  addSurfaces(scene, loadScene(source, options, progress), frame, isLit, source);
+}
+
+void addSurfaces(VolumeScene& scene, const Mesh& mesh, SurfaceFrame frame, bool isLit, const std::string& where) {
   Mesh moved;
-  append(moved, loaded, frame == SurfaceFrame::kVolume ? glm::mat4(sceneFromGridWorld(scene)) : glm::mat4(1));
-  validate(moved, source);
+  append(moved, mesh, frame == SurfaceFrame::kVolume ? glm::mat4(sceneFromGridWorld(scene)) : glm::mat4(1));
+  validate(moved, where);
   if (isLit) {
     bakeLambert(moved);
   }

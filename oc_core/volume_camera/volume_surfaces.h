@@ -22,5 +22,8 @@ glm::dmat4 sceneFromGridWorld(const VolumeScene& scene);
 /// options are those of every mesh; it is not fitted by itself. Throws as loadScene() does.
 void addSurfaces(VolumeScene& scene, const std::string& source, SurfaceFrame frame, SceneOptions options,
                  const Progress& progress = {});
+/// The same of a mesh, with the colours that it has; `isLit`: times the fixed light of meshes (shading.h). `where`
+/// names it in errors. Throws InputError where its places in the scene are no numbers.
+void addSurfaces(VolumeScene& scene, const Mesh& mesh, SurfaceFrame frame, bool isLit, const std::string& where);
 
 }  // namespace ocelli

@@ -16,7 +16,12 @@ void bindImages(pybind11::module_& module);
 void bindRays(pybind11::module_& module);
 void bindCameras(pybind11::module_& module);
 void bindEvaluation(pybind11::module_& module);
+void bindVolumes(pybind11::module_& module);
+void bindVolumeImages(pybind11::module_& module);
 void bindDisplays(pybind11::module_& module);
 void bindStudies(pybind11::module_& module);
+void bindAnalysis(pybind11::module_& module);
+void bindEffects(pybind11::module_& module);
+void bindDevices(pybind11::module_& module);
 
 }  // namespace ocelli

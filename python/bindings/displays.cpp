@@ -2,15 +2,23 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
 #include <array>
+#include <iterator>
 
+#include "display_sim/dither_score/dither_fields.h"
 #include "display_sim/frames/display_profile.h"
 #include "display_sim/frames/svol_file.h"
 #include "display_sim/observing/observer.h"
 #include "display_sim/slicing/exact_slicer.h"
 #include "display_sim/slicing/slicer.h"
+#include "display_sim/volume_solidity/masked_volume.h"
+#include "display_sim/volume_solidity/shown_volume.h"
+#include "oc_core/base/conventions.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/images.h"
+#include "python/bindings/progress.h"
+#include "python/bindings/volumes.h"
 
 namespace py = pybind11;
 
@@ -33,10 +41,102 @@ py::array levelsOf(const Volume& volume, int slice) {
   return levels;
 }
 
-Volume sliced(const Mesh& mesh, const std::string& profile, bool exact) {
+/// What both kinds of slicers are told, by the names of `ocelli slice`.
+SliceOptions sliceOptionsOf(const std::string& dither, bool undithered, bool antialias, double evenLight) {
+  SliceOptions options{.angularAntialiasing = antialias, .evenLightRadius = evenLight};
+  if (!(evenLight >= 0 && evenLight <= 1)) {
+    throw InputError("no radius of a display is like that", "even_light", "give from 0 to 1");
+  }
+  const auto* const named = std::ranges::find(kNamedDithers, dither, &NamedDither::name);
+  if (named == std::end(kNamedDithers)) {
+    std::string names;
+    for (const NamedDither& each : kNamedDithers) {
+      names += (names.empty() ? "" : ", ") + std::string(each.name);
+    }
+    throw InputError("there is no dither \"" + dither + "\"", "dither", "use one of " + names);
+  }
+  options.colors = undithered ? ColorReduction::kOccupancy : named->colors;
+  return options;
+}
+
+Volume sliced(const Mesh& mesh, const std::string& profile, bool exact, const std::string& dither, bool undithered,
+              bool antialias, double evenLight) {
+  const SliceOptions options = sliceOptionsOf(dither, undithered, antialias, evenLight);
   const py::gil_scoped_release released;
   const DisplayProfile display = loadProfile(profile);
-  return exact ? sliceExactly(mesh, display) : slice(mesh, display);
+  return exact || needsExactSlicer(options) ? sliceExactly(mesh, display, options) : slice(mesh, display, options);
+}
+
+/// What of a volume is shown.
+struct ShownPart {
+  std::optional<double> iso;
+  std::optional<std::array<double, 2>> values;
+  const PythonVolume* mask;  ///< or nullptr
+  double lightGain;
+  double gradientLight;
+  std::optional<double> cutaway;
+  std::optional<double> seenOpacity;
+  std::vector<std::array<float, 3>> viewers;
+};
+
+/// Throws InputError outside of [min, max].
+void requireWithin(std::optional<double> number, double min, double max, const char* name) {
+  if (number && !(*number >= min && *number <= max)) {
+    throw InputError(std::to_string(*number) + " is out of range", name,
+                     "give from " + std::to_string(min) + " to " + std::to_string(max));
+  }
+}
+
+ShownVolumeOptions shownOptionsOf(const PythonVolume& volume, const ShownPart& part) {
+  requireWithin(part.lightGain, 1e-3, 1e3, "light_gain");
+  requireWithin(part.gradientLight, 0, 1, "gradient_light");
+  requireWithin(part.cutaway, -1, 1, "cutaway");
+  requireWithin(part.seenOpacity, 0.01, 0.99, "seen_opacity");
+  ShownVolumeOptions options;
+  options.sampling.fullLightGradient = part.gradientLight;
+  options.light.gain = part.lightGain;
+  options.surface = part.iso;
+  if (part.iso) {
+    requireSurface(volume.scene, *part.iso, volume.source());
+  }
+  if (part.values) {
+    options.light.shown = ValueRange{(*part.values)[0], (*part.values)[1]};
+  }
+  if (part.mask != nullptr) {
+    // Nobody sees its colours: any absolute ones will do, which a mask of one value has too.
+    VolumeScene mask = volumeSceneAt(*part.mask->series, part.mask->index, {.fit = false, .transfer = "ct-bone"});
+    options.mask = std::make_shared<const VolumeScene>(placedMask(std::move(mask), volume.scene));
+  }
+  options.cutaway = part.cutaway;
+  options.seenOpacity = part.seenOpacity;
+  if (part.cutaway || part.seenOpacity) {
+    for (const std::array<float, 3>& eye : part.viewers) {
+      options.eyes.emplace_back(eye[0], eye[1], eye[2]);
+    }
+    if (options.eyes.empty()) {
+      options.eyes.emplace_back(0, 0, kDefaultEyeDistance);
+    }
+  }
+  return options;
+}
+
+/// A volume of scalars, straight from its field.
+Volume slicedVolume(const PythonVolume& volume, const std::string& profile, const std::string& dither, bool undithered,
+                    std::optional<double> iso, const std::optional<std::array<double, 2>>& values,
+                    const PythonVolume* mask, double lightGain, double gradientLight, std::optional<double> cutaway,
+                    std::optional<double> seenOpacity, const std::vector<std::array<float, 3>>& viewers,
+                    const py::object& progress) {
+  const SliceOptions options = sliceOptionsOf(dither, undithered, false, 0);
+  const PythonProgress told(progress);
+  const py::gil_scoped_release released;
+  const DisplayProfile display = loadProfile(profile);
+  const ShownVolume shown(
+      volume.scene, display,
+      shownOptionsOf(volume, {iso, values, mask, lightGain, gradientLight, cutaway, seenOpacity, viewers}),
+      told.function());
+  VolumeSlicer slicer(display, options);
+  slicer.slice(shown.samples(), shown.light());
+  return slicer.takeVolume();
 }
 
 py::array observed(const Volume& volume, const std::optional<std::array<float, 3>>& eye, int width, int height,
@@ -107,7 +207,19 @@ len() is the number of slices.)")
                " slices of " + std::to_string(volume.width()) + "x" + std::to_string(volume.height()) + ">";
       });
   module.def("profiles", &builtinProfileNames);
-  module.def("slice", &sliced, py::arg("mesh"), py::arg("profile"), py::arg("exact"));
+  module.def("slice", &sliced, py::arg("mesh"), py::arg("profile"), py::arg("exact"), py::arg("dither"),
+             py::arg("undithered"), py::arg("antialias"), py::arg("even_light"));
+  module.def("slice_volume", &slicedVolume, py::arg("volume"), py::arg("profile"), py::arg("dither"),
+             py::arg("undithered"), py::arg("iso"), py::arg("values"), py::arg("mask"), py::arg("light_gain"),
+             py::arg("gradient_light"), py::arg("cutaway"), py::arg("seen_opacity"), py::arg("viewers"),
+             py::arg("progress"));
+  module.def("dithers", [] {
+    std::vector<std::string> names;
+    for (const NamedDither& each : kNamedDithers) {
+      names.emplace_back(each.name);
+    }
+    return names;
+  });
   module.def("observe", &observed, py::arg("volume"), py::arg("eye"), py::arg("width"), py::arg("height"),
              py::arg("fov_vertical_degrees"), py::arg("exposure_seconds"), py::arg("gain"));
 }

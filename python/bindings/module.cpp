@@ -10,7 +10,12 @@ PYBIND11_MODULE(_ocelli, module) {
   ocelli::bindImages(module);
   ocelli::bindRays(module);
   ocelli::bindCameras(module);
+  ocelli::bindVolumes(module);
+  ocelli::bindVolumeImages(module);
   ocelli::bindEvaluation(module);
   ocelli::bindDisplays(module);
   ocelli::bindStudies(module);
+  ocelli::bindAnalysis(module);
+  ocelli::bindEffects(module);
+  ocelli::bindDevices(module);
 }

@@ -9,6 +9,7 @@
 #include "python/bindings/arrays.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/progress.h"
+#include "python/bindings/warnings.h"
 
 namespace py = pybind11;
 
@@ -53,12 +54,7 @@ GuidedScene load(const std::string& source, bool fit, bool shaded, bool textures
     const py::gil_scoped_release released;
     return loadGuidedScene(source, options, told.function());
   }();
-  for (const std::string& warning : warnings) {
-    PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 2);
-    if (PyErr_Occurred() != nullptr) {
-      throw py::error_already_set();
-    }
-  }
+  warnOf(warnings);
   return scene;
 }
 

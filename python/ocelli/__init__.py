@@ -6,6 +6,8 @@
     images.write("statues.exr")
     mesh = ocelli.ocri.mesh(images)                      # its bounded mesh
     rows = ocelli.evaluate(statues, ["di", "ddoc"])      # figures: pandas.DataFrame(rows)
+    skull = ocelli.volume("builtin:volume,name=skull")   # or a file, or an array
+    ocelli.render(skull).before((1, 1, 1))               # along the rays of any camera
 
 Conventions: right-handed, y up; arrays of images have their first row at the top; colours are linear RGB (`ocelli.srgb()`
 turns them into bytes that a PNG takes); angles in degrees. A scene is fitted into the unit sphere unless `fit=False`.
@@ -16,7 +18,8 @@ Whatever takes a scene takes a `Scene`, a `Mesh`, a file name, or "builtin:NAME[
 unless `progress=False`; give a function `progress(stage, fraction)` to show it yourself. Ctrl-C ends it.
 """
 
-from ocelli import camera, ocri, scene, study
+from ocelli import camera, devices, effects, ocri, scene, study
+from ocelli._analysing import Analysis, analyse, column_maps
 from ocelli._drawing import render, resample, srgb
 from ocelli._evaluating import evaluate
 from ocelli._ocelli import (
@@ -28,12 +31,17 @@ from ocelli._ocelli import (
     ResampledView,
     Scene,
     View,
+    Volume,
+    VolumeImage,
     __version__,
 )
-from ocelli._slicing import observe, profiles, slice  # noqa: A004 - as the command is called
+from ocelli._slicing import dithers, observe, profiles, slice  # noqa: A004 - as the command is called
+from ocelli._table import Table
+from ocelli._volumes import isosurface, transfer_presets, volume, volume_info
 from ocelli.errors import Error, InputError, WorkError
 
 __all__ = [
+    "Analysis",
     "DisplayVolume",
     "Error",
     "InputError",
@@ -43,11 +51,20 @@ __all__ = [
     "ReferenceImages",
     "ResampledView",
     "Scene",
+    "Table",
     "View",
+    "Volume",
+    "VolumeImage",
     "WorkError",
     "__version__",
+    "analyse",
     "camera",
+    "column_maps",
+    "devices",
+    "dithers",
+    "effects",
     "evaluate",
+    "isosurface",
     "observe",
     "ocri",
     "profiles",
@@ -57,4 +74,7 @@ __all__ = [
     "slice",
     "srgb",
     "study",
+    "transfer_presets",
+    "volume",
+    "volume_info",
 ]

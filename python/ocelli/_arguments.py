@@ -18,7 +18,15 @@ def scene_of(scene, progress=None):
     if isinstance(scene, (str, os.PathLike)):
         from ocelli.scene import load
 
+        if _ocelli.is_volume_source(os.fspath(scene)):
+            raise InputError(
+                "this is a volume, not a scene of triangles",
+                os.fspath(scene),
+                "give ocelli.volume(...) of it, or ocelli.scene.load(..., iso=VALUE) for a surface",
+            )
         return load(scene, progress=progress)
+    if isinstance(scene, _ocelli.Volume):
+        raise InputError("a volume has no triangles", "scene", "give the surface at a value: ocelli.isosurface(volume, value)")
     raise InputError(f"a {type(scene).__name__} is no scene", "scene", "give a Scene, a Mesh, a file name or \"builtin:NAME\"")
 
 

@@ -6,12 +6,14 @@ from typing import Any
 
 from ocelli import _ocelli
 from ocelli._arguments import camera_of, mesh_of, size_of, view_of
+from ocelli._ocelli import Volume
 from ocelli._progress import Shown
-from ocelli._types import CameraLike, Progress, SceneLike, Size, ViewLike
+from ocelli._types import CameraLike, EvaluatedLike, Progress, Size, ViewLike
+from ocelli.errors import InputError
 
 
 def evaluate(
-    scene: SceneLike,
+    scene: EvaluatedLike,
     cameras: CameraLike | Sequence[CameraLike] = ("di", "ddoc"),
     *,
     view: ViewLike = None,
@@ -23,12 +25,13 @@ def evaluate(
     seed: int = 1,
     compare_images: bool = True,
     runs: int = 3,
+    opacity: float | None = None,
     progress: Progress = None,
 ) -> list[dict[str, Any]]:
     """Measures representations against the scene, over the viewpoints of a cell.
 
     Args:
-        scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME".
+        scene: a `Scene`, a `Mesh`, a file name or "builtin:NAME"; or a `Volume`, as rays hit it first.
         cameras: names, dicts with options, files, or your own (see `ocelli.camera`); a list, or one of them.
         view: the reference view; None: from (0, 0, 10).
         size: (width, height), pixels.
@@ -39,6 +42,7 @@ def evaluate(
         seed: of the viewpoints inside the cell.
         compare_images: measure PSNR, SSIM and FLIP too, which takes most of the time.
         runs: how often each representation is made; the best times count.
+        opacity: of a volume: at which a ray hits it; None: 0.5.
         progress: None, True, False or a function `progress(stage, fraction)`.
 
     Returns:
@@ -50,10 +54,11 @@ def evaluate(
     width, height = size_of(size)
     several = cameras if isinstance(cameras, (list, tuple)) else [cameras]
     chosen = [camera_of(camera, {}, (width, height)) for camera in several]
+    if opacity is not None and not isinstance(scene, Volume):
+        raise InputError("this scene has triangles: the option is for volumes alone", "opacity", "leave it out")
     with Shown(progress) as callback:
-        mesh = mesh_of(scene, callback)
         text = _ocelli.evaluate(
-            mesh,
+            scene if isinstance(scene, Volume) else mesh_of(scene, callback),
             scene if isinstance(scene, str) else repr(scene),
             chosen,
             view_of(view),
@@ -66,6 +71,7 @@ def evaluate(
             seed,
             compare_images,
             runs,
+            opacity,
             callback,
         )
     return json.loads(text)["representations"]

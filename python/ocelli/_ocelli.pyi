@@ -159,6 +159,59 @@ class ResampledView:
     def is_warped(self) -> bool: ...
 
 @final
+class VolumeSeries:
+    @property
+    def source(self) -> str: ...
+    @property
+    def times(self) -> list[float]: ...
+    def __len__(self) -> int: ...
+
+@final
+class Volume:
+    @property
+    def array(self) -> NDArray[Any]: ...
+    @property
+    def shape(self) -> tuple[int, int, int]: ...
+    @property
+    def spacing(self) -> tuple[float, float, float]: ...
+    @property
+    def unit(self) -> str: ...
+    @property
+    def scale(self) -> float: ...
+    @property
+    def offset(self) -> float: ...
+    @property
+    def world_from_index(self) -> NDArray[numpy.float64]: ...
+    @property
+    def scene_from_index(self) -> NDArray[numpy.float64]: ...
+    @property
+    def series(self) -> VolumeSeries: ...
+    @property
+    def transfer(self) -> str: ...
+
+@final
+class VolumeImage:
+    @property
+    def camera(self) -> str: ...
+    @property
+    def width(self) -> int: ...
+    @property
+    def height(self) -> int: ...
+    @property
+    def color(self) -> _Floats: ...
+    @property
+    def t(self) -> _Floats: ...
+    @property
+    def surface_t(self) -> _Floats: ...
+    @property
+    def samples(self) -> NDArray[numpy.uint32]: ...
+    @property
+    def opacity(self) -> float: ...
+    def before(self, background: _Point = (0, 0, 0)) -> _Floats: ...
+    def points(self) -> _Floats: ...
+    def write(self, path: _Path, background: _Point = (0, 0, 0)) -> None: ...
+
+@final
 class DisplayVolume:
     @property
     def profile(self) -> str: ...
@@ -201,7 +254,7 @@ def read_reference_images(path: _Path) -> ReferenceImages: ...
 def resample(images: ReferenceImages, view: View, width: int, height: int) -> ResampledView: ...
 def srgb_from_linear(linear: ArrayLike) -> _Bytes: ...
 def evaluate(
-    mesh: Mesh,
+    truth: Union[Mesh, Volume],
     scene: str,
     cameras: list[_Camera],
     view: View,
@@ -214,14 +267,73 @@ def evaluate(
     seed: int,
     compare_images: bool,
     runs: int,
+    opacity: Optional[float],
     progress: _Told,
 ) -> str: ...
+def is_volume_source(source: str) -> bool: ...
+def load_volume_series(source: str, series: str, progress: _Told) -> VolumeSeries: ...
+def volume_series_of_array(
+    voxels: NDArray[Any],
+    world_from_index: list[list[float]],
+    unit: str,
+    anatomical: bool,
+    scale: float,
+    offset: float,
+    modality: str,
+    value_unit: str,
+) -> VolumeSeries: ...
+def volume_at(
+    series: VolumeSeries,
+    seconds: Optional[float],
+    fit: bool,
+    transfer: str,
+    transfer_text: str,
+    shaded: Optional[bool],
+    clips: list[tuple[float, ...]],
+    progress: _Told,
+) -> Volume: ...
+def volume_with_surfaces(volume: Volume, mesh: Mesh, frame: str, shaded: bool) -> Volume: ...
+def volume_info(volume: Volume, progress: _Told) -> str: ...
+def isosurface(volume: Volume, value: float, shaded: bool, max_triangles: Optional[int], progress: _Told) -> Mesh: ...
+def transfer_presets() -> list[tuple[str, str, str]]: ...
+def draw_volume(
+    volume: Volume,
+    camera: _Camera,
+    constructor: str,
+    view: View,
+    width: int,
+    height: int,
+    step: Optional[float],
+    opacity: Optional[float],
+    progress: _Told,
+) -> VolumeImage: ...
+def build_volume_images(
+    volume: Volume, camera: _Camera, view: View, width: int, height: int, opacity: Optional[float], progress: _Told
+) -> ReferenceImages: ...
 def load_scene(
     source: str, fit: bool, shaded: bool, textures: bool, seconds: Optional[float], iso: Optional[float], progress: _Told
 ) -> Scene: ...
 def builtin_scenes() -> list[tuple[str, str]]: ...
 def profiles() -> list[str]: ...
-def slice(mesh: Mesh, profile: str, exact: bool) -> DisplayVolume: ...
+def dithers() -> list[str]: ...
+def slice(
+    mesh: Mesh, profile: str, exact: bool, dither: str, undithered: bool, antialias: bool, even_light: float
+) -> DisplayVolume: ...
+def slice_volume(
+    volume: Volume,
+    profile: str,
+    dither: str,
+    undithered: bool,
+    iso: Optional[float],
+    values: Optional[tuple[float, ...]],
+    mask: Optional[Volume],
+    light_gain: float,
+    gradient_light: float,
+    cutaway: Optional[float],
+    seen_opacity: Optional[float],
+    viewers: list[_Point],
+    progress: _Told,
+) -> DisplayVolume: ...
 def observe(
     volume: DisplayVolume,
     eye: Optional[_Point],
@@ -234,3 +346,57 @@ def observe(
 def study_tables(
     database: _Path, frames: bool, inputs: bool, gaze: bool, notes: bool, progress: _Told
 ) -> list[tuple[str, dict[str, list[Any]], dict[str, tuple[str, str]]]]: ...
+def analyse(
+    sources: list[str],
+    plan: str,
+    protocol: str,
+    columns: str,
+    only: list[str],
+    simulated: str,
+    other_protocols: bool,
+    seed: Optional[int],
+    progress: _Told,
+) -> dict[str, Any]: ...
+def column_maps() -> list[str]: ...
+def effects() -> list[dict[str, Any]]: ...
+def draw_effect(
+    scene: str,
+    effect: str,
+    way: str,
+    roles: str,
+    view: Optional[View],
+    width: int,
+    height: int,
+    image_size: Optional[tuple[int, int]],
+    cell: Optional[float],
+    environment_height: int,
+    options: dict[str, str],
+    shaded: bool,
+    progress: _Told,
+) -> _Floats: ...
+def compare_effect(
+    scene: str,
+    effect: str,
+    ways: list[str],
+    roles: str,
+    view: Optional[View],
+    width: int,
+    height: int,
+    image_size: Optional[tuple[int, int]],
+    cell: Optional[float],
+    environment_height: int,
+    options: dict[str, str],
+    shaded: bool,
+    runs: int,
+    progress: _Told,
+) -> tuple[str, list[tuple[_Floats, dict[str, _Bytes]]]]: ...
+def device_kinds() -> list[tuple[str, str, str]]: ...
+def present(
+    shown: Union[DisplayVolume, _Path],
+    device: str,
+    seconds: Optional[float],
+    loop: bool,
+    tear: bool,
+    coarse: bool,
+    progress: _Told,
+) -> str: ...

@@ -12,6 +12,8 @@ from ocelli import _ocelli
 Path = Union[str, "os.PathLike[str]"]
 SceneLike = Union[_ocelli.Scene, _ocelli.Mesh, Path]
 ViewLike = Union[_ocelli.View, Path, None]
+EvaluatedLike = Union[SceneLike, _ocelli.Volume]
+VolumeSource = Union[_ocelli.Volume, ArrayLike, Path]
 Size = tuple[int, int]
 Progress = Union[bool, Callable[[str, float], object], None]
 Floats = NDArray[numpy.float32]

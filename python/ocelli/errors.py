@@ -20,7 +20,13 @@ class Error(Exception):
         self.where = where
         self.next = next
         self.details = details
-        super().__init__(text if text is not None else f"{where}: {what}" if where else what)
+        super().__init__(text if text is not None else _sentence(what, where, next, details))
+
+
+def _sentence(what: str, where: str, next: str, details: str) -> str:  # noqa: A002 - as above
+    """As the C++ side says it."""
+    lines = [f"{where}: {what}" if where else what, *(f"    {line}" for line in details.splitlines())]
+    return "\n".join([*lines, f"  try: {next}"] if next else lines)
 
 
 class InputError(Error, ValueError):

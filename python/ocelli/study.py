@@ -1,7 +1,7 @@
 """Studies: what their databases hold, as tables.
 
     tables = ocelli.study.tables("study.db")
-    trials = pandas.DataFrame(tables["trials"])
+    trials = tables["trials"].frame()                    # a pandas.DataFrame
     trials[trials.counts == 1].groupby("view").correct.mean()
     tables["trials"].meanings["response_s"]     # ("s", "from the first image on to the answer ...")
 
@@ -10,25 +10,12 @@ Columns are those of `ocelli study export`. Rows of simulated subjects have `sim
 
 from __future__ import annotations
 
-from typing import Any
-
 from ocelli import _ocelli
 from ocelli._progress import Shown
+from ocelli._table import Table
 from ocelli._types import Path, Progress
 
 __all__ = ["Table", "tables"]
-
-
-class Table(dict[str, list[Any]]):
-    """{column: values}, which `pandas.DataFrame()` takes; None where there is no value.
-
-    Attributes:
-        meanings: {column: (unit, what it means)}; the unit is "" where there is none.
-    """
-
-    def __init__(self, values: dict[str, list[Any]], meanings: dict[str, tuple[str, str]]) -> None:
-        super().__init__(values)
-        self.meanings = meanings
 
 
 def tables(

@@ -10,7 +10,7 @@ import ocelli
 from ocelli import _ocelli
 
 STUB = ast.parse((pathlib.Path(ocelli.__file__).parent / "_ocelli.pyi").read_text(encoding="utf-8"))
-PUBLIC_MODULES = (ocelli, ocelli.camera, ocelli.ocri, ocelli.scene, ocelli.study)
+PUBLIC_MODULES = (ocelli, ocelli.camera, ocelli.devices, ocelli.effects, ocelli.ocri, ocelli.scene, ocelli.study)
 
 
 def stub_functions(body):
@@ -90,7 +90,7 @@ class Types(unittest.TestCase):
         for module in PUBLIC_MODULES[1:]:
             for name in module.__all__:
                 each = getattr(module, name)
-                self.assertIn(getattr(each, "__module__", None), (module.__name__, "ocelli._ocelli"), name)
+                self.assertIn(getattr(each, "__module__", None), (module.__name__, "ocelli._ocelli", "ocelli._table"), name)
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-#include "cli/presentation_report.h"
+#include "display_driver/pacing/presentation_report.h"
 
 #include <fmt/format.h>
 
