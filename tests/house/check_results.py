@@ -37,6 +37,7 @@ CONDITIONS = {
     "no meshes": lambda: "OCELLI_DATA_DIR" not in os.environ,
     "root": lambda: os.geteuid() == 0,
     "no right to mount": lambda: not may_mount(),
+    "no Doxygen": lambda: shutil.which("doxygen") is None,
     "no R": lambda: not has_r(),
     "gpu": lambda: any(pathlib.Path("/dev").glob("nvidia[0-9]*")) or any(pathlib.Path("/dev").glob("dri/renderD*")),
 }
