@@ -36,10 +36,10 @@ def paragraphs(lines):
 
 
 def is_table(paragraph):
-    """Whether columns of it are aligned by spaces."""
+    """Whether columns are aligned by spaces, from its first line on."""
     if any(LIST_ITEM.match(line.lstrip()) for line in paragraph):
         return False
-    return sum(COLUMNS.search(line) is not None for line in paragraph) >= 2
+    return COLUMNS.search(paragraph[0]) is not None and sum(COLUMNS.search(line) is not None for line in paragraph) >= 2
 
 
 def marked(lines):
