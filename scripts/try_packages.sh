@@ -39,9 +39,10 @@ ocelli doctor || true  # tells what is missing: here windows, and OpenGL where t
 ocelli demo --quiet --only --size 360x240 -o /try/demo builtin:statues
 ls -s /try/demo/index.html
 
-say "Its menu entry, icon and rule for displays on USB"
+say "Its protocols, menu entry, icon and rule for displays on USB"
 apt_install desktop-file-utils
 desktop-file-validate /usr/share/applications/ocelli.desktop
+ocelli study check /usr/share/ocelli/protocols/short.json | head -n 3
 ls /usr/share/icons/hicolor/scalable/apps/ocelli.svg /lib/udev/rules.d/*ocelli.rules
 
 say "Manual pages"
@@ -81,8 +82,9 @@ done
 
 say "The examples in Python"
 apt_install /given/python3-ocelli_*.deb python3-matplotlib
+cp -r /usr/share/doc/ocelli-doc/examples/python /try/examples
 for example in beyond_the_pinhole a_volumetric_display your_own_camera; do
-  python3 "/usr/share/doc/ocelli-doc/examples/python/$example.py" /try/python
+  python3 "/try/examples/$example.py" /try/python
 done
 
 say "The documentation"
@@ -90,7 +92,7 @@ ls /usr/share/doc/ocelli-doc
 [ -s /usr/share/doc/ocelli-doc/html/index.html ] || { echo "there is no reference of the API: make it before the packages" >&2; exit 1; }
 
 say "Away with them again"
-apt-get purge -qq -y ocelli libocelli-dev python3-ocelli ocelli-doc >/dev/null
+apt-get purge -qq -y ocelli libocelli-dev python3-ocelli ocelli-doc >/given/apt.log 2>&1
 left=$(find / -xdev -iname '*ocelli*' -not -path '/given/*' -not -path '/try/*' -not -path '/proc/*' -not -path '/var/*' -not -path '/dev/*')
 [ -z "$left" ] || { echo "left behind: $left" >&2; exit 1; }
 echo "All of it works."

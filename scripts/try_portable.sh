@@ -42,7 +42,7 @@ ls report
 
 say "The viewer, with Mesa's driver"
 apt-get update -qq
-apt-get install -qq -y --no-install-recommends libegl1 libgl1-mesa-dri >/dev/null
+apt-get install -qq -y --no-install-recommends libegl1 libgl1-mesa-dri >/given/apt.log 2>&1 || { tail -n 20 /given/apt.log >&2; exit 1; }
 $here/ocelli doctor | grep -A 1 EGL
 cat >look.json <<'JSON'
 {"size": [640, 400], "steps": [{"wait": "idle"}, {"save": "all.png"}]}
