@@ -51,14 +51,12 @@ foreach(schema IN ITEMS
     oc_core/ocri/camera.schema.json
     oc_core/volume/transfer_function.schema.json
     oc_core/worlds/maze.schema.json
-    oc_core/worlds/object_roles.schema.json
-    protocols/analysis_plan.schema.json
-    protocols/language.schema.json
-    protocols/protocol.schema.json
-    protocols/questionnaire.schema.json)
+    oc_core/worlds/object_roles.schema.json)
   get_filename_component(folder ${schema} DIRECTORY)
   install(FILES ${schema} DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/${folder} COMPONENT program)
 endforeach()
+# Studies to run, and to begin from.
+install(DIRECTORY protocols DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli COMPONENT program)
 # Maps of columns to copy, with a table each.
 install(DIRECTORY analysis/dataset/column_maps DESTINATION ${CMAKE_INSTALL_DATADIR}/ocelli/analysis/dataset
   COMPONENT program FILES_MATCHING PATTERN "*.json" PATTERN "*.csv" PATTERN column_map.schema.json EXCLUDE)

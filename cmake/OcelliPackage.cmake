@@ -3,7 +3,7 @@
 #   program        ocelli            the program, its readers, manual pages, completion
 #   development    libocelli-dev     headers, libraries, what find_package(Ocelli) needs
 #   python         python3-ocelli    the package `ocelli` for Python
-#   documentation  ocelli-doc        the guide with its pictures, and the examples
+#   documentation  ocelli-doc        the reference of the API, the guide with its pictures, and the examples
 
 # Packages for others need an address that works.
 set(OCELLI_PACKAGE_MAINTAINER "The Ocelli authors <ocelli@localhost.localdomain>" CACHE STRING "Whom packages name")
@@ -44,7 +44,8 @@ ocelli_package(development libocelli-dev libdevel "non-pinhole cameras - librari
 and volumetric displays, with what find_package(Ocelli) of CMake needs.")
 ocelli_package(documentation ocelli-doc doc "non-pinhole cameras - documentation and examples"
   "The guide of Ocelli, a toolkit for non-pinhole cameras and volumetric
-displays, with pictures, measurements, and examples in C++ and Python.")
+displays, with pictures, measurements, the reference of its API, and
+examples in C++ and Python.")
 if(OCELLI_WITH_PYTHON)
   ocelli_package(python python3-ocelli python "non-pinhole cameras - package for Python"
     "Ocelli for Python: scenes, every camera, reference images, meshes,
@@ -52,6 +53,10 @@ evaluation and displays as NumPy arrays.")
 endif()
 
 install(FILES cmake/package/ocelli.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications COMPONENT program)
+install(FILES cmake/package/ocelli.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps COMPONENT program)
+# Where it was made: target `api_reference`.
+install(DIRECTORY ${OCELLI_REFERENCE_DIR}/html DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc COMPONENT documentation
+  OPTIONAL)
 install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc/docs COMPONENT documentation)
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc/examples COMPONENT documentation
   PATTERN __pycache__ EXCLUDE)
@@ -70,15 +75,18 @@ set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 # What the program starts by itself, and what libraries of others need.
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS ffmpeg)
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ocelli-doc, python3-ocelli")
+# Windows draw with OpenGL, which a driver brings.
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, libegl1, libgl1, libgl1-mesa-dri, fonts-dejavu-core")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ocelli-doc, python3-ocelli, libosmesa6, openmpi-bin, umockdev")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy, ocelli (= ${PROJECT_VERSION}-1)")
+set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
+  ${PROJECT_SOURCE_DIR}/cmake/package/python/postinst ${PROJECT_SOURCE_DIR}/cmake/package/python/prerm)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-pandas, python3-matplotlib")
 # Those that programs built with the libraries need: what this one is built with, but for its tests and its Python.
 file(READ scripts/install_dependencies.sh needed)
 string(REGEX MATCHALL "[a-z][a-z0-9.+-]*-dev" needed "${needed}")
 list(REMOVE_DUPLICATES needed)
-list(FILTER needed EXCLUDE REGEX "^(libgtest|libgmock|libbenchmark|libumockdev|pybind11|python3|libvtk9|libclang).*")
+list(FILTER needed EXCLUDE REGEX "^(libgtest|libgmock|libbenchmark|pybind11|python3|libvtk9|libclang).*")
 list(JOIN needed ", " needed)
 set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "ocelli (= ${PROJECT_VERSION}-1), ${needed}")
 include(CPack)

@@ -1,7 +1,8 @@
 #!/bin/sh
 # Installs what building and testing Ocelli needs and this Debian 12 machine lacks.
-# Usage: scripts/install_dependencies.sh [--developer|--benchmarks]
-#   --developer    also the tools for fuzzing, formatting and linting, and for the site of the guide
+# Usage: scripts/install_dependencies.sh [--developer|--packages|--benchmarks]
+#   --developer    also the tools for fuzzing, formatting and linting, for the reference of the API and for the site of the guide
+#   --packages     also those for Debian packages: for the reference of the API
 #   --benchmarks   also the libraries that the slicer is measured against: some hundred megabytes
 set -eu
 
@@ -23,10 +24,13 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
 
 case "${1-}" in
   "") ;;
-  --developer) packages="$packages clang-16 lld libclang-rt-16-dev llvm-16 clang-format clang-tidy mkdocs mkdocs-material" ;;
+  --developer)
+    packages="$packages clang-16 lld libclang-rt-16-dev llvm-16 clang-format clang-tidy doxygen mkdocs mkdocs-material"
+    ;;
+  --packages) packages="$packages doxygen" ;;
   --benchmarks) packages="$packages libvtk9-dev" ;;
   *)
-    echo "usage: $0 [--developer|--benchmarks]" >&2
+    echo "usage: $0 [--developer|--packages|--benchmarks]" >&2
     exit 2
     ;;
 esac

@@ -3,7 +3,7 @@
 //
 //   Efron and Tibshirani 1993, chapter 14   percentile and BCa intervals
 //   Owen 2007, "The pigeonhole bootstrap"   subjects and cases drawn at once: a trial counts as often as its subject
-//   was drawn,
+//                                           was drawn,
 //                                           times its case. The spread comes out somewhat too wide, by up to twice what
 //                                           the trials vary by themselves, and never too narrow in the mean
 #pragma once

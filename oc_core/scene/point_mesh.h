@@ -18,7 +18,7 @@ struct PointMesh {
 /// (to the rounding of floats from -1 to 1, over the box of all points):
 ///
 /// - where it has a normal, or its neighbours lie about in a plane, a panel in that plane: a rectangle of two
-/// triangles,
+///   triangles,
 ///   just so large that the surface is closed: it holds the Voronoi cell among the neighbours (point_shape.h);
 /// - otherwise, as along a line, in a cloud that fills space, or at a sharp edge, a closed octahedron that reaches the
 ///   neighbours.

@@ -38,6 +38,7 @@ CONDITIONS = {
     "root": lambda: os.geteuid() == 0,
     "no right to mount": lambda: not may_mount(),
     "no mkdocs": lambda: not pathlib.Path("/usr/bin/mkdocs").exists(),
+    "no Doxygen": lambda: shutil.which("doxygen") is None,
     "no R": lambda: not has_r(),
     "gpu": lambda: any(pathlib.Path("/dev").glob("nvidia[0-9]*")) or any(pathlib.Path("/dev").glob("dri/renderD*")),
 }
