@@ -7,6 +7,7 @@
 #include <functional>
 #include <memory>
 
+#include "display_sim/volume_solidity/masked_volume.h"
 #include "display_sim/volume_solidity/volume_truth.h"
 #include "oc_core/base/error.h"
 #include "oc_core/image/color.h"
@@ -40,6 +41,28 @@ double lightWhere(const ShownVolume& shown, const std::function<bool(const glm::
 }
 
 const auto kAnywhere = [](const glm::dvec3&) { return true; };
+
+TEST(PlacedMask, LiesInTheVolumeAsTheirFilesSay) {
+  VolumeScene scene = softBall();
+  VolumeGrid grid = scene.volume->grid();
+  // Both files say millimetres of their own, and the mask begins two voxels later.
+  VolumeScene mask = scene;
+  grid.worldFromIndex[3] += 2.0 * grid.worldFromIndex[0];
+  mask.volume = std::make_shared<const ScalarVolume>(grid, std::vector<float>(grid.voxelCount(), 1));
+  mask.worldFromIndex = grid.worldFromIndex;
+  const VolumeScene placed = placedMask(mask, scene);
+  for (const glm::dvec4 voxel : {glm::dvec4(0, 0, 0, 1), glm::dvec4(5, 7, 11, 1)}) {
+    const glm::dvec4 there = scene.worldFromIndex * (voxel + glm::dvec4(2, 0, 0, 0));
+    EXPECT_NEAR(glm::distance(placed.worldFromIndex * voxel, there), 0, 1e-9);  // a product of doubles
+  }
+}
+
+TEST(ShownVolume, KnowsTheValuesOfItsSurfaces) {
+  const VolumeScene ball = softBall();
+  requireSurface(ball, 0.5, "ball");
+  EXPECT_THROW(requireSurface(ball, 1.5, "ball"), InputError);
+  EXPECT_THROW(requireSurface(ball, std::nan(""), "ball"), InputError);
+}
 
 TEST(ShownVolume, IsAllOfTheVolumeByDefault) {
   const ShownVolume shown(softBall(), loadProfile("test"), {});

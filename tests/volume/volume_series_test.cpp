@@ -8,6 +8,7 @@
 #include <span>
 
 #include "oc_core/base/error.h"
+#include "oc_core/volume/transfer_presets.h"
 
 namespace ocelli {
 namespace {
@@ -58,6 +59,18 @@ TEST(VolumeSeries, looksTheSameAtAllTimes) {
     // The grey ramp reaches from the least to the greatest value, of the first volume.
     EXPECT_EQ(scene.appearance.transfer.points().back().value, 1);
     EXPECT_EQ(scene.volume->valueAt({1, 0, 0}), index == 0 ? 1 : 2 * index);
+  }
+}
+
+TEST(VolumeSeries, looksAsADescriptionWithoutAFileSays) {
+  const VolumeSeries series = threeMoments();
+  TransferDescription relative{.scale = "range",
+                               .points = {transferPoint(0, 0x000000, 0), transferPoint(1, 0xff0000, 1)}};
+  for (size_t index = 0; index < 3; ++index) {
+    const VolumeScene scene = volumeSceneAt(series, index, relative, {.transfer = "ct-bone"});
+    // In the values of the first volume.
+    EXPECT_EQ(scene.appearance.transfer.points().back().value, 1);
+    EXPECT_EQ(scene.appearance.transfer.points().back().color, glm::dvec3(1, 0, 0));
   }
 }
 

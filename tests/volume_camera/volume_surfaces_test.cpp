@@ -33,6 +33,19 @@ TEST(VolumeSurfaces, StandWhereTheVolumesOwnCoordinatesSay) {
   EXPECT_NEAR(glm::distance(scene.surfaces.positions[1], glm::vec3(0.25f, 0.25f, 0.25f)), 0, 1e-6);
 }
 
+TEST(VolumeSurfaces, OfAMeshAreThoseOfItsFile) {
+  const TemporaryFolder folder;
+  VolumeScene ofFile = ballVolume();
+  ofFile.worldFromIndex = glm::scale(glm::dmat4(1), glm::dvec3(0.5)) * ofFile.worldFromIndex;
+  VolumeScene ofMesh = ofFile;
+  const SceneOptions lit{.fit = false};
+  addSurfaces(ofFile, triangleFile(folder), SurfaceFrame::kVolume, lit);
+  addSurfaces(ofMesh, loadScene(triangleFile(folder), {.fit = false, .shading = Shading::kNone}), SurfaceFrame::kVolume,
+              true, "mesh");
+  EXPECT_EQ(ofMesh.surfaces.positions, ofFile.surfaces.positions);
+  EXPECT_EQ(ofMesh.surfaces.colors, ofFile.surfaces.colors);
+}
+
 TEST(VolumeSurfaces, OfPatientsAreTurnedUpright) {
   const TemporaryFolder folder;
   VolumeScene scene = ballVolume();
