@@ -1,4 +1,4 @@
-# ocelli_room(NAME [OPTIMIZE text|light|hot] SOURCES ... PUBLIC ... PRIVATE ...): one library a room, with the settings they all
+# ocelli_room(NAME [OPTIMIZE light|hot] SOURCES ... PUBLIC ... PRIVATE ...): one library a room, with the settings they all
 # share.
 add_library(ocelli_settings INTERFACE)
 target_compile_features(ocelli_settings INTERFACE cxx_std_20)
@@ -37,11 +37,6 @@ set(OCELLI_OPTIONS_hot $<$<CONFIG:Release>:-O3>)
 if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   # GCC 12 at -O1 is wrong about strings and Eigen here. The sanitizers look for what these warnings mean.
   list(APPEND OCELLI_OPTIONS_light -Wno-array-bounds -Wno-maybe-uninitialized -Wno-stringop-overflow)
-endif()
-# What makes text and calls nothing often: clang takes four times as long to optimise it, once it has put its checks in.
-set(OCELLI_OPTIONS_text ${OCELLI_OPTIONS_light})
-if(OCELLI_SANITIZE)
-  list(APPEND OCELLI_OPTIONS_text -O0)
 endif()
 
 function(ocelli_room name)
