@@ -2,7 +2,7 @@
 
 Usage: check_results.py EXPECTED.json BUILD RESULTS.xml ...
 
-RESULTS are what `ctest --output-junit` or a test program with `--gtest_output=xml` wrote. EXPECTED has for each BUILD ("release", "asan", "thorough") the number of tests that
+RESULTS are what `ctest --output-junit` or a test program with `--gtest_output=xml` wrote. EXPECTED has for each BUILD ("release", "asan", "asan-all", "thorough") the number of tests that
 there must be at least, and the skips that are no surprise: a pattern of whole test names, what the test must have printed,
 the condition of the machine under which it may be skipped, the builds in which it may (all, where none is named), and the
 reason. Exits with 1 where something is not as expected.
