@@ -2,7 +2,7 @@
 # scripts/test_sanitized.sh [--all]: builds the `asan` preset (clang, AddressSanitizer, UndefinedBehaviorSanitizer) of what
 # needs no OpenGL, and runs the fast tests of what reads, stores and talks, and of the program itself, which goes through all
 # rooms; then fuzzes the file readers, 10 seconds each: fuzz/run.sh by hand gives them more.
-# --all: the fast tests of rooms that compute as well, which take twice as long again: for changes of these, and before a release.
+# --all: the fast tests of rooms that compute as well, which take longest: for changes of these, and before a release.
 set -eu
 cd "$(dirname "$0")/.."
 

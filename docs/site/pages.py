@@ -9,7 +9,7 @@ from mkdocs.exceptions import PluginError
 from mkdocs.structure.files import File
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-LINK = re.compile(r"\]\(([^)#\s]+)(#[^)\s]*)?\)")
+LINK = re.compile(r"\[([^][]*)\]\(([^)#\s]+)(#[^)\s]*)?\)")
 # Where a reader begins; it stands above docs/, and is the site's first page.
 FIRST = "README.md"
 
@@ -27,8 +27,9 @@ def in_site(path):
 def targets(path):
     """What the page links to within the project: (as it is written, path in the project)."""
     for match in LINK.finditer((ROOT / path).read_text(encoding="utf-8")):
-        if "://" not in match.group(1) and not match.group(1).startswith("mailto:"):
-            yield match.group(1), posixpath.normpath(posixpath.join(posixpath.dirname(path), match.group(1)))
+        target = match.group(2)
+        if "://" not in target and not target.startswith("mailto:"):
+            yield target, posixpath.normpath(posixpath.join(posixpath.dirname(path), target))
 
 
 def on_files(files, config):
@@ -64,13 +65,12 @@ def on_page_markdown(markdown, page, config, files):
     paths = dict(targets(here))
 
     def moved(match):
-        path = paths.get(match.group(1))
+        text, target, place = match.groups()
+        path = paths.get(target)
         if path is None:
             return match.group()
         if not (ROOT / path).is_file():
-            return "]"  # a folder: its name is all there is to see
-        return f"]({posixpath.relpath(in_site(path), folder or '.')}{match.group(2) or ''})"
+            return text  # a folder: its name is all there is to see
+        return f"[{text}]({posixpath.relpath(in_site(path), folder or '.')}{place or ''})"
 
-    text = LINK.sub(moved, markdown)
-    # Without a target, [text] is the text.
-    return re.sub(r"(?<!!)\[([^][]+)\](?![(\[:])", r"\1", text)
+    return LINK.sub(moved, markdown)
