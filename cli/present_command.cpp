@@ -391,13 +391,7 @@ void requireShown(const PresentationReport& report, const Presented& presented, 
   if (presented.eyes != nullptr && !presented.eyes->eyeCame()) {
     throw WorkError("no eye ever came", "--eyes " + choice.eyes, "send lines TIME,X,Y,Z: 0,0,0.2,9.8");
   }
-  if (report.summary.framesShown == 0 && report.telemetry.framesShown == 0) {
-    const bool absent = report.absent || report.summary.count(RefreshOutcome::kNotConnected) > 0;
-    const std::string& why = report.telemetry.lastProblem;
-    throw WorkError("no frame was ever shown" + (why.empty() ? "" : ": " + why), choice.device,
-                    absent ? "see with ocelli device info whether the display is there"
-                           : "give it more time (--seconds), or a link that carries more");
-  }
+  requireFrames(report, choice.device);
 }
 
 /// Until what is missing is told.

@@ -4,6 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 
 namespace ocelli {
@@ -52,6 +53,17 @@ std::string fieldName(RefreshOutcome outcome) {
 }
 
 }  // namespace
+
+void requireFrames(const PresentationReport& report, const std::string& device) {
+  if (report.summary.framesShown > 0 || report.telemetry.framesShown > 0) {
+    return;
+  }
+  const bool absent = report.absent || report.summary.count(RefreshOutcome::kNotConnected) > 0;
+  const std::string& why = report.telemetry.lastProblem;
+  throw WorkError("no frame was ever shown" + (why.empty() ? "" : ": " + why), device,
+                  absent ? "see with ocelli device info whether the display is there"
+                         : "give it more seconds, or a link that carries more");
+}
 
 std::string missText(const RefreshRecord& record, HostTime start) {
   std::string text = fmt::format("refresh {} at {:.3f} s: {}", record.refresh,

@@ -28,6 +28,9 @@ struct PresentationReport {
   bool interrupted = false;
 };
 
+/// Throws WorkError, naming `device`, where the display showed no frame.
+void requireFrames(const PresentationReport& report, const std::string& device);
+
 /// Lines for people, each with its end.
 std::string reportText(const PresentationReport& report);
 std::string reportJson(const PresentationReport& report);

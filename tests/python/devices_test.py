@@ -43,6 +43,9 @@ class Devices(unittest.TestCase):
             self.assertGreaterEqual(report["frames_submitted"], 1)
             self.assertTrue(told)
 
+    def test_no_time_shows_nothing_and_is_no_error(self):
+        self.assertEqual(ocelli.devices.show(self.volume, "null", seconds=0, progress=False)["frames_shown"], 0)
+
     def test_the_simulated_display(self):
         report = ocelli.devices.show(self.volume, "sim", seconds=0.5, progress=False)
         self.assertEqual((report["device"], report["profile"]), ("sim", self.volume.profile))
