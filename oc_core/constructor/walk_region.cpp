@@ -205,10 +205,10 @@ void keepExitsOnBorder(WalkRegion& region) {
   region.ground = planHull(ground);
 }
 
-/// Sides, floor and ceiling.
-void limitRegion(WalkRegion& region) {
+/// Sides, floor and ceiling. Walls may lie beyond the sides by `toWalls`.
+void limitRegion(WalkRegion& region, double toWalls) {
   region.limits.clear();
-  const double into = kWalkIntoWalls * region.size;
+  const double into = std::max(kWalkIntoWalls * region.size, toWalls);
   for (size_t i = 0; i < region.border.size(); ++i) {
     const glm::dvec2& a = region.border[i];
     const glm::dvec2 along = glm::normalize(region.border[(i + 1) % region.border.size()] - a);
@@ -262,7 +262,7 @@ std::vector<WalkRegion> regionsOf(const WalkMap& map, uint32_t index, std::vecto
       region.exits.push_back(link);
     }
     keepExitsOnBorder(region);
-    limitRegion(region);
+    limitRegion(region, static_cast<double>(map.toWalls));
     regions.push_back(region);
   }
   return regions;

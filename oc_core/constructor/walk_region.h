@@ -54,8 +54,9 @@ struct WalkRegion {
   PlanPolygon border;
   PlanPolygon ground;           ///< with the floor in the openings
   std::vector<WalkExit> exits;  ///< those whose openings lie on the border
-  std::vector<Plane> limits;    ///< sides, floor and ceiling; normals point out of it, by a hair beyond the surfaces
-  double size = 0;              ///< the shortest of width, length and height
+  std::vector<Plane>
+      limits;  ///< sides, floor and ceiling; normals point out of it, beyond the walls (WalkMap::toWalls), or by a hair
+  double size = 0;  ///< the shortest of width, length and height
 
   /// Of the floor of the cell's box, which may slope, below or above a point.
   double floorAt(const glm::dvec2& point) const { return floor + glm::dot(slope, point - floorPoint); }

@@ -64,6 +64,7 @@ std::string nameOfOpening(size_t portal) {
 WalkMap moved(const WalkMap& map, const glm::mat4& newFromOld) {
   const float scale = newFromOld[0][0];
   WalkMap result = map;
+  result.toWalls *= scale;
   for (WalkCell& cell : result.cells) {
     cell.center = glm::vec3(newFromOld * glm::vec4(cell.center, 1));
     cell.halfLength *= scale;

@@ -202,6 +202,7 @@ WalkMap readWalkMap(JsonFields& fields) {
         map.portals.push_back(portalIn(each, map.cells.size()));
       },
       "portals");
+  map.toWalls = static_cast<float>(fields.number("to_walls", 0, kFarthest, 0));
   fields.rejectUnknown();
   numberCells(map);
   return map;
@@ -252,7 +253,11 @@ std::string jsonText(const WalkMap& map) {
     }
     portals.push_back(std::move(json));
   }
-  return textOfJson(nlohmann::ordered_json{{"cells", cells}, {"portals", portals}}, 1) + "\n";
+  nlohmann::ordered_json json{{"cells", cells}, {"portals", portals}};
+  if (map.toWalls > 0) {
+    json["to_walls"] = shortestDecimal(map.toWalls);
+  }
+  return textOfJson(json, 1) + "\n";
 }
 
 }  // namespace ocelli
