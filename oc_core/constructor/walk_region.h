@@ -54,8 +54,8 @@ struct WalkRegion {
   PlanPolygon border;
   PlanPolygon ground;           ///< with the floor in the openings
   std::vector<WalkExit> exits;  ///< those whose openings lie on the border
-  std::vector<Plane>
-      limits;  ///< sides, floor and ceiling; normals point out of it, beyond the walls (WalkMap::toWalls), or by a hair
+  /// Sides, floor and ceiling; normals point out of it, beyond the walls (WalkMap::toWalls), or by a hair.
+  std::vector<Plane> limits;
   double size = 0;  ///< the shortest of width, length and height
 
   /// Of the floor of the cell's box, which may slope, below or above a point.

@@ -73,7 +73,7 @@ struct WalkMap {
   /// Of each cell, the number of its room, or of its street or crossing: joints lead to the other cells of that number.
   std::vector<uint32_t> roomOfCell;
   /// How far beyond the sides of cells walls and ceilings may lie, at most: of maps that were found from a scene, whose
-  /// cells end where a person or a square of the height field does. 0: cells end at the walls.
+  /// cells end before what stands along walls. 0: cells end at the walls.
   float toWalls = 0;
 
   size_t partCount() const;

@@ -164,8 +164,8 @@ WalkSurvey surveyWalkable(const Mesh& mesh, const WalkOptions& options, const Pr
   survey.map.portals = portalsOf(field, layout, roomsOf(joints, layout), survey.map.cells, radius);
   dissolveShortTunnels(survey.map, raster.agentHeight / 2);
   numberCells(survey.map);
-  // Cells end where an agent would touch a wall, or a square short of that on either side.
-  survey.map.toWalls = static_cast<float>(options.agentRadius + 2 * raster.cellSize);
+  // Cells end where an agent would touch a wall or what stands along it: beds, sofas, hedges.
+  survey.map.toWalls = static_cast<float>(2 * options.agentHeight);
   turn(survey.map, angle);
   finds(1);
   return survey;

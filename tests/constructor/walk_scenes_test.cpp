@@ -88,5 +88,49 @@ INSTANTIATE_TEST_SUITE_P(BuiltIn, WalkScenes,
                          testing::Values(SeenShare{"builtin:house", 0.95}, SeenShare{"builtin:house,seed=3", 0.95},
                                          SeenShare{"builtin:house,seed=7", 0.95}));
 
+double coveredShare(const Image<Fragment>& image) {
+  const auto covered = std::count_if(image.begin(), image.end(), [](const Fragment& each) { return each.covered(); });
+  return static_cast<double>(covered) / static_cast<double>(image.size());
+}
+
+TEST(WalkCameraInAHouse, showsTheWallsThatThePinholeShows) {
+  SceneOptions options;
+  options.fit = false;
+  const std::string name = "builtin:house";
+  const GuidedScene scene = loadGuidedScene(name, options);
+  const WalkMap map = findWalkMap(scene.mesh, inUnits({}, metreOf(name, scene).units));
+  const RayScene rays(scene.mesh);
+  const WalkSpace space(map);
+  constexpr int kWidth = 96;
+  constexpr int kHeight = 54;
+  double worst = 0;
+  double sum = 0;
+  size_t bent = 0;
+  for (const WalkCell& cell : map.cells) {
+    for (int quarter = 0; quarter < 4; ++quarter) {
+      const glm::dvec3 axis(cell.axis);
+      const glm::dvec3 right(cell.right());
+      const std::array<glm::dvec3, 4> headings{axis, right, -axis, -right};
+      const WalkPose pose{glm::dvec3(cell.center) + glm::dvec3(0, 1.6, 0), headings[static_cast<size_t>(quarter)]};
+      const WalkCamera camera = makeWalkCamera(space, pose, {}, kWidth, kHeight);
+      if (!camera.note.empty()) {
+        continue;
+      }
+      ++bent;
+      const double before = coveredShare(raycast(walkPinhole(space, pose, {}, kWidth, kHeight), scene.mesh, rays));
+      const double after = coveredShare(raycast(camera.camera, scene.mesh, rays));
+      worst = std::max(worst, before - after);
+      sum += before - after;
+    }
+  }
+  std::printf("%zu images: %.4f of a pinhole's less in the mean, %.4f at most\n", bent, sum / static_cast<double>(bent),
+              worst);
+  // Windows are in other places of the image, and doors lead outside. Where rays end at the sides of cells, it is 0.32
+  // and 1.
+  EXPECT_GT(bent, 20U);
+  EXPECT_LT(sum / static_cast<double>(bent), 0.01);
+  EXPECT_LT(worst, 0.1);
+}
+
 }  // namespace
 }  // namespace ocelli

@@ -57,22 +57,31 @@ TEST(WalkMapFile, IsReadAsItSays) {
   ASSERT_EQ(map.portals.size(), 1U);
   EXPECT_EQ(map.portals[0].opening.normal, glm::vec3(-1, 0, 0)) << "into the cell that it is seen from";
   EXPECT_EQ(map.partOfCell, (std::vector<uint32_t>{0, 0}));
+  EXPECT_EQ(map.toWalls, 0);
 }
 
 TEST(WalkMapFile, WhatIsWrittenIsReadAgain) {
   WalkMap map = walkMapFromJsonText(kGoodMap, "text");
   map.cells[1].axis = {0.6f, 0, 0.8f};
   map.portals[0].isJoint = true;
+  map.toWalls = 3.6f;
   numberCells(map);
   map.cells[0].center = {0.1f, 1e-3f, 123456.7f};
   const std::string text = jsonText(map);
   const WalkMap again = walkMapFromJsonText(text, "text");
   EXPECT_EQ(again.cells, map.cells);
+  EXPECT_EQ(again.toWalls, map.toWalls);
   EXPECT_EQ(again.partOfCell, map.partOfCell);
   EXPECT_EQ(again.roomOfCell, map.roomOfCell);
   EXPECT_EQ(again.portals[0].opening.halfUp, map.portals[0].opening.halfUp);
   EXPECT_EQ(again.portals[0].isJoint, map.portals[0].isJoint);
   EXPECT_EQ(jsonText(again), text);
+}
+
+TEST(WalkMapFile, TheWayToTheWallsIsALengthOfTheScene) {
+  const WalkMap map = walkMapFromJsonText(changed("/to_walls", 2), "text");
+  EXPECT_EQ(moved(map, glm::mat4(0.5f)).toWalls, 1);
+  EXPECT_NE(mapErrorOf(changed("/to_walls", -1)), "");
 }
 
 TEST(WalkMapFile, TunnelsWithoutRingsAreStraight) {
