@@ -75,6 +75,7 @@ class RegionWorker {
             rasterizer.draw(buffer_, tasks_[*task], *scratch_[piece]);
           }
         }
+        buffer_.close();
       }
       first = last;
     }
@@ -111,9 +112,8 @@ OrderedBuffer orderedBufferOf(const RayPieces& pieces, const PixelLeaves& leaves
   drawPieces(pieces, leaves, blocks, [&](const RegionBuffer& region) {
     region.forEachRun(leaves.size(), [&](const RegionBuffer::SampleRun& run) {
       size_t pixel = leaves.index(run.x, run.y);
-      for (const KeyedSample& sample : run.samples) {
-        const Fragment fragment = sample.fragment();
-        buffer.put(pixel++, run.order, fragment.t, fragment.triangle, {sample.b1, sample.b2});
+      for (size_t i = 0; i < run.size; ++i) {
+        buffer.put(pixel++, run.order, run.depths[i], run.triangles[i], {run.b1s[i], run.b2s[i]});
       }
     });
   });

@@ -31,12 +31,12 @@ void putFragments(const RegionBuffer::SampleRun& run, const Mesh& mesh, double z
                   std::span<Fragment> fragments) {
   RayBatch::Points points;
   RayBatch::Lanes z;
-  for (size_t i = 0; i < run.samples.size(); ++i) {
-    fragments[i] = run.samples[i].fragment();
+  for (size_t i = 0; i < run.size; ++i) {
+    fragments[i] = run.fragment(i);
     points.set(static_cast<int>(i), glm::dvec3(positionOf(fragments[i], mesh)));
   }
   zOf(run.x, run.y, run.order, run.leaf, points, z);
-  for (size_t i = 0; i < run.samples.size(); ++i) {
+  for (size_t i = 0; i < run.size; ++i) {
     if (z[i] <= zFar) {
       fragments[i].t = static_cast<float>(z[i]);
     } else {
@@ -52,7 +52,7 @@ FragmentImage drawFragments(const RayPieces& pieces, const PixelLeaves& leaves, 
   FragmentImage fragments(leaves.width(), leaves.height());
   drawPieces(pieces, leaves, blocks, [&](const RegionBuffer& region) {
     region.forEachRun(RayBatch::kLanes, [&](const RegionBuffer::SampleRun& run) {
-      putFragments(run, mesh, zFar, zOf, {&fragments(run.x, run.y), run.samples.size()});
+      putFragments(run, mesh, zFar, zOf, {&fragments(run.x, run.y), run.size});
     });
   });
   return fragments;
@@ -68,7 +68,8 @@ FragmentImage fragmentsOf(const OrderedBuffer& buffer, const PixelLeaves& leaves
       for (int x = 0; x < leaves.width(); ++x) {
         const size_t pixel = fragments.index(x, y);
         if (buffer.order(pixel) != OrderedBuffer::kNone) {
-          putFragments({x, y, buffer.order(pixel), leaves[pixel], {&buffer.sample(pixel), 1}}, mesh, zFar, zOf,
+          const Fragment f = buffer.fragment(pixel);
+          putFragments({x, y, buffer.order(pixel), leaves[pixel], 1, &f.t, &f.triangle, &f.b1, &f.b2}, mesh, zFar, zOf,
                        {&fragments[pixel], 1});
         }
       }

@@ -2,21 +2,15 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
-#include <cstring>
 
 #include "oc_core/base/check.h"
+#include "oc_core/render/region_fill.h"
 
 namespace ocelli {
 namespace {
 
-/// Pixels of a row that are worked out at once, in vectors as GCC and Clang have them for every CPU: loops over arrays
-/// stay loops where a compiler keeps to the order of what may trap.
-constexpr int kLanes = 8;
-using FloatLanes = float __attribute__((vector_size(kLanes * sizeof(float))));
-using DoubleLanes = double __attribute__((vector_size(kLanes * sizeof(double))));
-using WordLanes = uint32_t __attribute__((vector_size(kLanes * sizeof(uint32_t))));
-constexpr DoubleLanes kLaneNumbers{0, 1, 2, 3, 4, 5, 6, 7};
+/// From so many pixels on, rows are filled in lanes.
+constexpr int64_t kLaneRow = 4;
 /// Edge functions of triangles whose corners lie within that many pixels are whole numbers below 2^53.
 constexpr int64_t kExactPixels = 1 << 16;
 
@@ -33,9 +27,13 @@ void RegionBuffer::reset(const PixelBounds& rect, const PixelLeaves& leaves) {
   first_ = static_cast<size_t>(rect.y0) * static_cast<size_t>(width_) + static_cast<size_t>(rect.x0);
   tilesAcross_ = (width_ + kTile - 1) / kTile;
   tiles_.assign(static_cast<size_t>(tilesAcross_) * static_cast<size_t>((height + kTile - 1) / kTile), Tile());
-  fronts_.assign(pixels + kLanes, kClosed);
+  fronts_.assign(pixels + RegionPixels::kMost, kClosed);
   orders_.assign(pixels, OrderedBuffer::kNone);
-  samples_.assign(pixels, KeyedSample());
+  hasPiece_ = false;
+  depths_.resize(pixels + RegionPixels::kMost);
+  triangles_.resize(pixels + RegionPixels::kMost);
+  b1s_.resize(pixels + RegionPixels::kMost);
+  b2s_.resize(pixels + RegionPixels::kMost);
   leaves_.resize(pixels);
   runs_.clear();
   uint32_t pixel = 0;
@@ -53,6 +51,7 @@ void RegionBuffer::reset(const PixelBounds& rect, const PixelLeaves& leaves) {
 }
 
 uint64_t RegionBuffer::open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf) {
+  OC_CHECK(!hasPiece_, "a piece ends before the next one begins");
   order_ = order;
   const bool isApart = rect.x1 <= rect_.x0 || rect.x0 >= rect_.x1 || rect.y1 <= rect_.y0 || rect.y0 >= rect_.y1;
   if (isApart) {
@@ -74,8 +73,19 @@ uint64_t RegionBuffer::open(const PixelBounds& rect, uint8_t order, std::span<co
   }
   if (kinds != 0) {
     std::fill(tiles_.begin(), tiles_.end(), Tile());
+    hasPiece_ = true;
   }
   return kinds;
+}
+
+void RegionBuffer::close() {
+  if (hasPiece_) {
+    for (size_t i = 0; i < orders_.size(); ++i) {
+      const bool wasPut = fronts_[i] != kOpen && fronts_[i] != kClosed;
+      orders_[i] = wasPut ? order_ : orders_[i];
+    }
+    hasPiece_ = false;
+  }
 }
 
 uint32_t RegionBuffer::farthestOf(int tileX, int tileY) const {
@@ -176,57 +186,6 @@ bool RegionBuffer::missesAll(const PixelBounds& rect, const RasterVertex& a, con
   return true;
 }
 
-/// A triangle on its way into the pixels: scanTriangle() in lanes. Edge functions are held in double precision, in
-/// which they are as exact as in 64 bits, and all else is rounded by the same steps: so the samples are the same, bit
-/// by bit.
-class RegionBuffer::Filling {
- public:
-  Filling(RegionBuffer& region, uint32_t triangle, const RasterVertex& a, const RasterVertex& b, const RasterVertex& c,
-          float perArea)
-      : region_(region), triangle_(triangle), a_(a), b_(b), c_(c), perArea_(perArea) {}
-
-  /// So many pixels, kLanes at most, of which the first has these edge functions of b and c.
-  void put(size_t pixel, uint32_t count, double wb, double wc, double stepB, double stepC) {
-    const FloatLanes sb = __builtin_convertvector(wb + kLaneNumbers * stepB, FloatLanes) * perArea_;
-    const FloatLanes sc = __builtin_convertvector(wc + kLaneNumbers * stepC, FloatLanes) * perArea_;
-    const FloatLanes rest = 1 - sb - sc;
-    const FloatLanes sa = rest > 0 ? rest : FloatLanes{};
-    const FloatLanes ia = sa * a_.inverseZ;
-    const FloatLanes ib = sb * b_.inverseZ;
-    const FloatLanes ic = sc * c_.inverseZ;
-    const FloatLanes z = 1 / (ia + ib + ic);
-    WordLanes fronts;
-    WordLanes held;
-    std::memcpy(&fronts, &z, sizeof(z));
-    std::memcpy(&held, &region_.fronts_[pixel], sizeof(held));
-    const auto farther = fronts + 1 > held;  // frontOf()
-    uint32_t nearer = 0;
-    for (int i = 0; i < kLanes; ++i) {
-      nearer |= farther[i] == 0 ? 1u << i : 0u;
-    }
-    nearer &= (1u << count) - 1;
-    if (nearer == 0) {
-      return;
-    }
-    const FloatLanes b1 = (ia * a_.b1 + ib * b_.b1 + ic * c_.b1) * z;
-    const FloatLanes b2 = (ia * a_.b2 + ib * b_.b2 + ic * c_.b2) * z;
-    for (; nearer != 0; nearer &= nearer - 1) {
-      const int i = std::countr_zero(nearer);
-      if (region_.isNearest(pixel + static_cast<size_t>(i), z[i], triangle_)) {
-        region_.put(pixel + static_cast<size_t>(i), z[i], triangle_, {b1[i], b2[i]});
-      }
-    }
-  }
-
- private:
-  RegionBuffer& region_;
-  uint32_t triangle_;
-  const RasterVertex& a_;
-  const RasterVertex& b_;
-  const RasterVertex& c_;
-  float perArea_;
-};
-
 void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b0,
                         const RasterVertex& c0) {
   constexpr int64_t kOne = 1 << kSubPixelBits;
@@ -248,7 +207,7 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
   const int64_t y0 = box.y0;
   const int64_t y1 = box.y1;
   constexpr int64_t kExact = kExactPixels * kOne;
-  if (x1 - x0 < kWideRow || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
+  if (x1 - x0 < kLaneRow || leastX < -kExact || mostX > kExact || leastY < -kExact || mostY > kExact) {
     scan(rect, a, b0, c0, [&](size_t pixel, float z, const PixelWeights& weights) {
       if (isNearest(pixel, z, triangle)) {
         put(pixel, z, triangle, weights());
@@ -267,46 +226,18 @@ void RegionBuffer::fill(const PixelBounds& rect, uint32_t triangle, const Raster
     std::swap(b, c);
     area = -area;
   }
-  struct Edge {
-    int64_t stepX;
-    int64_t stepY;
-    int64_t row;
-
-    double at(int64_t x) const { return static_cast<double>(row + x * stepX); }
-  };
   const auto edge = [&](const Corner& p, const Corner& q) {
     const int64_t dx = q.x - p.x;
     const int64_t dy = q.y - p.y;
     const bool topOrLeft = dy < 0 || (dy == 0 && dx > 0);
     const int64_t startX = x0 * kOne + kOne / 2;
     const int64_t startY = y0 * kOne + kOne / 2;
-    return Edge{-dy * kOne, dx * kOne, dx * (startY - p.y) - dy * (startX - p.x) - (topOrLeft ? 0 : 1)};
+    return RowTriangle::Edge{-dy * kOne, dx * kOne, dx * (startY - p.y) - dy * (startX - p.x) - (topOrLeft ? 0 : 1)};
   };
-  std::array<Edge, 3> edges{edge(pb, pc), edge(pc, pa), edge(pa, pb)};
-  Filling filling(*this, triangle, a, *b, *c, 1.0f / static_cast<float>(area));
-  for (int64_t y = y0; y <= y1; ++y) {
-    // What all edges leave of the row.
-    int64_t first = 0;
-    int64_t last = x1 - x0;
-    for (const Edge& e : edges) {
-      if (e.stepX > 0) {
-        first = std::max(first, (-e.row + e.stepX - 1) / e.stepX);
-      } else if (e.stepX < 0) {
-        last = e.row < 0 ? -1 : std::min(last, e.row / -e.stepX);
-      } else if (e.row < 0) {
-        last = -1;
-      }
-    }
-    const size_t row = static_cast<size_t>(y) * static_cast<size_t>(width_) + static_cast<size_t>(x0) - first_;
-    for (int64_t x = first; x <= last; x += kLanes) {
-      filling.put(row + static_cast<size_t>(x), static_cast<uint32_t>(std::min<int64_t>(last - x + 1, kLanes)),
-                  edges[1].at(x), edges[2].at(x), static_cast<double>(edges[1].stepX),
-                  static_cast<double>(edges[2].stepX));
-    }
-    for (Edge& e : edges) {
-      e.row += e.stepY;
-    }
-  }
+  const auto width = static_cast<size_t>(width_);
+  fillRows({fronts_.data(), depths_.data(), triangles_.data(), b1s_.data(), b2s_.data()},
+           {static_cast<size_t>(y0) * width + static_cast<size_t>(x0) - first_, width, x1 - x0 + 1, y1 - y0 + 1},
+           {triangle, a, *b, *c, 1.0f / static_cast<float>(area), {edge(pb, pc), edge(pc, pa), edge(pa, pb)}});
 }
 
 }  // namespace ocelli

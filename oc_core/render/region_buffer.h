@@ -26,8 +26,10 @@ class RegionBuffer {
 
   /// Begins a piece that is seen within `rect`: open are the pixels that hold nothing yet, and whose leaf has a kind of
   /// rays in this piece (-1 for none). Returns which kinds of rays open pixels have: bit i is kind i, the last one for
-  /// all from it on; 0 where no pixel is open, or the region lies outside of `rect`.
+  /// all from it on; 0 where no pixel is open, or the region lies outside of `rect`: then nothing is to be drawn.
   uint64_t open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf);
+  /// Ends the piece: what was drawn stays, and forEachRun() tells it.
+  void close();
   /// The bit of a kind in what open() returns.
   static uint64_t kindBit(size_t kind) { return uint64_t{1} << std::min<size_t>(kind, 63); }
 
@@ -46,12 +48,14 @@ class RegionBuffer {
   /// Pixels are numbered within the region. `depth` is positive and grows along the piece; so do the fronts.
   bool isNearest(size_t pixel, float depth, uint32_t triangle) const {
     const uint32_t front = frontOf(depth);
-    return front < fronts_[pixel] || (front == fronts_[pixel] && triangle < static_cast<uint32_t>(samples_[pixel].key));
+    return front < fronts_[pixel] || (front == fronts_[pixel] && triangle < triangles_[pixel]);
   }
   void put(size_t pixel, float depth, uint32_t triangle, const glm::vec2& b) {
     fronts_[pixel] = frontOf(depth);
-    orders_[pixel] = order_;
-    samples_[pixel] = {KeyedSample::keyOf(depth, triangle), b.x, b.y};
+    depths_[pixel] = depth;
+    triangles_[pixel] = triangle;
+    b1s_[pixel] = b.x;
+    b2s_[pixel] = b.y;
   }
   /// Draws a triangle to the pixels of `rect`, as scan(), isNearest() and put() would: many pixels at once.
   void fill(const PixelBounds& rect, uint32_t triangle, const RasterVertex& a, const RasterVertex& b,
@@ -68,7 +72,14 @@ class RegionBuffer {
     int y = 0;
     uint8_t order = 0;
     uint16_t leaf = 0;
-    std::span<const KeyedSample> samples;
+    size_t size = 0;
+    const float* depths = nullptr;  ///< of `size` samples, as all that follows
+    const uint32_t* triangles = nullptr;
+    const float* b1s = nullptr;
+    const float* b2s = nullptr;
+
+    /// With the depth as its t.
+    Fragment fragment(size_t i) const { return {depths[i], triangles[i], b1s[i], b2s[i]}; }
   };
   /// Calls `visit(run)` for all pixels that hold a sample, in runs of up to `most` pixels.
   template <class Visit>
@@ -97,16 +108,21 @@ class RegionBuffer {
     return tiles_[static_cast<size_t>(tileY) * static_cast<size_t>(tilesAcross_) + static_cast<size_t>(tileX)];
   }
   uint32_t farthestOf(int tileX, int tileY) const;
-  class Filling;
 
   PixelBounds rect_;
   int width_ = 0;
   int tilesAcross_ = 0;
   size_t first_ = 0;  ///< of the pixels, as scan() numbers them
   uint8_t order_ = 0;
+  bool hasPiece_ = false;  ///< between open() and close()
   std::vector<uint32_t> fronts_;
+  // What pixels hold, each number by itself, as many pixels are drawn at once. Where the order is kNone, the rest is left
+  // over from before.
   std::vector<uint8_t> orders_;
-  std::vector<KeyedSample> samples_;
+  std::vector<float> depths_;
+  std::vector<uint32_t> triangles_;
+  std::vector<float> b1s_;
+  std::vector<float> b2s_;
   std::vector<uint16_t> leaves_;
   std::vector<Run> runs_;
   std::vector<Tile> tiles_;
@@ -124,8 +140,8 @@ void RegionBuffer::forEachRun(size_t most, const Visit& visit) const {
         while (last < limit && orders_[last] == orders_[first] && leaves_[last] == leaves_[first]) {
           ++last;
         }
-        visit(SampleRun{rect_.x0 + static_cast<int>(first - row), y, orders_[first], leaves_[first],
-                        std::span(samples_).subspan(first, last - first)});
+        visit(SampleRun{rect_.x0 + static_cast<int>(first - row), y, orders_[first], leaves_[first], last - first,
+                        &depths_[first], &triangles_[first], &b1s_[first], &b2s_[first]});
       }
       first = last;
     }

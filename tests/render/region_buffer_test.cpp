@@ -28,11 +28,12 @@ RasterVertex anyVertex(Random& random) {
           random.inRange(0, 1)};
 }
 
-std::vector<Fragment> fragmentsOf(const RegionBuffer& region) {
+std::vector<Fragment> fragmentsOf(RegionBuffer& region) {
+  region.close();
   std::vector<Fragment> fragments(40 * 20);
   region.forEachRun(40, [&](const RegionBuffer::SampleRun& run) {
-    for (size_t i = 0; i < run.samples.size(); ++i) {
-      fragments[static_cast<size_t>(run.y) * 40 + static_cast<size_t>(run.x) + i] = run.samples[i].fragment();
+    for (size_t i = 0; i < run.size; ++i) {
+      fragments[static_cast<size_t>(run.y) * 40 + static_cast<size_t>(run.x) + i] = run.fragment(i);
     }
   });
   return fragments;
@@ -57,10 +58,11 @@ TEST(RegionBuffer, opensThePixelsWhoseRaysPassAndHaveMetNothing) {
   // At a depth of 2: what is farther is hidden there, what is nearer is not.
   EXPECT_FALSE(region.mayShow(all, 2.001f));
   EXPECT_TRUE(region.mayShow(all, 1.999f));
+  region.close();
   size_t filled = 0;
   region.forEachRun(1000, [&](const RegionBuffer::SampleRun& run) {
     EXPECT_EQ(run.leaf, 1);
-    filled += run.samples.size();
+    filled += run.size;
   });
   EXPECT_EQ(filled, 20u * 20);
   // The next piece comes behind: the right half is closed for it, however near.
