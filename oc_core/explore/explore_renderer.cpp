@@ -15,7 +15,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kRowGrain = 8;
+constexpr size_t kPixelGrain = 1 << 13;
 constexpr int kSteps = 4096;  // of linear light in the table of encoded bytes
 const Rgb8 kSplitColor(90, 93, 98);
 const Rgb8 kBesideColor(32, 34, 38);  // where an image of another shape leaves the picture empty
@@ -48,6 +48,34 @@ const ByteTable& byteTable() {
   static const ByteTable table;
   return table;
 }
+
+/// Colours of samples side by side, most of which are of the triangle before.
+class TriangleColors {
+ public:
+  TriangleColors(const Mesh& mesh, const std::vector<Rgb8>& vertexColors) : mesh_(mesh), vertexColors_(vertexColors) {}
+
+  Rgb8 at(const Fragment& fragment) {
+    if (fragment.triangle != triangle_) {
+      triangle_ = fragment.triangle;
+      const glm::uvec3& t = mesh_.triangles[triangle_];
+      color_ = vertexColors_[t.x];
+      isOneColor_ = color_ == vertexColors_[t.y] && color_ == vertexColors_[t.z];
+    }
+    if (isOneColor_) {  // as most are
+      return color_;
+    }
+    const glm::vec3 color = colorOf(fragment, mesh_);
+    return {table_.at(color.x), table_.at(color.y), table_.at(color.z)};
+  }
+
+ private:
+  const Mesh& mesh_;
+  const std::vector<Rgb8>& vertexColors_;
+  const ByteTable& table_ = byteTable();
+  uint32_t triangle_ = Fragment::kNoTriangle;
+  Rgb8 color_{0};
+  bool isOneColor_ = false;
+};
 
 void copyFitted(const Image<Rgb8>& image, const FittedImage& fit, Image<Rgb8>& picture) {
   const int left = static_cast<int>(std::lround(fit.left));
@@ -104,28 +132,27 @@ ExploreRenderer::ExploreRenderer(const ExploreScene& scene) : scene_(scene) {
 }
 
 Image<Rgb8> ExploreRenderer::draw(const MultiperspectiveCamera& camera) const {
-  const Mesh& mesh = scene_.mesh();
-  const FragmentImage fragments =
-      std::visit([&](const auto& each) { return rasterize(each, mesh, scene_.blocks()); }, camera);
-  const Rgb8 sky = encoded(skyColor());
-  Image<Rgb8> image(fragments.width(), fragments.height());
-  const ByteTable& table = byteTable();
-  parallelFor(static_cast<size_t>(image.height()), kRowGrain, [&](size_t begin, size_t end) {
-    const auto width = static_cast<size_t>(image.width());
-    for (size_t i = begin * width; i < end * width; ++i) {
-      const Fragment& fragment = fragments[i];
-      if (!fragment.covered()) {
-        image[i] = sky;
-        continue;
+  const int width = std::visit([](const auto& each) { return each.width(); }, camera);
+  const int height = std::visit([](const auto& each) { return each.height(); }, camera);
+  Image<Rgb8> image(width, height, encoded(skyColor()));
+  const auto* graph = std::get_if<GraphCamera>(&camera);
+  if (graph != nullptr && endsBeforeZFar(*graph, scene_.bounds())) {
+    visitSamples(*graph, scene_.mesh(), scene_.blocks(), [&](const RegionBuffer::SampleRun& run) {
+      TriangleColors colors(scene_.mesh(), vertexColors_);
+      Rgb8* to = &image(run.x, run.y);
+      for (size_t i = 0; i < run.size; ++i) {
+        to[i] = colors.at(run.fragment(i));
       }
-      // Most triangles have one colour.
-      const glm::uvec3& t = mesh.triangles[fragment.triangle];
-      const Rgb8& a = vertexColors_[t.x];
-      if (a == vertexColors_[t.y] && a == vertexColors_[t.z]) {
-        image[i] = a;
-      } else {
-        const glm::vec3 color = colorOf(fragment, mesh);
-        image[i] = {table.at(color.x), table.at(color.y), table.at(color.z)};
+    });
+    return image;
+  }
+  const FragmentImage fragments =
+      std::visit([&](const auto& each) { return rasterize(each, scene_.mesh(), scene_.blocks()); }, camera);
+  parallelFor(image.size(), kPixelGrain, [&](size_t begin, size_t end) {
+    TriangleColors colors(scene_.mesh(), vertexColors_);
+    for (size_t i = begin; i < end; ++i) {
+      if (fragments[i].covered()) {
+        image[i] = colors.at(fragments[i]);
       }
     }
   });

@@ -1,6 +1,7 @@
 #include "oc_core/render/rasterize_graph.h"
 
 #include <algorithm>
+#include <array>
 
 #include "oc_core/render/camera_segments.h"
 #include "oc_core/render/draw_pieces.h"
@@ -65,6 +66,31 @@ FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh, const MeshB
   const GraphDrawing drawing(camera, mesh, blocks);
   return drawFragments(drawing.pieces, drawing.leaves, mesh, blocks, static_cast<double>(camera.root().view().zFar),
                        GraphDepths(camera));
+}
+
+void visitSamples(const GraphCamera& camera, const Mesh& mesh, const MeshBlocks& blocks,
+                  const std::function<void(const RegionBuffer::SampleRun& run)>& visit) {
+  const GraphDrawing drawing(camera, mesh, blocks);
+  drawPieces(drawing.pieces, drawing.leaves, blocks,
+             [&](const RegionBuffer& region) { region.forEachRun(static_cast<size_t>(camera.width()), visit); });
+}
+
+bool endsBeforeZFar(const GraphCamera& camera, const Box& bounds) {
+  constexpr double kRounding = 1e-5;
+  const std::array<glm::vec3, 8> corners = cornersOf(bounds);
+  std::vector<glm::dvec3> viewpoints;
+  std::vector<double> ways;  // from the eye to each viewpoint, over those before it
+  double longest = 0;
+  for (const GraphCamera::Frustum& frustum : camera.frusta()) {
+    const bool isRoot = frustum.parent < 0;
+    viewpoints.push_back(isRoot ? glm::dvec3(camera.root().eye()) : frustum.viewpoint);
+    const auto parent = static_cast<size_t>(std::max(frustum.parent, 0));
+    ways.push_back(isRoot ? 0 : ways[parent] + glm::distance(viewpoints[parent], viewpoints.back()));
+    for (const glm::vec3& corner : corners) {
+      longest = std::max(longest, ways.back() + glm::distance(viewpoints.back(), glm::dvec3(corner)));
+    }
+  }
+  return longest * (1 + kRounding) < static_cast<double>(camera.root().view().zFar);
 }
 
 FragmentImage rasterize(const GraphCamera& camera, const Mesh& mesh) {

@@ -116,8 +116,8 @@ class RegionBuffer {
   uint8_t order_ = 0;
   bool hasPiece_ = false;  ///< between open() and close()
   std::vector<uint32_t> fronts_;
-  // What pixels hold, each number by itself, as many pixels are drawn at once. Where the order is kNone, the rest is left
-  // over from before.
+  // What pixels hold, each number by itself, as many pixels are drawn at once. Where the order is kNone, the rest is
+  // left over from before.
   std::vector<uint8_t> orders_;
   std::vector<float> depths_;
   std::vector<uint32_t> triangles_;

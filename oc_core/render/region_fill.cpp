@@ -25,8 +25,9 @@ HWY_ATTR HWY_INLINE FillVec stepsFrom(double first, [[maybe_unused]] double step
   const hn::Half<FillFloats> half;
   const hn::Rebind<double, decltype(half)> doubles;
   const auto lower = hn::Add(hn::Set(doubles, first), hn::Mul(hn::Iota(doubles, 0), hn::Set(doubles, step)));
-  const auto upper = hn::Add(hn::Set(doubles, first),
-                             hn::Mul(hn::Iota(doubles, static_cast<double>(hn::Lanes(doubles))), hn::Set(doubles, step)));
+  const auto upper =
+      hn::Add(hn::Set(doubles, first),
+              hn::Mul(hn::Iota(doubles, static_cast<double>(hn::Lanes(doubles))), hn::Set(doubles, step)));
   return hn::Combine(floats, hn::DemoteTo(half, upper), hn::DemoteTo(half, lower));
 #endif
 }
@@ -62,8 +63,9 @@ HWY_ATTR void fillRowsOf(const RegionPixels& pixels, const PixelRows& rows, cons
       }
     }
     for (int64_t x = first; x <= last; x += kLanes) {
-      const auto at = [x](const RowTriangle::Edge& e)
-                          HWY_ATTR { return stepsFrom(static_cast<double>(e.row + x * e.stepX), static_cast<double>(e.stepX)); };
+      const auto at = [x](const RowTriangle::Edge& e) HWY_ATTR {
+        return stepsFrom(static_cast<double>(e.row + x * e.stepX), static_cast<double>(e.stepX));
+      };
       const FillVec wb = at(edges[1]);
       const FillVec wc = at(edges[2]);
       auto covered = hn::FirstN(floats, static_cast<size_t>(std::min(last - x + 1, kLanes)));

@@ -1,4 +1,5 @@
-// Fills rows of a region (region_buffer.h) with a triangle, many pixels at once, with the widest vectors that the CPU has.
+// Fills rows of a region (region_buffer.h) with a triangle, many pixels at once, with the widest vectors that the CPU
+// has.
 #pragma once
 
 #include <array>

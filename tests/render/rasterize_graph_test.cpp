@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <glm/ext/matrix_transform.hpp>
 
 #include "oc_core/base/parallel.h"
@@ -75,6 +76,54 @@ TEST(RasterizeGraph, agreesWithRayCasting) {
       EXPECT_LE(d.apart, d.samples / 5000) << scene << ": " << d;
     }
   }
+}
+
+// What is seen is the same without depths, where all of the scene ends before zFar.
+TEST(RasterizeGraph, samplesAreThoseOfTheImage) {
+  const PinholeCamera camera(View{}, 196, 130);
+  const Mesh mesh = loadScene("builtin:statues", {}, {});
+  const MeshBlocks blocks(mesh);
+  for (const GraphCamera& graph :
+       {GraphCamera(camera), crossroads(camera), mergedBehind(camera), limited(camera), withADoor(camera)}) {
+    ASSERT_TRUE(endsBeforeZFar(graph, boundsOf(mesh)));
+    FragmentImage expected = rasterize(graph, mesh, blocks);
+    for (size_t i = 0; i < expected.size(); ++i) {
+      expected[i].t = 0;
+    }
+    FragmentImage samples(camera.width(), camera.height());
+    visitSamples(graph, mesh, blocks, [&](const RegionBuffer::SampleRun& run) {
+      for (size_t i = 0; i < run.size; ++i) {
+        samples[samples.index(run.x, run.y) + i] = run.fragment(i);
+        samples[samples.index(run.x, run.y) + i].t = 0;
+      }
+    });
+    EXPECT_TRUE(std::equal(samples.begin(), samples.end(), expected.begin()));
+    EXPECT_GT(coveredPixels(samples), 1000u);
+  }
+}
+
+// No z of a sample is as large as what is said to be enough for all.
+TEST(RasterizeGraph, knowsWhetherAllEndsBeforeZFar) {
+  const Mesh mesh = loadScene("builtin:statues", {}, {});
+  const PinholeCamera far(View{}, 98, 65);
+  const auto pinhole = [](const PinholeCamera& camera) { return GraphCamera(camera); };
+  for (const auto& make : std::initializer_list<std::function<GraphCamera(const PinholeCamera&)>>{
+           pinhole, [](const PinholeCamera& camera) { return crossroads(camera); }, mergedBehind, limited, withADoor}) {
+    float farthest = 0;
+    for (const Fragment& fragment : rasterize(make(far), mesh)) {
+      farthest = std::max(farthest, fragment.t);
+    }
+    View view;
+    view.zFar = 12;  // beyond all turns
+    while (!endsBeforeZFar(make(PinholeCamera(view, 98, 65)), boundsOf(mesh))) {
+      view.zFar *= 1.02f;
+    }
+    EXPECT_GT(view.zFar, farthest);
+    EXPECT_LT(view.zFar, 100);
+  }
+  View view;
+  view.zFar = glm::length(view.eye);
+  EXPECT_FALSE(endsBeforeZFar(pinhole(PinholeCamera(view, 98, 65)), boundsOf(mesh)));
 }
 
 TEST(RasterizeGraph, seesBehindAnObject) {
