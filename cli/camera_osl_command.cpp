@@ -82,7 +82,8 @@ void writeShader(const OslChoice& choice, const CommandContext& context) {
 
 void addCameraOsl(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand(
-      "osl", "Write a camera for other renderers: as a shader in the Open Shading Language, as Blender's Cycles takes it");
+      "osl",
+      "Write a camera for other renderers: as a shader in the Open Shading Language, as Blender's Cycles takes it");
   const auto choice = std::make_shared<OslChoice>();
   addRaysOptions(command, choice->rays, context);
   command.add_flag("--lookup", choice->lookup, "Read the rays from a texture, of cameras with a formula too");
@@ -90,8 +91,7 @@ void addCameraOsl(CLI::App& camera, const CommandContext& context) {
                         "Where the rays go that the shader reads: beside the shader, X_rays.exr, where not given; "
                         "di, gpc, panorama and cylinder need none",
                         {".exr"});
-  addOutputOption(command, choice->output, "Where the shader goes (docs/ray_maps.md#our-cameras-in-blender)",
-                  {kShaderEnding});
+  addOutputOption(command, choice->output, "Where the shader goes (docs/ray_maps.md)", {kShaderEnding});
   context.finish(command,
                  "  ocelli camera osl gpc --view street.json --size 1280x720 -o gpc.osl\n"
                  "  ocelli camera osl cell --scene builtin:statues -o cell.osl",

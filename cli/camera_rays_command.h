@@ -1,5 +1,5 @@
-// `ocelli camera rays`, and what `ocelli camera info` tells of ray maps; and the options of commands that write the rays
-// of a camera in other ways.
+// `ocelli camera rays`, and what `ocelli camera info` tells of ray maps; and the options of commands that write the
+// rays of a camera in other ways.
 #pragma once
 
 #include <string>

@@ -44,8 +44,10 @@ std::string generalPinhole(const CameraChoice& choice, const PinholeCamera& refe
     return each;
   };
   std::string text =
-      "    // Regions of more or less detail. Distances r from a region's centre are in half its size: up to 1 the region\n"
-      "    // shows `zoom` times the detail, from `outer` on the image is that of a pinhole. Between them a sample lies at\n"
+      "    // Regions of more or less detail. Distances r from a region's centre are in half its size: up to 1 the "
+      "region\n"
+      "    // shows `zoom` times the detail, from `outer` on the image is that of a pinhole. Between them a sample "
+      "lies at\n"
       "    // c0 + c1 (r - 1) + c2 (r - 1)^2 + c3 (r - 1)^3 of the pinhole's image.\n";
   text += "    int regions = " + std::to_string(map.zones().size()) + ";\n";
   text += oslFloats("middleX", values([](const GpcZone& zone) { return zone.center().x; }), "pixels");

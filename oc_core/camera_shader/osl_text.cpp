@@ -48,7 +48,8 @@ std::string matrixText(const View& view, glm::dvec3 (*place)(const glm::dvec3&))
 }
 
 std::string placeText(const View& view) {
-  return "//\n// Where the camera stands, as the matrix_world of a camera object. In a world whose y axis points up, as\n"
+  return "//\n// Where the camera stands, as the matrix_world of a camera object. In a world whose y axis points up, "
+         "as\n"
          "// that of the scene does:\n" +
          matrixText(view, [](const glm::dvec3& p) { return p; }) +
          "// Where the import turned the scene so that z points up, and y along what was -z:\n" +
@@ -61,7 +62,8 @@ std::string oslText(const OslCamera& camera) {
   std::string text = fmt::format(
       "// The camera \"{}\" of Ocelli, {}x{} pixels, for renderers that take cameras in the Open Shading Language.\n"
       "//\n"
-      "// position and direction are in the space of the camera: x to the right, y up, z forward; lengths are those of\n"
+      "// position and direction are in the space of the camera: x to the right, y up, z forward; lengths are those "
+      "of\n"
       "// the scene. The image that is rendered needs {}:{} as the ratio of its sides.\n",
       inComment(camera.name), camera.size.x, camera.size.y, camera.size.x, camera.size.y);
   text += camera.remarks;

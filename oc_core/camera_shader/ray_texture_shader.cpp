@@ -41,9 +41,7 @@ class SpaceOfMap {
       : isLens_(map.notes().frame == RayFrame::kView), space_(map.notes().view.value_or(View{})) {}
   /// A lens says its own space, with z backward.
   glm::dvec3 point(const glm::dvec3& p) const { return isLens_ ? glm::dvec3(p.x, p.y, -p.z) : space_.point(p); }
-  glm::dvec3 direction(const glm::dvec3& d) const {
-    return isLens_ ? glm::dvec3(d.x, d.y, -d.z) : space_.direction(d);
-  }
+  glm::dvec3 direction(const glm::dvec3& d) const { return isLens_ ? glm::dvec3(d.x, d.y, -d.z) : space_.direction(d); }
 
  private:
   bool isLens_;
@@ -55,24 +53,26 @@ class SpaceOfMap {
 void requireStraightRays(const RayMap& map) {
   const RayMapFacts facts = factsOf(map);
   if (facts.bent > 0) {
-    throw InputError(fmt::format("{} of its {} rays bend, into {} segments at most, and a camera shader has one straight "
-                                 "ray a pixel",
-                                 facts.bent, facts.rays, facts.segments),
-                     "camera \"" + map.notes().name + "\"",
-                     "choose a camera whose rays are straight, or write all segments with `ocelli camera rays`");
+    throw InputError(
+        fmt::format("{} of its {} rays bend, into {} segments at most, and a camera shader has one straight "
+                    "ray a pixel",
+                    facts.bent, facts.rays, facts.segments),
+        "camera \"" + map.notes().name + "\"",
+        "choose a camera whose rays are straight, or write all segments with `ocelli camera rays`");
   }
 }
 
 std::string rayTextureShader(const RayMap& map, const std::string& texture) {
   requireStraightRays(map);
   const bool stands = map.notes().frame == RayFrame::kWorld;
-  return oslText({.name = map.notes().name,
-                  .size = {map.width(), map.height()},
-                  .view = stands ? std::optional(map.notes().view.value_or(View{})) : std::nullopt,
-                  .remarks = "// The texture `rays` holds where the ray of each pixel begins, and below that its direction.\n",
-                  .parameters = ",\n    string rays = " + oslString(texture),
-                  .statements = oslFloat("width", map.width(), "of the camera's image, pixels") +
-                                oslFloat("height", map.height()) + kStatements});
+  return oslText(
+      {.name = map.notes().name,
+       .size = {map.width(), map.height()},
+       .view = stands ? std::optional(map.notes().view.value_or(View{})) : std::nullopt,
+       .remarks = "// The texture `rays` holds where the ray of each pixel begins, and below that its direction.\n",
+       .parameters = ",\n    string rays = " + oslString(texture),
+       .statements = oslFloat("width", map.width(), "of the camera's image, pixels") +
+                     oslFloat("height", map.height()) + kStatements});
 }
 
 std::string rayTextureBytes(const RayMap& map, const Progress& progress) {

@@ -1,9 +1,9 @@
 // Any camera of straight rays as a shader that reads them from a texture, one ray a pixel.
 //
 // The texture is an OpenEXR file of the channels R, G, B, of 32-bit float, as wide as the image and twice as high: the
-// upper half holds where each ray begins, the lower half its direction, a unit vector, or (0, 0, 0) where a pixel has no
-// ray; both in the space of the camera (osl_text.h). It is no ray map: renderers agree about where R, G and B of a file
-// are, and not about channels of other names, and some keep four channels at most.
+// upper half holds where each ray begins, the lower half its direction, a unit vector, or (0, 0, 0) where a pixel has
+// no ray; both in the space of the camera (osl_text.h). It is no ray map: renderers agree about where R, G and B of a
+// file are, and not about channels of other names, and some keep four channels at most.
 //
 // The shader asks for the centre of a texel without filtering. Renderers that filter all the same, as Cycles does where
 // it keeps textures itself, give that texel too.

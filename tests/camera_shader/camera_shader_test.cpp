@@ -149,8 +149,8 @@ TEST(CameraShader, renderersThatFilterTexturesReadTheSameRays) {
 }
 
 TEST(CameraShader, anyPlaceWithinAPixelReadsItsRay) {
-  const auto found =
-      std::find_if(cases().begin(), cases().end(), [](const ShaderCase& each) { return each.name == "random_texture"; });
+  const auto found = std::find_if(cases().begin(), cases().end(),
+                                  [](const ShaderCase& each) { return each.name == "random_texture"; });
   ASSERT_NE(found, cases().end());
   const ShaderRay middle = runShader(found->name, rasterOf({12.5f, 7.5f}, found->rays));
   for (const glm::vec2& pixel : {glm::vec2(12.02f, 7.02f), glm::vec2(12.98f, 7.02f), glm::vec2(12.02f, 7.98f)}) {
@@ -182,8 +182,9 @@ TEST(CameraShader, theTextOfAPinhole) {
   const View view{.eye = {0, 0, 10}, .target = {0, 0, 0}, .fovVerticalDegrees = 90, .zNear = 0.25f};
   const CameraChoice choice = cameraChoice("di");
   const std::string text = closedFormShader(*findClosedForm(choice), choice, PinholeCamera(view, 300, 200));
-  EXPECT_EQ(text,
-            R"(// The camera "di" of Ocelli, 300x200 pixels, for renderers that take cameras in the Open Shading Language.
+  EXPECT_EQ(
+      text,
+      R"(// The camera "di" of Ocelli, 300x200 pixels, for renderers that take cameras in the Open Shading Language.
 //
 // position and direction are in the space of the camera: x to the right, y up, z forward; lengths are those of
 // the scene. The image that is rendered needs 300:200 as the ratio of its sides.
@@ -227,11 +228,12 @@ TEST(CameraShader, textsSayWhatTheyRead) {
     EXPECT_EQ(reads, !each.texture.empty()) << each.name;
     EXPECT_EQ(each.text.find("matrix_world") != std::string::npos, each.name != "lens_texture") << each.name;
   }
-  const RayMap named = straightMap(
-      {2, 1}, [](double u, double) { return std::pair(glm::dvec3(u, 0, 0), glm::dvec3(0, 0, -1)); }, 0, 1,
-      {.name = "a \"name\"\nof lines"});
+  const RayMap named =
+      straightMap({2, 1}, [](double u, double) { return std::pair(glm::dvec3(u, 0, 0), glm::dvec3(0, 0, -1)); }, 0, 1,
+                  {.name = "a \"name\"\nof lines"});
   const std::string text = rayTextureShader(named, "C:\\rays \"1\".exr");
-  EXPECT_THAT(text, AllOf(HasSubstr("string rays = \"C:\\\\rays \\\"1\\\".exr\""), HasSubstr("shader ocelli_a__name__of_lines("),
+  EXPECT_THAT(text, AllOf(HasSubstr("string rays = \"C:\\\\rays \\\"1\\\".exr\""),
+                          HasSubstr("shader ocelli_a__name__of_lines("),
                           HasSubstr("// The camera \"a \"name\" of lines\" of Ocelli")));
   EXPECT_EQ(oslNumber(3), "3.0");
   EXPECT_EQ(oslNumber(1e-7), "1e-07");

@@ -82,7 +82,8 @@ color texture(string file, float s, float t, float, float, float, float, string 
               string clamped) {
   static std::map<std::string, Image<glm::vec3>> images;
   const auto found = images.find(file);
-  const Image<glm::vec3>& image = found != images.end() ? found->second : images.emplace(file, readTexture(file)).first->second;
+  const Image<glm::vec3>& image =
+      found != images.end() ? found->second : images.emplace(file, readTexture(file)).first->second;
   const bool asked = std::string(interp) + closest + wrap + clamped == "interpclosestwrapclamp";
   const glm::vec2 place = glm::vec2(s, t) * glm::vec2(image.width(), image.height());
   const auto texel = [&](float x, float y) {
@@ -93,9 +94,7 @@ color texture(string file, float s, float t, float, float, float, float, string 
   if (filteringNow == Filtering::kLinear || !asked) {
     const glm::vec2 lower(std::floor(place.x - 0.5f), std::floor(place.y - 0.5f));
     const glm::vec2 share = place - 0.5f - lower;
-    const auto row = [&](float y) {
-      return texel(lower.x, y) * (1 - share.x) + texel(lower.x + 1, y) * share.x;
-    };
+    const auto row = [&](float y) { return texel(lower.x, y) * (1 - share.x) + texel(lower.x + 1, y) * share.x; };
     value = row(lower.y) * (1 - share.y) + row(lower.y + 1) * share.y;
   }
   return {value.x, value.y, value.z};
@@ -106,7 +105,7 @@ color texture(string file, float s, float t, float, float, float, float, string 
 using Shader = void (*)(point&, vector&, color&);
 
 #define shader void  // NOLINT
-#include "shaders.inc"
+#include OCELLI_SHADER_TEXTS
 #undef shader
 
 }  // namespace

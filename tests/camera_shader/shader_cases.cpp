@@ -50,14 +50,13 @@ RayMap ofCameraInScene(const char* name, const PinholeCamera& reference) {
 
 /// A lens that stands nowhere: its rays in the space of a view, z backward, and none beside its circle.
 RayMap lensMap() {
-  return straightMap(
-      {31, 31},
-      [](double u, double v) {
-        const glm::dvec2 p = glm::dvec2(u, v) / 15.5 - 1.0;
-        return std::pair(glm::dvec3(0.01 * p.x, -0.02 * p.y, -0.03),
-                         glm::length(p) <= 1 ? glm::dvec3(p.x, -p.y, -0.5) : glm::dvec3(0));
-      },
-      0.1f, 50, {.name = "lens", .frame = RayFrame::kView});
+  return straightMap({31, 31},
+                     [](double u, double v) {
+                       const glm::dvec2 p = glm::dvec2(u, v) / 15.5 - 1.0;
+                       return std::pair(glm::dvec3(0.01 * p.x, -0.02 * p.y, -0.03),
+                                        glm::length(p) <= 1 ? glm::dvec3(p.x, -p.y, -0.5) : glm::dvec3(0));
+                     },
+                     0.1f, 50, {.name = "lens", .frame = RayFrame::kView});
 }
 
 }  // namespace
