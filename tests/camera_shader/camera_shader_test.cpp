@@ -265,10 +265,12 @@ TEST(OslCompiler, takesTheTexts) {
   }
   const TemporaryFolder folder;
   for (const ShaderCase& each : cases()) {
-    // Cycles declares the function to camera shaders.
-    const std::string path =
-        folder.write(each.name + ".osl", "point camera_shader_raster_position() { return P; }\n" + each.text);
-    EXPECT_EQ(std::system(("oslc -q -o '" + path + ".oso' '" + path + "'").c_str()), 0) << each.name;
+    std::string text = "point camera_shader_raster_position() { return P; }\n";  // Cycles declares it to camera shaders
+    text += each.text;
+    const std::string path = folder.write(each.name + ".osl", text);
+    std::string command = "oslc -q -o '" + path;
+    command.append(".oso' '").append(path).append("'");
+    EXPECT_EQ(std::system(command.c_str()), 0) << each.name;
   }
 }
 

@@ -26,10 +26,12 @@ class Triple {
  private:
   glm::vec3 values_;
 };
+// NOLINTBEGIN(readability-identifier-naming): names are those of the language
 using point = Triple<0>;
 using vector = Triple<1>;
 using color = Triple<2>;
 using string = const char*;
+// NOLINTEND(readability-identifier-naming)
 
 float sin(float a) {
   return std::sin(a);
@@ -58,7 +60,7 @@ vector normalize(const vector& a) {
 }
 
 glm::vec2 rasterPosition{0};
-point camera_shader_raster_position() {
+point camera_shader_raster_position() {  // NOLINT(readability-identifier-naming)
   return {rasterPosition.x, rasterPosition.y, 0};
 }
 

@@ -18,12 +18,12 @@ using testing::Not;
 class CameraOslCommand : public testing::Test {
  protected:
   std::string path(const std::string& name) const { return inQuotes(folder_ / name); }
-  std::string run(const std::string& arguments) const {
+  static std::string run(const std::string& arguments) {
     const ProgramResult result = runProgram("camera osl " + arguments);
     EXPECT_EQ(result.exitCode, 0) << arguments << ": " << result.error;
     return result.output + result.error;
   }
-  std::string refusal(const std::string& arguments) const {
+  static std::string refusal(const std::string& arguments) {
     const ProgramResult result = runProgram("camera osl " + arguments);
     EXPECT_EQ(result.exitCode, 2) << arguments << ": " << result.output << result.error;
     return result.error;
