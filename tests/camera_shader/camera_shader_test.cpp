@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstdlib>
 #include <glm/geometric.hpp>
+#include <glm/mat4x4.hpp>
+#include <regex>
 
 #include "oc_core/base/error.h"
 #include "oc_core/camera_rays/camera_rays.h"
@@ -220,6 +222,45 @@ shader ocelli_di(
     throughput = color(1.0);
 }
 )");
+}
+
+/// The matrices that a text says, row by row: one of a world with y up, one with z up.
+std::vector<glm::dmat4> matricesOf(const std::string& text) {
+  const std::regex row(R"(//     \(([^,()]+), ([^,()]+), ([^,()]+), ([^,()]+)\))");
+  std::vector<glm::dmat4> matrices;
+  int rows = 0;
+  for (std::sregex_iterator each(text.begin(), text.end(), row), end; each != end; ++each, ++rows) {
+    if (rows % 4 == 0) {
+      matrices.emplace_back(0.0);
+    }
+    for (int column = 0; column < 4; ++column) {
+      matrices.back()[column][rows % 4] = std::stod((*each)[static_cast<size_t>(column) + 1]);
+    }
+  }
+  return matrices;
+}
+
+/// What a renderer does with a camera object that looks along its -z: rays as they are in its world.
+TEST(CameraShader, theMatrixPutsTheCameraWhereItStands) {
+  for (const char* name : {"di_oblique", "gpc_oblique", "di_texture", "cell_texture", "push_broom_texture"}) {
+    const auto found =
+        std::find_if(cases().begin(), cases().end(), [&](const ShaderCase& each) { return each.name == name; });
+    ASSERT_NE(found, cases().end()) << name;
+    const std::vector<glm::dmat4> matrices = matricesOf(found->text);
+    ASSERT_EQ(matrices.size(), 2u) << name;
+    const glm::ivec2 pixel(found->rays.width() / 5, found->rays.height() / 3);
+    const ShaderRay got = runShader(name, rasterOf(glm::vec2(pixel) + 0.5f, found->rays));
+    const RayMapRay want = found->rays.ray(pixel.x, pixel.y);
+    const glm::dvec3 from(want.points.front());
+    const glm::dvec3 way = glm::normalize(glm::dvec3(want.points.back()) - from);
+    const auto zUp = [](const glm::dvec3& p) { return glm::dvec3(p.x, -p.z, p.y); };
+    for (size_t i = 0; i < 2; ++i) {
+      const glm::dvec3 position(matrices[i] * glm::dvec4(got.position.x, got.position.y, -got.position.z, 1));
+      const glm::dvec3 direction(matrices[i] * glm::dvec4(got.direction.x, got.direction.y, -got.direction.z, 0));
+      EXPECT_LT(glm::distance(position, i == 0 ? from : zUp(from)), kSameRay) << name;
+      EXPECT_LT(glm::distance(direction, i == 0 ? way : zUp(way)), kSameRay) << name;
+    }
+  }
 }
 
 TEST(CameraShader, textsSayWhatTheyRead) {
