@@ -94,7 +94,7 @@ void addCameraOsl(CLI::App& camera, const CommandContext& context) {
   addOutputOption(command, choice->output, "Where the shader goes (docs/ray_maps.md)", {kShaderEnding});
   context.finish(command,
                  "  ocelli camera osl gpc --view street.json --size 1280x720 -o gpc.osl\n"
-                 "  ocelli camera osl cell --scene builtin:statues -o cell.osl",
+                 "  ocelli camera osl rppc --scene builtin:statues -o rppc.osl",
                  [choice, context] { writeShader(*choice, context); });
 }
 
