@@ -8,6 +8,7 @@
 
 #include "cli/camera_compare.h"
 #include "cli/camera_draw_command.h"
+#include "cli/camera_osl_command.h"
 #include "cli/camera_rays_command.h"
 #include "cli/command.h"
 #include "cli/output_option.h"
@@ -392,6 +393,7 @@ void addCameraCommand(CLI::App& program, const CommandContext& context) {
   addEdit(camera, context);
   addCameraDraw(camera, context);
   addCameraRays(camera, context);
+  addCameraOsl(camera, context);
   addCameraCompare(camera, context);
 }
 

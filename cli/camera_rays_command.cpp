@@ -25,12 +25,8 @@ namespace {
 
 constexpr ImageSize kRayMapSize{720, 480};
 
-struct RaysChoice {
-  std::string camera;
-  SceneChoice scene;
-  std::string view;
-  std::string size;
-  int image = 0;
+struct RaysFileChoice {
+  RaysChoice rays;
   bool json = false;
   std::string output;
 };
@@ -42,12 +38,6 @@ void requireSceneOf(const RaysChoice& choice) {
   }
 }
 
-void refuseImageNumber(const RaysChoice& choice) {
-  if (choice.image != 0) {
-    throw InputError("camera \"" + choice.camera + "\" has one image", "--image", "leave it out");
-  }
-}
-
 /// Of a camera that looks at a volume.
 RayMap volumeRays(const RaysChoice& choice, const PinholeCamera& reference, const CommandContext& context) {
   refuseImageNumber(choice);
@@ -56,26 +46,6 @@ RayMap volumeRays(const RaysChoice& choice, const PinholeCamera& reference, cons
                       choice.camera, reference, volume.scene(), [&]() -> const RayTarget& { return volume.target(); },
                       context.progress()),
                   reference.view(), context.progress());
-}
-
-RayMap raysOf(const RaysChoice& choice, const PinholeCamera& reference, const CommandContext& context) {
-  if (!choice.scene.source.empty() && takesVolume(choice.scene)) {
-    return volumeRays(choice, reference, context);
-  }
-  if (namesConstructor(choice.camera)) {
-    refuseImageNumber(choice);
-    requireSceneOf(choice);
-    const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, context.progress());
-    return rayMapOf(constructCamera(choice.camera, scene, reference), choice.camera, reference.view(),
-                    context.progress());
-  }
-  const CameraChoice camera = cameraChoice(choice.camera);
-  if (!needsScene(camera)) {
-    return rayMapOf(camera, reference, Mesh{}, choice.image, context.progress());
-  }
-  requireSceneOf(choice);
-  ViewedScene scene(choice.scene, context);
-  return rayMapOf(camera, reference, scene.meshFor(camera, reference), choice.image, context.progress());
 }
 
 nlohmann::ordered_json arrayOf(const glm::vec3& p) {
@@ -117,11 +87,9 @@ std::string rayMapText(const RayMap& map) {
   return text + (map.notes().wrapsAround ? "  the last column is next to the first\n" : "");
 }
 
-void writeRays(const RaysChoice& choice, const CommandContext& context) {
+void writeRays(const RaysFileChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
-  const ImageSize size = cameraImageSize(choice.camera, choice.size, kRayMapSize);
-  const PinholeCamera reference(cameraView(choice.camera, choice.view), size.width, size.height);
-  const RayMap map = raysOf(choice, reference, context);
+  const RayMap map = raysOf(choice.rays, raysReference(choice.rays), context);
   writeRayMap(choice.output, map, context.progress());
   if (choice.json) {
     context.print(textOfJson(rayMapInfo(map), 1) + "\n");
@@ -132,6 +100,49 @@ void writeRays(const RaysChoice& choice, const CommandContext& context) {
 
 }  // namespace
 
+void refuseImageNumber(const RaysChoice& choice) {
+  if (choice.image != 0) {
+    throw InputError("camera \"" + choice.camera + "\" has one image", "--image", "leave it out");
+  }
+}
+
+RayMap raysOf(const RaysChoice& choice, const PinholeCamera& reference, const CommandContext& context) {
+  if (!choice.scene.source.empty() && takesVolume(choice.scene)) {
+    return volumeRays(choice, reference, context);
+  }
+  if (namesConstructor(choice.camera)) {
+    refuseImageNumber(choice);
+    requireSceneOf(choice);
+    const GuidedScene scene = loadGuidedScene(choice.scene.source, choice.scene.options, context.progress());
+    return rayMapOf(constructCamera(choice.camera, scene, reference), choice.camera, reference.view(),
+                    context.progress());
+  }
+  const CameraChoice camera = cameraChoice(choice.camera);
+  if (!needsScene(camera)) {
+    return rayMapOf(camera, reference, Mesh{}, choice.image, context.progress());
+  }
+  requireSceneOf(choice);
+  ViewedScene scene(choice.scene, context);
+  return rayMapOf(camera, reference, scene.meshFor(camera, reference), choice.image, context.progress());
+}
+
+PinholeCamera raysReference(const RaysChoice& choice) {
+  const ImageSize size = cameraImageSize(choice.camera, choice.size, kRayMapSize);
+  return {cameraView(choice.camera, choice.view), size.width, size.height};
+}
+
+void addRaysOptions(CLI::App& command, RaysChoice& choice, const CommandContext& context) {
+  command.add_option("CAMERA", choice.camera, "A camera, a constructor, or a file of one (`ocelli camera list`)")
+      ->type_name("NAME|FILE.json|RAYS.exr")
+      ->required();
+  addSceneOption(command, choice.scene, context);
+  addViewOption(command, choice.view);
+  addCameraSizeOption(command, choice.size, kRayMapSize);
+  command.add_option("--image", choice.image, "Of a camera of several images, such as a union: which one, from 1 on")
+      ->check(CLI::Range(1, 1024))
+      ->type_name("NUMBER");
+}
+
 void printRayMapInfo(const std::string& file, bool json, const CommandContext& context) {
   const RayMap map = readRayMap(file);
   context.print(json ? textOfJson(rayMapInfo(map), 1) + "\n" : rayMapText(map));
@@ -140,16 +151,8 @@ void printRayMapInfo(const std::string& file, bool json, const CommandContext& c
 void addCameraRays(CLI::App& camera, const CommandContext& context) {
   CLI::App& command = *camera.add_subcommand(
       "rays", "Write the ray of each pixel of a camera to a file, for other programs and for --camera");
-  const auto choice = std::make_shared<RaysChoice>();
-  command.add_option("CAMERA", choice->camera, "A camera, a constructor, or a file of one (`ocelli camera list`)")
-      ->type_name("NAME|FILE.json|RAYS.exr")
-      ->required();
-  addSceneOption(command, choice->scene, context);
-  addViewOption(command, choice->view);
-  addCameraSizeOption(command, choice->size, kRayMapSize);
-  command.add_option("--image", choice->image, "Of a camera of several images, such as a union: which one, from 1 on")
-      ->check(CLI::Range(1, 1024))
-      ->type_name("NUMBER");
+  const auto choice = std::make_shared<RaysFileChoice>();
+  addRaysOptions(command, choice->rays, context);
   command.add_flag("--json", choice->json, "Print what the map consists of as JSON");
   addOutputOption(command, choice->output, "Where the rays go (docs/ray_maps.md)", {".exr"});
   context.finish(command,

@@ -5,8 +5,16 @@
 #   python         python3-ocelli    the package `ocelli` for Python
 #   documentation  ocelli-doc        the reference of the API, the guide with its pictures, and the examples
 
-# Packages for others need an address that works.
-set(OCELLI_PACKAGE_MAINTAINER "The Ocelli authors <ocelli@localhost.localdomain>" CACHE STRING "Whom packages name")
+# Packages for others need an address that works: this option, or what Debian's own tools read when it is first set.
+if(DEFINED ENV{DEBEMAIL})
+  set(package_maintainer "The Ocelli authors <$ENV{DEBEMAIL}>")
+  if(DEFINED ENV{DEBFULLNAME})
+    set(package_maintainer "$ENV{DEBFULLNAME} <$ENV{DEBEMAIL}>")
+  endif()
+else()
+  set(package_maintainer "The Ocelli authors <ocelli@localhost.localdomain>")
+endif()
+set(OCELLI_PACKAGE_MAINTAINER "${package_maintainer}" CACHE STRING "Whom packages name")
 
 # What Debian asks of each of its packages.
 string(TIMESTAMP package_date "%a, %d %b %Y %H:%M:%S +0000" UTC)
@@ -21,6 +29,8 @@ file(WRITE ${package_files}/changelog.Debian
   "ocelli (${PROJECT_VERSION}-1) unstable; urgency=medium\n\n  * See changelog of ocelli-doc.\n\n"
   " -- ${OCELLI_PACKAGE_MAINTAINER}  ${package_date}\n")
 execute_process(COMMAND gzip -9nf ${package_files}/changelog.Debian)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md)
+execute_process(COMMAND gzip -9nc ${PROJECT_SOURCE_DIR}/CHANGELOG.md OUTPUT_FILE ${package_files}/changelog.gz)
 
 set(CPACK_COMPONENTS_ALL "")
 # ocelli_package(COMPONENT NAME SECTION SUMMARY DESCRIPTION): the package of a component.
@@ -32,6 +42,11 @@ macro(ocelli_package component name section summary description)
   set(CPACK_DEBIAN_${key}_DESCRIPTION "${summary}\n${description}")
   install(FILES ${package_files}/copyright ${package_files}/changelog.Debian.gz
     DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${name} COMPONENT ${component})
+  # What Debian's checker lintian is told of it.
+  file(WRITE ${package_files}/${name}.overrides
+    "# Debian has no such package, so none of its bugs asks for it.\n${name}: initial-upload-closes-no-bugs *\n")
+  install(FILES ${package_files}/${name}.overrides
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT ${component} RENAME ${name})
 endmacro()
 
 ocelli_package(program ocelli graphics "non-pinhole cameras, from scenes to volumetric displays"
@@ -61,11 +76,13 @@ install(DIRECTORY docs/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc/docs
 install(DIRECTORY examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc/examples COMPONENT documentation
   PATTERN __pycache__ EXCLUDE)
 install(FILES README.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc COMPONENT documentation)
-install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc COMPONENT documentation RENAME changelog)
+install(FILES ${package_files}/changelog.gz DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/ocelli-doc COMPONENT documentation)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME ocelli)
 set(CPACK_PACKAGE_CONTACT "${OCELLI_PACKAGE_MAINTAINER}")
+# Each package has a summary of its own, before which CPack would put one of the whole project.
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_COMPONENTS_GROUPING ONE_PER_GROUP)

@@ -2,7 +2,7 @@
 # Installs what building and testing Ocelli needs and this Debian 12 machine lacks.
 # Usage: scripts/install_dependencies.sh [--developer|--packages|--benchmarks]
 #   --developer    also the tools for fuzzing, formatting and linting, for the reference of the API and for the site of the guide
-#   --packages     also those for Debian packages: for the reference of the API
+#   --packages     also those for Debian packages: for the reference of the API, and Debian's checker
 #   --benchmarks   also the libraries that the slicer is measured against: some hundred megabytes
 set -eu
 
@@ -27,7 +27,7 @@ case "${1-}" in
   --developer)
     packages="$packages clang-16 lld libclang-rt-16-dev llvm-16 clang-format clang-tidy doxygen mkdocs mkdocs-material"
     ;;
-  --packages) packages="$packages doxygen" ;;
+  --packages) packages="$packages doxygen lintian" ;;
   --benchmarks) packages="$packages libvtk9-dev" ;;
   *)
     echo "usage: $0 [--developer|--packages|--benchmarks]" >&2
