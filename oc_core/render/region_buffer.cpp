@@ -48,6 +48,20 @@ void RegionBuffer::reset(const PixelBounds& rect, const PixelLeaves& leaves) {
       ++runs_.back().end;
     }
   }
+  leavesOfTiles_.assign(tiles_.size(), leaves_.front());
+  for (const Run& run : runs_) {
+    for (uint32_t i = run.begin; i < run.end && runs_.size() > 1;) {
+      const int x = static_cast<int>(i) % width_;
+      const int y = static_cast<int>(i) / width_;
+      const int last = std::min(width_, x + static_cast<int>(run.end - i));
+      for (int column = x / kTile; column <= (last - 1) / kTile; ++column) {
+        int32_t& leaf = leavesOfTiles_[static_cast<size_t>(y / kTile * tilesAcross_ + column)];
+        const bool isFirst = y % kTile == 0 && x <= column * kTile;
+        leaf = isFirst || leaf == run.leaf ? run.leaf : kMixed;
+      }
+      i += static_cast<uint32_t>(last - x);
+    }
+  }
 }
 
 uint64_t RegionBuffer::open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf) {
@@ -74,6 +88,22 @@ uint64_t RegionBuffer::open(const PixelBounds& rect, uint8_t order, std::span<co
   if (kinds != 0) {
     std::fill(tiles_.begin(), tiles_.end(), Tile());
     hasPiece_ = true;
+  }
+  return kinds;
+}
+
+uint64_t RegionBuffer::kindsIn(const PixelBounds& rect, std::span<const int16_t> kindOfLeaf) const {
+  const PixelBounds tiles = tilesOf(rect);
+  uint64_t kinds = 0;
+  for (int y = tiles.y0; y < tiles.y1; ++y) {
+    for (int x = tiles.x0; x < tiles.x1; ++x) {
+      const int32_t leaf = leavesOfTiles_[static_cast<size_t>(y * tilesAcross_ + x)];
+      if (leaf == kMixed) {
+        return ~uint64_t{0};
+      }
+      const int16_t kind = kindOfLeaf[static_cast<size_t>(leaf)];
+      kinds |= kind >= 0 ? kindBit(static_cast<size_t>(kind)) : 0;
+    }
   }
   return kinds;
 }

@@ -28,6 +28,8 @@ class RegionBuffer {
   /// rays in this piece (-1 for none). Returns which kinds of rays open pixels have: bit i is kind i, the last one for
   /// all from it on; 0 where no pixel is open, or the region lies outside of `rect`: then nothing is to be drawn.
   uint64_t open(const PixelBounds& rect, uint8_t order, std::span<const int16_t> kindOfLeaf);
+  /// A bit for each kind of rays that pixels have in the tiles that `rect` lies in, open or not, and perhaps more.
+  uint64_t kindsIn(const PixelBounds& rect, std::span<const int16_t> kindOfLeaf) const;
   /// Ends the piece: what was drawn stays, and forEachRun() tells it.
   void close();
   /// The bit of a kind in what open() returns.
@@ -86,6 +88,7 @@ class RegionBuffer {
   void forEachRun(size_t most, const Visit& visit) const;
 
  private:
+  static constexpr int32_t kMixed = -1;
   static constexpr uint32_t kClosed = 0;
   static constexpr uint32_t kOpen = ~uint32_t{0};
 
@@ -126,6 +129,7 @@ class RegionBuffer {
   std::vector<uint16_t> leaves_;
   std::vector<Run> runs_;
   std::vector<Tile> tiles_;
+  std::vector<int32_t> leavesOfTiles_;  ///< the leaf of all pixels of a tile; kMixed where there is none
 };
 
 template <class Visit>

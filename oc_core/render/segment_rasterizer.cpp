@@ -114,7 +114,8 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
     uint64_t tag = ~uint64_t{0};
     RasterVertex image;
     uint8_t flags = 0;
-    float beyond = 0;  ///< least height over where rays of some kind end
+    uint64_t beyondKinds = 0;  ///< kinds of rays (RegionBuffer::kindBit()) that end before it
+    float beyond = 0;          ///< least height over where rays of some kind end
   };
   static constexpr size_t kVertices = 64;
 
@@ -134,12 +135,26 @@ struct SegmentScratch final : PieceRasterizer::Scratch {
   std::vector<HeightOver> heights;
 };
 
-/// Whether rays of some kind end before a point.
-bool isBeyondEnds(const SegmentScratch& scratch, const glm::dvec3& p) {
-  return std::any_of(scratch.ends.begin(), scratch.ends.end(), [&](const auto& kind) {
-    return std::any_of(kind.second->begin(), kind.second->end(),
-                       [&](const Plane& plane) { return plane.height(p) > 0; });
-  });
+/// The kinds of rays that end before a point.
+uint64_t kindsEndingBefore(const SegmentScratch& scratch, const glm::dvec3& p) {
+  uint64_t kinds = 0;
+  for (const auto& [kind, planes] : scratch.ends) {
+    const bool ends =
+        std::any_of(planes->begin(), planes->end(), [&](const Plane& plane) { return plane.height(p) > 0; });
+    kinds |= ends ? RegionBuffer::kindBit(kind) : 0;
+  }
+  return kinds;
+}
+
+/// The pixels of `rect` around a triangle.
+PixelBounds pixelsAround(const std::array<RasterVertex, 3>& v, const PixelBounds& rect) {
+  const auto [leftmost, rightmost] = std::minmax({v[0].u, v[1].u, v[2].u});
+  const auto [highest, lowest] = std::minmax({v[0].v, v[1].v, v[2].v});
+  const auto within = [](float at, int least, int most) {
+    return static_cast<int>(std::clamp(at, static_cast<float>(least), static_cast<float>(most)));
+  };
+  return {within(std::floor(leftmost) - 1, rect.x0, rect.x1), within(std::floor(highest) - 1, rect.y0, rect.y1),
+          within(std::ceil(rightmost) + 1, rect.x0, rect.x1), within(std::ceil(lowest) + 1, rect.y0, rect.y1)};
 }
 
 }  // namespace
@@ -168,7 +183,7 @@ class SegmentRasterizer::Drawing {
   void drawClipped(uint32_t triangle);
   void fill(uint32_t triangle, const std::array<RasterVertex, 3>& vertices);
   void fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
-                  const std::array<glm::dvec3, 3>& points);
+                  const std::array<glm::dvec3, 3>& points, uint64_t kinds);
 
   const SegmentRasterizer& of_;
   const StraightSegment& segment_;
@@ -242,7 +257,7 @@ const SegmentScratch::Vertex& SegmentRasterizer::Drawing::vertex(uint32_t index)
   if (held.tag != tag) {
     const glm::dvec3 p(of_.mesh_.positions[index]);
     const glm::dvec3 image = of_.image(p);
-    held = {tag, rasterVertex(image), 0, 0};
+    held = {tag, rasterVertex(image), 0, 0, 0};
     place(p, image, held);
   }
   return held;
@@ -262,17 +277,16 @@ void SegmentRasterizer::Drawing::place(const glm::dvec3& p, const glm::dvec3& im
            (image.y < scratch_.lower.y * image.z ? kAbove : 0u) | (image.y > scratch_.upper.y * image.z ? kBelow : 0u);
   if (scratch_.endsAreSingle) {
     double beyond = std::numeric_limits<double>::infinity();
-    bool isBeyond = false;
     for (const auto& [kind, planes] : scratch_.ends) {
       const double over = planes->front().height(p);
       beyond = std::min(beyond, over);
-      isBeyond = isBeyond || over > 0;
+      vertex.beyondKinds |= over > 0 ? RegionBuffer::kindBit(kind) : 0;
     }
     vertex.beyond = static_cast<float>(beyond);
-    flags |= isBeyond ? kBeyond : 0u;
   } else {
-    flags |= isBeyondEnds(scratch_, p) ? kBeyond : 0u;
+    vertex.beyondKinds = kindsEndingBefore(scratch_, p);
   }
+  flags |= vertex.beyondKinds != 0 ? kBeyond : 0u;
   vertex.flags = static_cast<uint8_t>(flags);
 }
 
@@ -315,15 +329,23 @@ void SegmentRasterizer::Drawing::drawAcross(uint32_t triangle) {
   }
   b.image.b1 = 1;
   c.image.b2 = 1;
-  if ((flags & (kBefore | kBeyond)) == 0) {
-    fill(triangle, {a.image, b.image, c.image});
+  const std::array<RasterVertex, 3> vertices{a.image, b.image, c.image};
+  uint64_t kinds = scratch_.kinds;
+  if ((flags & kBeyond) != 0) {
+    kinds &= region_.kindsIn(pixelsAround(vertices, rect_), segment_.endsOfLeaf);
+    if (kinds == 0) {
+      return;
+    }
+  }
+  if ((flags & kBefore) == 0 && (kinds & (a.beyondKinds | b.beyondKinds | c.beyondKinds)) == 0) {
+    fill(triangle, vertices);
     return;
   }
   const std::vector<glm::vec3>& positions = of_.mesh_.positions;
   const std::array<glm::dvec3, 3> points{glm::dvec3(positions[t.x]), glm::dvec3(positions[t.y]),
                                          glm::dvec3(positions[t.z])};
   if (!endsBefore(a, b, c, points)) {
-    fillTested(triangle, {a.image, b.image, c.image}, points);
+    fillTested(triangle, vertices, points, kinds);
   }
 }
 
@@ -355,20 +377,21 @@ void SegmentRasterizer::Drawing::drawClipped(uint32_t triangle) {
     corners.back().b2 = static_cast<float>(corner.b.y);
   }
   const bool within = std::none_of(polygon.begin(), polygon.end(), [&](const ClipCorner& corner) {
-    return segment_.begin.height(corner.p) < 0 || isBeyondEnds(scratch_, corner.p);
+    return segment_.begin.height(corner.p) < 0 || kindsEndingBefore(scratch_, corner.p) != 0;
   });
   for (size_t i = 2; i < corners.size(); ++i) {
     const std::array<RasterVertex, 3> vertices{corners[0], corners[i - 1], corners[i]};
     if (within) {
       fill(triangle, vertices);
     } else {
-      fillTested(triangle, vertices, {polygon[0].p, polygon[i - 1].p, polygon[i].p});
+      fillTested(triangle, vertices, {polygon[0].p, polygon[i - 1].p, polygon[i].p}, scratch_.kinds);
     }
   }
 }
 
+/// `kinds`: of rays that may meet it.
 void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<RasterVertex, 3>& vertices,
-                                            const std::array<glm::dvec3, 3>& points) {
+                                            const std::array<glm::dvec3, 3>& points, uint64_t kinds) {
   // Of a small triangle few pixels ask for heights, so they are not worked out ahead.
   const bool isSmall = extentOf(vertices) <= kSmallPixels;
   std::optional<HeightOver> begin;
@@ -389,8 +412,10 @@ void SegmentRasterizer::Drawing::fillTested(uint32_t triangle, const std::array<
   };
   bool endsBefore = !isSmall;
   for (auto kind = scratch_.ends.begin(); kind != scratch_.ends.end() && endsBefore; ++kind) {
-    hold(kind->first);
-    endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
+    if ((kinds & RegionBuffer::kindBit(kind->first)) != 0) {
+      hold(kind->first);
+      endsBefore = std::any_of(ends.begin(), ends.end(), [](const HeightOver& end) { return end.isBeyondAll(); });
+    }
   }
   if (endsBefore) {
     return;
