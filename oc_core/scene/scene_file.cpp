@@ -15,6 +15,7 @@
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/point_mesh.h"
 #include "oc_core/scene/rest_pose.h"
+#include "oc_core/scene/rigged_loose_parts.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
 #include "oc_core/scene/text_points.h"
@@ -148,14 +149,11 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
   warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
   warnings.insert(warnings.end(), record.rig->warnings.begin(), record.rig->warnings.end());
   bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
+  const std::optional<PointFacts> points =
+      addRiggedLooseParts(record, options.points, path.string(), warnings, progress);
   std::vector<RiggedMesh> meshes;
-  bool hasLoose = false;
   for (TexturedMesh& part : record.parts) {
-    hasLoose = hasLoose || !part.lines.empty() || !part.points.empty();
     meshes.push_back({std::move(part.mesh), std::move(part.added), part.isUnlit});
-  }
-  if (hasLoose) {
-    warnings.push_back(path.string() + ": its lines and points are left out where it is played");
   }
   size_t triangles = 0;
   for (const Instance& instance : record.instances) {
@@ -163,7 +161,7 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
   }
   checkCount(triangles, path);
   return std::make_unique<AnimatedScene>(std::move(meshes), std::move(record.instances), std::move(*record.rig),
-                                         animation, path.string());
+                                         animation, path.string(), points);
 }
 
 }  // namespace ocelli

@@ -65,13 +65,16 @@ std::unique_ptr<MovingScene> openMotion(const std::string& source, const SceneOp
   if (isFolder(source)) {
     return readSeries(source, options, progress);
   }
-  refuseUnusedPoints({}, options);
   if (isBuiltinScene(source)) {
+    refuseUnusedPoints({}, options);
     return makeBuiltinMotion(source);
   }
   std::vector<std::string> warnings;
   std::unique_ptr<MovingScene> scene =
-      readAnimatedFile(source, {.textures = options.textures}, options.motion.animation, warnings, progress);
+      readAnimatedFile(source, fileOptionsOf(options), options.motion.animation, warnings, progress);
+  if (scene != nullptr) {
+    refuseUnusedPoints(scene->facts().points, options);
+  }
   tell(options, warnings);
   return scene;
 }

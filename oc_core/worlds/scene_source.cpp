@@ -50,7 +50,7 @@ GuidedScene momentOf(const std::string& source, const SceneOptions& options, con
   }
   Mesh mesh = motion->at(seconds);
   std::vector<uint32_t> objects(mesh.triangles.size(), 0);
-  return {std::move(mesh), std::move(objects), {}, motion->worldFromScene()};
+  return {std::move(mesh), std::move(objects), {}, motion->worldFromScene(), motion->facts().points};
 }
 
 /// What is said of a motion where none is played.
