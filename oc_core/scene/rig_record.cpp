@@ -153,9 +153,7 @@ void writeRig(RecordWriter& writer, const Rig& rig) {
     for (const RigChannel& channel : animation.channels) {
       writer.value(channel.node);
       writer.value(static_cast<uint8_t>(channel.target));
-      writer.value(!channel.tangents.empty() ? Course::kCubic
-                   : channel.steps            ? Course::kStepped
-                                              : Course::kStraight);
+      writer.value(!channel.tangents.empty() ? Course::kCubic : channel.steps ? Course::kStepped : Course::kStraight);
       writer.value(channel.width);
       writer.count(channel.times.size());
       writer.list(channel.times);

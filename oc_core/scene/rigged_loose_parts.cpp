@@ -60,7 +60,7 @@ class LooseRigger {
       // Who plays it turns the triangles of mirrored copies round; these are as they must be.
       const bool mirrored = glm::determinant(glm::mat3(record_.instances[instance].worldFromMesh)) < 0;
       record_.parts[partOf[instance]].mesh.triangles.push_back(mirrored ? glm::uvec3(placed.x, placed.z, placed.y)
-                                                                         : placed);
+                                                                        : placed);
     }
   }
 

@@ -14,6 +14,7 @@
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/labelled_scene.h"
 
 namespace ocelli {
 namespace {
@@ -177,7 +178,7 @@ std::unique_ptr<SceneMotion> loadMotion(const std::string& source, const SceneOp
     throw InputError("only a file has animations of its own", "--animation", "leave it out");
   }
   report(progress, "loading the scene", 0);
-  std::unique_ptr<MovingScene> scene = openMotion(source, options, progress);
+  std::unique_ptr<MovingScene> scene = withLabels(openMotion(source, options, progress), options.labels);
   if (scene == nullptr) {
     return nullptr;
   }

@@ -147,7 +147,7 @@ TEST(GltfCurves, FollowCubicSplinesOfRotations) {
   AnimatedGltf file;
   const int corners = file.floats("VEC3", {0, 0, 1, 1, 0, 0, 0, 1, 0});
   const int times = file.floats("SCALAR", {0, 1});
-  const int keys = file.floats("VEC4", {0, 0, 0, 0, 0, 0, 0,    1,    2,  0, 0, 0,    //
+  const int keys = file.floats("VEC4", {0, 0, 0, 0, 0, 0, 0,    1,    2,  0, 0, 0,  //
                                         0, 0, 0, 0, 0, 0, half, half, -1, 0, 0, 0});
   const PlayedCurve played = playText(file.text(nodeWith("rotation", corners, times, keys, "CUBICSPLINE")));
   EXPECT_TRUE(played.warnings.empty());

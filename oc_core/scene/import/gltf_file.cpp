@@ -181,8 +181,8 @@ std::optional<std::vector<float>> GltfFile::numbers(const GltfJson& accessor) {
   const GltfJson& view = element("bufferViews", gltfMember(found, "bufferView"));
   const std::string typeName = gltfText(gltfMember(found, "type"));
   const std::optional<uint64_t> component = wholeOf(found, "componentType", {});
-  const auto* const read = std::ranges::find_if(
-      kComponentTypes, [&](const ComponentType& known) { return component == known.number; });
+  const auto* const read =
+      std::ranges::find_if(kComponentTypes, [&](const ComponentType& known) { return component == known.number; });
   const auto* const type =
       std::ranges::find_if(kElementTypes, [&](const ElementType& known) { return known.name == typeName; });
   if (!view.is_object() || found.contains("sparse") || read == kComponentTypes.end() || type == kElementTypes.end()) {

@@ -1,4 +1,5 @@
-// A glTF 2.0 file as it is, for what Assimp does not hand over: its JSON, and the numbers of its accessors.
+// A glTF 2.0 file as it is, for what Assimp does not hand over: its JSON, and the numbers of its accessors. Include it
+// in .cpp files only: nlohmann/json is slow to compile.
 #pragma once
 
 #include <cstdint>
