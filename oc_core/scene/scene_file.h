@@ -21,7 +21,7 @@ struct SceneFileOptions {
   bool textures = true;  ///< bake them to vertex colours; else materials have their plain colours
   /// Triangles that may be added, in all, so that textures survive (texture_bake.h).
   size_t textureTriangles = kUsualTextureTriangles;
-  PointSceneOptions points{};  ///< of a file of points
+  PointSceneOptions points{};  ///< of a file with points or lines
 };
 
 /// Whether a file is PLY by its name or its first bytes.
@@ -46,7 +46,8 @@ bool isPlyFile(const std::filesystem::path& path);
 Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {},
                     const Progress& progress = {});
 
-/// The same file as it moves: the meshes of its copies as an animation moves them, by nodes, bones and morph targets.
+/// The same file as it moves: the meshes, lines and points of its copies as an animation moves them, by nodes, bones
+/// and morph targets.
 /// Nothing where it has no animation that takes some time, as files of PLY. `animation` is a name or a number from 1
 /// on; empty for the first one. What the file says that is not played so is among `warnings`, as are missing textures.
 /// Throws as readSceneFile() does, and InputError for an animation that is not there.
