@@ -108,7 +108,9 @@ size_t trianglesInFile(const SceneChoice& scene, const GuidedScene& loaded, cons
       scene.options.motion.seconds) {
     return mesh.triangles.size();
   }
-  return loadScene(scene.source, {.fit = false, .shading = Shading::kNone, .textures = false}, progress)
+  return loadScene(scene.source,
+                   {.fit = false, .shading = Shading::kNone, .textures = false, .labels = scene.options.labels},
+                   progress)
       .triangles.size();
 }
 

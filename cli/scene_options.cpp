@@ -53,6 +53,16 @@ void addReadingOptions(CLI::App& command, SceneChoice& choice, const CommandCont
       "--no-textures", [&choice] { choice.options.textures = false; }, "Leave the textures of a file out");
   command
       .add_option_function<std::string>(
+          "--texture-triangles",
+          [&choice](const std::string& text) {
+            choice.options.textureTriangles = textureTrianglesFromText(text, "--texture-triangles");
+          },
+          "How many triangles the textures of a file may add: eight for each pixel of theirs or two, and textures that "
+          "need more are halved in size until they do not. full: as many as a scene may have")
+      ->default_str(std::to_string(kUsualTextureTriangles))
+      ->type_name("N|full");
+  command
+      .add_option_function<std::string>(
           "--point-size",
           [&choice](const std::string& width) {
             choice.options.points.width = pointWidthFromText(width, "--point-size");
@@ -61,6 +71,20 @@ void addReadingOptions(CLI::App& command, SceneChoice& choice, const CommandCont
           "neighbours, lines from the size of the scene")
       ->default_str("auto")
       ->type_name("WIDTH|auto");
+  command
+      .add_option("--labels", choice.options.labels.file,
+                  "Texts in the scene, as letters that every camera and display sees: a table of x, y, z, text, and "
+                  "perhaps size, color, nx, ny, nz, in the units of the scene before it is fitted")
+      ->type_name("FILE.csv");
+  command
+      .add_option_function<std::string>(
+          "--label-facing",
+          [&choice](const std::string& direction) {
+            choice.options.labels.facing = directionFromText(direction, "--label-facing");
+          },
+          "From where labels are read that have no nx, ny, nz: a direction")
+      ->default_str("0,0,1")
+      ->type_name("X,Y,Z");
   command
       .add_option("--iso", choice.options.iso,
                   "Of a volume: take the surface where it has this value, a mesh, in place of the volume")

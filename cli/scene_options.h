@@ -21,9 +21,9 @@ struct SceneChoice {
   bool shadingGiven = false;  ///< whether the user said --shading
 };
 
-/// Adds the argument SCENE, --no-fit, --shading, --no-textures, --point-size, --iso, --transfer and --series. `choice`
-/// must outlive the parsing. What there is to say of the scene that is loaded then, such as a missing texture, becomes
-/// a note of `frame`.
+/// Adds the argument SCENE, --no-fit, --shading, --no-textures, --texture-triangles, --point-size, --labels,
+/// --label-facing, --iso, --transfer and --series. `choice` must outlive the parsing. What there is to say of the scene
+/// that is loaded then, such as a missing texture, becomes a note of `frame`.
 void addSceneOptions(CLI::App& command, SceneChoice& choice, const CommandContext& context);
 
 /// The same without the argument: the scene is the option --scene, which may be missing.

@@ -1,5 +1,7 @@
 #include "cli/values.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
@@ -11,6 +13,7 @@
 #include "oc_core/base/number_text.h"
 #include "oc_core/camera/pinhole_camera.h"
 #include "oc_core/image/color.h"
+#include "oc_core/scene/texture_bake.h"
 
 namespace ocelli {
 namespace {
@@ -131,6 +134,22 @@ glm::vec3 colorFromText(const std::string& text, const std::string& option) {
     fail(option, text, "a colour, #RRGGBB in hexadecimal digits", "'#202830'");
   }
   return linearFromSrgb(glm::vec3(number >> 16, number >> 8 & 255, number & 255) / 255.0f);
+}
+
+size_t textureTrianglesFromText(const std::string& text, const std::string& option) {
+  const std::optional<size_t> triangles = text == "full" ? kMaxTextureTriangles : numberFromText<size_t>(text);
+  if (!triangles || *triangles > kMaxTextureTriangles) {
+    fail(option, text, fmt::format("how many triangles, up to {}, or full", kMaxTextureTriangles), "4000000");
+  }
+  return *triangles;
+}
+
+glm::vec3 directionFromText(const std::string& text, const std::string& option) {
+  const std::vector<float> numbers = numbersFromText<float>(text, ',');
+  if (numbers.size() != 3 || std::ranges::all_of(numbers, [](float x) { return x == 0; })) {
+    fail(option, text, "a direction, three numbers that are not all 0", "0,0,1");
+  }
+  return {numbers[0], numbers[1], numbers[2]};
 }
 
 std::optional<double> pointWidthFromText(const std::string& text, const std::string& option) {

@@ -34,6 +34,12 @@ glm::dvec2 rangeFromText(const std::string& text, const std::string& option);
 /// "NX,NY,NZ,D", or "x>D" and "x<D" with any of the axes: (n, d), with n of length 1, of the half space where
 /// dot(n, p) >= d.
 glm::dvec4 halfSpaceFromText(const std::string& text, const std::string& option);
+/// A number of triangles, or "full".
+size_t textureTrianglesFromText(const std::string& text, const std::string& option);
+
+/// "X,Y,Z", three numbers that are not all 0.
+glm::vec3 directionFromText(const std::string& text, const std::string& option);
+
 /// "#rrggbb", as sRGB: linear RGB.
 glm::vec3 colorFromText(const std::string& text, const std::string& option);
 /// "auto", which is nothing, or a width above 0.

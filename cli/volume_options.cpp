@@ -20,7 +20,9 @@ void refuseMeshOptions(const SceneChoice& scene) {
     }
   };
   refuse(!scene.options.textures, "--no-textures", "textures");
+  refuse(scene.options.textureTriangles != kUsualTextureTriangles, "--texture-triangles", "textures");
   refuse(scene.options.points.width.has_value(), "--point-size", "points");
+  refuse(!scene.options.labels.file.empty(), "--labels", "labels");
   refuse(!scene.options.motion.animation.empty(), "--animation", "animations");
   refuse(scene.options.motion.meshesPerSecond.has_value(), "--rate", "meshes");
   refuse(scene.options.motion.between != BetweenMeshes::kHold, "--between", "meshes");

@@ -13,7 +13,7 @@ namespace {
 
 // A larger texture, or more triangles of it, takes long and is baked in the same way.
 constexpr uint64_t kMaxPixels = 1 << 12;
-constexpr size_t kMaxTextureTriangles = 2000;
+constexpr size_t kFuzzedTextureTriangles = 2000;
 constexpr size_t kMaxPlayedTriangles = 10'000;
 
 void check(const ocelli::Mesh& mesh) {
@@ -85,8 +85,8 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
     ocelli::SceneRecord still = record;
     ocelli::poseAtRest(still);
     if (pixels <= kMaxPixels) {
-      ocelli::bakeTextures(still.parts, still.textures, kMaxTextureTriangles);
-      ocelli::bakeTextures(record.parts, record.textures, kMaxTextureTriangles);
+      ocelli::bakeTextures(still.parts, still.textures, kFuzzedTextureTriangles);
+      ocelli::bakeTextures(record.parts, record.textures, kFuzzedTextureTriangles);
     }
     for (const ocelli::SceneRecord* each : {&still, &record}) {
       for (const ocelli::TexturedMesh& part : each->parts) {

@@ -170,7 +170,8 @@ std::optional<WorkResult> BackgroundWork::make(const WorkWanted& wanted, WorkSte
 }
 
 LoadedScene BackgroundWork::loaded(const WorkWanted& wanted, const Done& done, const Progress& progress) {
-  LoadedScene scene{wanted.source, wanted.sceneRevision, {}, {}, wanted.sceneOptions.points};
+  LoadedScene scene{
+      wanted.source, wanted.sceneRevision, {}, {}, wanted.sceneOptions.points, wanted.sceneOptions.labels};
   if (!isVolumeSource(wanted.source)) {
     scene.mesh = loadScene(wanted.source, wanted.sceneOptions, progress);
     scene.bounds = boundsOf(scene.mesh);

@@ -27,6 +27,7 @@ struct LoadedScene {
   Mesh mesh;              ///< of a volume that of its surface, or empty
   Box bounds;
   PointSceneOptions points{};                       ///< with which it was loaded
+  LabelOptions labels{};                            ///< with which it was loaded
   std::shared_ptr<const LoadedVolume> volume = {};  ///< null: the scene is none
   uint64_t volumeRevision = 0;                      ///< of the request of the volume
   VolumeSceneOptions volumeOptions = {};            ///< with which that was loaded

@@ -199,6 +199,7 @@ void Viewer::take(const WorkResult& result) {
     if (result.step == WorkStep::kScene) {  // what was there stays
       state_.work.source = loadedSource_;
       state_.work.sceneOptions.points = loadedPoints_;
+      state_.work.sceneOptions.labels = loadedLabels_;
       state_.work.sceneOptions.iso = loadedIso_;
       state_.work.volumeOptions = loadedVolumeOptions_;
       state_.work.sceneOptions.transfer = loadedVolumeOptions_.transfer;
@@ -217,6 +218,7 @@ void Viewer::take(const WorkResult& result) {
   if (result.scene) {
     loadedSource_ = result.scene->source;
     loadedPoints_ = result.scene->points;
+    loadedLabels_ = result.scene->labels;
     loadedRevision_ = result.scene->revision;
     loadedIso_ = result.scene->iso;
     loadedVolumeRevision_ = result.scene->volumeRevision;

@@ -190,7 +190,8 @@ class Viewer {
   ViewerFacts facts_;
   uint64_t loadedRevision_ = 0;  ///< of the scene that shows; 0: none yet
   std::string loadedSource_;
-  PointSceneOptions loadedPoints_;                    ///< of that scene
+  PointSceneOptions loadedPoints_;  ///< of that scene
+  LabelOptions loadedLabels_;
   std::shared_ptr<const LoadedVolume> loadedVolume_;  ///< that the transfer function is of; null: none
   VolumeSceneOptions loadedVolumeOptions_;
   std::optional<double> loadedIso_;

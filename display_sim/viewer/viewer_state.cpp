@@ -162,6 +162,7 @@ void showKindOf(ViewerState& state, const std::string& source) {
 void openScene(ViewerState& state, const std::string& source) {
   if (source != state.work.source) {
     state.work.sceneOptions.points = {};
+    state.work.sceneOptions.labels = {};
     state.work.sceneOptions.iso.reset();
     state.work.sceneOptions.transfer.clear();
     state.work.sceneOptions.series.clear();

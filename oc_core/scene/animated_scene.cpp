@@ -90,8 +90,13 @@ std::vector<float> morphWeights(const RigPart& part, uint32_t node, const RigAni
 }  // namespace
 
 AnimatedScene::AnimatedScene(std::vector<RiggedMesh> meshes, std::vector<Instance> instances, Rig rig,
-                             const std::string& animation, const std::string& where)
-    : meshes_(std::move(meshes)), instances_(std::move(instances)), rig_(std::move(rig)), where_(where) {
+                             const std::string& animation, const std::string& where,
+                             const std::optional<PointFacts>& points)
+    : meshes_(std::move(meshes)),
+      instances_(std::move(instances)),
+      rig_(std::move(rig)),
+      where_(where),
+      points_(points) {
   OC_CHECK(
       !rig_.animations.empty() && rig_.parts.size() == meshes_.size() && rig_.instanceNodes.size() == instances_.size(),
       "a rig is of these meshes and copies, and moves them");
@@ -123,6 +128,7 @@ MotionFacts AnimatedScene::facts() const {
     facts.animations.push_back({animation.name, animation.seconds()});
   }
   facts.played = animation_;
+  facts.points = points_;
   return facts;
 }
 

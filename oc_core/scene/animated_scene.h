@@ -1,6 +1,7 @@
 // A file's animation as a moving scene: its meshes as the nodes, bones and morph targets of a rig move them.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,9 +24,9 @@ class AnimatedScene final : public MovingScene {
  public:
   /// `instances` are copies of `meshes`. `animation` is a name or a number from 1 on; empty for the first one. Throws
   /// InputError naming `where` and the animations that there are for another one. The rig must be valid, as
-  /// sceneFromRecord() gives it, and have an animation that takes some time.
+  /// sceneFromRecord() gives it, and have an animation that takes some time. `points`: those of facts().
   AnimatedScene(std::vector<RiggedMesh> meshes, std::vector<Instance> instances, Rig rig, const std::string& animation,
-                const std::string& where);
+                const std::string& where, const std::optional<PointFacts>& points = {});
 
   double durationSeconds() const override;
   MotionFacts facts() const override;
@@ -38,6 +39,7 @@ class AnimatedScene final : public MovingScene {
   std::vector<Instance> instances_;
   Rig rig_;
   std::string where_;
+  std::optional<PointFacts> points_;
   size_t animation_ = 0;
   std::vector<std::vector<uint32_t>> used_;  ///< of each mesh: the vertices that its triangles use
   Mesh flat_;                                ///< all copies, but for where the vertices are

@@ -22,7 +22,8 @@ constexpr uint32_t kNoSegment = std::numeric_limits<uint32_t>::max();
 
 class TubeMaker {
  public:
-  TubeMaker(const LineSet& lines, double width) : lines_(lines), radius_(width / 2), at_(lines.positions.size()) {
+  TubeMaker(const LineSet& lines, double width, std::vector<uint32_t>* sources)
+      : lines_(lines), radius_(width / 2), sources_(sources), at_(lines.positions.size()) {
     for (uint32_t s = 0; s < lines.segments.size(); ++s) {
       if (hasLength(s)) {
         for (const uint32_t end : {lines.segments[s].x, lines.segments[s].y}) {
@@ -98,6 +99,9 @@ class TubeMaker {
     if (!lines_.colors.empty()) {
       mesh_.colors.push_back(lines_.colors[source]);
     }
+    if (sources_ != nullptr) {
+      sources_->push_back(source);
+    }
   }
 
   /// A ring around a vertex where the tube goes from `in` to `out`, each of length 1: in the plane half-way between, so
@@ -146,6 +150,7 @@ class TubeMaker {
 
   const LineSet& lines_;
   double radius_;
+  std::vector<uint32_t>* sources_;
   std::vector<At> at_;
   std::vector<char> used_;
   glm::dvec3 across_{0};
@@ -154,7 +159,7 @@ class TubeMaker {
 
 }  // namespace
 
-Mesh meshOfLines(const LineSet& lines, double width, const std::string& where) {
+Mesh meshOfLines(const LineSet& lines, double width, const std::string& where, std::vector<uint32_t>* sources) {
   OC_CHECK(width > 0 && (lines.colors.empty() || lines.colors.size() == lines.positions.size()),
            "lines have a width, and colours a vertex or none");
   // Two triangles a side, and both ends.
@@ -170,7 +175,10 @@ Mesh meshOfLines(const LineSet& lines, double width, const std::string& where) {
       }
     }
   }
-  return TubeMaker(lines, width).make();
+  if (sources != nullptr) {
+    sources->clear();
+  }
+  return TubeMaker(lines, width, sources).make();
 }
 
 }  // namespace ocelli

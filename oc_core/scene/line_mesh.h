@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <glm/vec2.hpp>
 #include <glm/vec3.hpp>
 #include <optional>
@@ -28,7 +29,9 @@ inline constexpr double kLineShare = 0.004;
 /// of the triangles.
 ///
 /// Throws InputError naming `where` for a coordinate that is not finite, and where the mesh would have more than
-/// kMaxSceneTriangles. The width must be positive, and each segment name two of the vertices.
-Mesh meshOfLines(const LineSet& lines, double width, const std::string& where);
+/// kMaxSceneTriangles. The width must be positive, and each segment name two of the vertices. `sources` gets of each
+/// vertex of the mesh the vertex of the lines that it stands around.
+Mesh meshOfLines(const LineSet& lines, double width, const std::string& where,
+                 std::vector<uint32_t>* sources = nullptr);
 
 }  // namespace ocelli

@@ -5,10 +5,12 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/point_cloud.h"
 
 namespace ocelli {
 
@@ -37,6 +39,7 @@ struct MotionFacts {
   size_t played = 0;                  ///< which of them
   size_t meshes = 0;                  ///< of a series
   size_t topologies = 1;
+  std::optional<PointFacts> points{};  ///< of a file with points or lines, which became geometry
 };
 
 class MovingScene {

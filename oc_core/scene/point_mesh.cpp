@@ -51,8 +51,9 @@ constexpr glm::vec3 kNoPlane(0);
 
 class PointMesher {
  public:
-  PointMesher(PointCloud cloud, const PointSceneOptions& options, const std::string& where, const Progress& progress)
-      : cloud_(std::move(cloud)), options_(options), where_(where), progress_(progress) {}
+  PointMesher(PointCloud cloud, const PointSceneOptions& options, const std::string& where, const Progress& progress,
+              std::vector<uint32_t>* sources)
+      : cloud_(std::move(cloud)), options_(options), where_(where), progress_(progress), sources_(sources) {}
 
   PointMesh run() {
     facts_.points = cloud_.positions.size();
@@ -120,6 +121,11 @@ class PointMesher {
           }
           list->resize(kept);
         }
+      }
+    }
+    for (uint32_t i = 0; sources_ != nullptr && i < isRepeated.size(); ++i) {
+      if (!isRepeated[i]) {
+        pointsInFile_.push_back(i);
       }
     }
   }
@@ -282,6 +288,9 @@ class PointMesher {
       if (!cloud_.colors.empty()) {
         mesh.colors.resize(mesh.positions.size(), cloud_.colors[i]);
       }
+      if (sources_ != nullptr) {
+        sources_->resize(mesh.positions.size(), pointsInFile_[i]);
+      }
     }
     return mesh;
   }
@@ -326,6 +335,8 @@ class PointMesher {
   const PointSceneOptions& options_;
   const std::string& where_;
   const Progress& progress_;
+  std::vector<uint32_t>* sources_;
+  std::vector<uint32_t> pointsInFile_;  ///< of each point that is kept; empty where no one asks
   PointFacts facts_;
   glm::dvec3 center_{0};
   double scale_ = 1;               ///< units of the scene in one of the box
@@ -338,8 +349,11 @@ class PointMesher {
 }  // namespace
 
 PointMesh meshOfPoints(PointCloud cloud, const PointSceneOptions& options, const std::string& where,
-                       const Progress& progress) {
-  return PointMesher(std::move(cloud), options, where, progress).run();
+                       const Progress& progress, std::vector<uint32_t>* sources) {
+  if (sources != nullptr) {
+    sources->clear();
+  }
+  return PointMesher(std::move(cloud), options, where, progress, sources).run();
 }
 
 }  // namespace ocelli

@@ -1,7 +1,9 @@
 // Points as geometry, so that all that takes meshes takes them.
 #pragma once
 
+#include <cstdint>
 #include <string>
+#include <vector>
 
 #include "oc_core/base/progress.h"
 #include "oc_core/scene/mesh.h"
@@ -28,8 +30,8 @@ struct PointMesh {
 ///
 /// Throws InputError naming `where` where there is no point or a coordinate is not a finite number, where all points
 /// stand at one place and no width is given, or where the mesh would have more than kMaxSceneTriangles. Takes 150 to
-/// 200 bytes a point besides the mesh.
+/// 200 bytes a point besides the mesh. `sources` gets of each vertex of the mesh the point that it is of.
 PointMesh meshOfPoints(PointCloud cloud, const PointSceneOptions& options, const std::string& where,
-                       const Progress& progress = {});
+                       const Progress& progress = {}, std::vector<uint32_t>* sources = nullptr);
 
 }  // namespace ocelli

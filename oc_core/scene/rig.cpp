@@ -56,6 +56,20 @@ void read(const RigChannel& channel, double seconds, NodePlace& place) {
   }
 }
 
+/// Between two keys of a cubic spline that are `duration` seconds apart: `share` of that after key `key`.
+void sampleSpline(const RigChannel& channel, size_t key, float duration, float share, float* value) {
+  const uint32_t width = channel.width;
+  const float* from = channel.values.data() + key * width;
+  const float* after = channel.tangents.data() + (2 * key + 1) * width;
+  const float* before = channel.tangents.data() + (2 * key + 2) * width;
+  const float t2 = share * share;
+  const float t3 = t2 * share;
+  for (uint32_t i = 0; i < width; ++i) {
+    value[i] = (2 * t3 - 3 * t2 + 1) * from[i] + duration * (t3 - 2 * t2 + share) * after[i] +
+               (3 * t2 - 2 * t3) * from[width + i] + duration * (t3 - t2) * before[i];
+  }
+}
+
 }  // namespace
 
 double RigAnimation::seconds() const {
@@ -78,8 +92,12 @@ void sample(const RigChannel& channel, double seconds, float* value) {
     return;
   }
   const float* to = from + channel.width;
-  const auto share = static_cast<float>((seconds - static_cast<double>(times[key])) /
-                                        (static_cast<double>(times[next]) - static_cast<double>(times[key])));
+  const double duration = static_cast<double>(times[next]) - static_cast<double>(times[key]);
+  const auto share = static_cast<float>((seconds - static_cast<double>(times[key])) / duration);
+  if (!channel.tangents.empty()) {
+    sampleSpline(channel, key, static_cast<float>(duration), share, value);
+    return;
+  }
   if (channel.target == RigTarget::kRotation) {
     const glm::quat q = glm::slerp(rotationOf(from), rotationOf(to), share);
     const std::array<float, 4> numbers{q.x, q.y, q.z, q.w};

@@ -52,7 +52,8 @@ enum class RigTarget : uint8_t {
 };
 
 /// Moves one property of a node. Between two keys values lie on a straight line, those of rotations on the shorter arc
-/// (spherical linear interpolation), or stay as they were (`steps`).
+/// (spherical linear interpolation), stay as they were (`steps`), or run along a cubic Hermite spline (`tangents`; glTF
+/// 2.0, appendix C.5).
 struct RigChannel {
   uint32_t node = 0;
   RigTarget target = RigTarget::kPosition;
@@ -60,6 +61,9 @@ struct RigChannel {
   uint32_t width = 0;         ///< values of a key; 3 or 4 as the target has them
   std::vector<float> times;   ///< of one key or more, seconds, ascending, not negative
   std::vector<float> values;  ///< `width` of each key
+  /// Of a cubic spline, of each key: how fast its `width` values change before it and after it, per second. Empty of
+  /// all else.
+  std::vector<float> tangents{};
 };
 
 struct RigAnimation {

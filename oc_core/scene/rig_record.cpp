@@ -9,6 +9,9 @@
 namespace ocelli {
 namespace {
 
+/// How a channel goes from key to key.
+enum class Course : uint8_t { kStraight, kStepped, kCubic };
+
 static_assert(sizeof(RigWeight) == 8, "lists of them are written as they stand");
 
 /// Of what single precision leaves of a sum of weights.
@@ -86,12 +89,12 @@ RigChannel readChannel(RecordParser& parser, size_t nodes) {
   RigChannel channel;
   channel.node = indexBelow(parser, nodes);
   const auto target = parser.value<uint8_t>();
-  const auto steps = parser.value<uint8_t>();
-  if (target > static_cast<uint8_t>(RigTarget::kWeights) || steps > 1) {
+  const auto course = parser.value<uint8_t>();
+  if (target > static_cast<uint8_t>(RigTarget::kWeights) || course > static_cast<uint8_t>(Course::kCubic)) {
     parser.fail("a channel moves in an unknown way");
   }
   channel.target = static_cast<RigTarget>(target);
-  channel.steps = steps == 1;
+  channel.steps = static_cast<Course>(course) == Course::kStepped;
   channel.width = parser.number();
   const uint32_t wanted = channel.target == RigTarget::kRotation ? 4 : 3;
   if (channel.target == RigTarget::kWeights ? channel.width == 0 : channel.width != wanted) {
@@ -104,7 +107,10 @@ RigChannel readChannel(RecordParser& parser, size_t nodes) {
     parser.fail("the times of a channel are none, or do not ascend");
   }
   channel.values = parser.list<float>(keys * channel.width);
-  if (!areFinite(channel.values)) {
+  if (static_cast<Course>(course) == Course::kCubic) {
+    channel.tangents = parser.list<float>(2 * keys * channel.width);
+  }
+  if (!areFinite(channel.values) || !areFinite(channel.tangents)) {
     parser.fail("a key of a channel is no number");
   }
   return channel;
@@ -147,11 +153,12 @@ void writeRig(RecordWriter& writer, const Rig& rig) {
     for (const RigChannel& channel : animation.channels) {
       writer.value(channel.node);
       writer.value(static_cast<uint8_t>(channel.target));
-      writer.value(static_cast<uint8_t>(channel.steps ? 1 : 0));
+      writer.value(!channel.tangents.empty() ? Course::kCubic : channel.steps ? Course::kStepped : Course::kStraight);
       writer.value(channel.width);
       writer.count(channel.times.size());
       writer.list(channel.times);
       writer.list(channel.values);
+      writer.list(channel.tangents);
     }
   }
 }

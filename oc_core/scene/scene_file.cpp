@@ -1,9 +1,12 @@
 #include "oc_core/scene/scene_file.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <array>
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -15,6 +18,7 @@
 #include "oc_core/scene/ply_file.h"
 #include "oc_core/scene/point_mesh.h"
 #include "oc_core/scene/rest_pose.h"
+#include "oc_core/scene/rigged_loose_parts.h"
 #include "oc_core/scene/scene_reader.h"
 #include "oc_core/scene/share_vertices.h"
 #include "oc_core/scene/text_points.h"
@@ -50,12 +54,27 @@ void checkFile(const fs::path& path) {
   }
 }
 
+/// Nothing where the textures are whole.
+std::vector<std::string> warningsOf(const BakedTextures& baked, size_t maxTriangles, const fs::path& path) {
+  if ((baked.halvings == 0 && !baked.isCut) || maxTriangles == 0) {
+    return {};
+  }
+  const std::string next = maxTriangles == kMaxTextureTriangles
+                               ? "they are as fine as a scene may be"
+                               : "--texture-triangles full keeps as much of them as a scene may have";
+  return {fmt::format(
+      "{}: its textures are drawn at 1/{} of their width and height{}: whole, they add "
+      "{:.0f} triangles, and {} may be added; {}",
+      path.string(), 1 << baked.halvings, baked.isCut ? " and less" : "", baked.wanted, maxTriangles, next)};
+}
+
 Scene readOther(const fs::path& path, const SceneFileOptions& options, const Progress& progress) {
   SceneRecord record = readInOtherProcess(path, options.textures, progress);
   poseAtRest(record);
-  bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
+  const BakedTextures baked = bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
   Scene scene;
   scene.warnings = std::move(record.warnings);
+  std::ranges::move(warningsOf(baked, options.textureTriangles, path), std::back_inserter(scene.warnings));
   scene.instances = std::move(record.instances);
   for (Instance& instance : scene.instances) {
     instance.isLit = !record.parts[instance.mesh].isUnlit;
@@ -147,15 +166,13 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
   }
   warnings.insert(warnings.end(), record.warnings.begin(), record.warnings.end());
   warnings.insert(warnings.end(), record.rig->warnings.begin(), record.rig->warnings.end());
-  bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
+  const BakedTextures baked = bakeTextures(record.parts, std::move(record.textures), options.textureTriangles);
+  std::ranges::move(warningsOf(baked, options.textureTriangles, path), std::back_inserter(warnings));
+  const std::optional<PointFacts> points =
+      addRiggedLooseParts(record, options.points, path.string(), warnings, progress);
   std::vector<RiggedMesh> meshes;
-  bool hasLoose = false;
   for (TexturedMesh& part : record.parts) {
-    hasLoose = hasLoose || !part.lines.empty() || !part.points.empty();
     meshes.push_back({std::move(part.mesh), std::move(part.added), part.isUnlit});
-  }
-  if (hasLoose) {
-    warnings.push_back(path.string() + ": its lines and points are left out where it is played");
   }
   size_t triangles = 0;
   for (const Instance& instance : record.instances) {
@@ -163,7 +180,7 @@ std::unique_ptr<MovingScene> readAnimatedFile(const fs::path& path, const SceneF
   }
   checkCount(triangles, path);
   return std::make_unique<AnimatedScene>(std::move(meshes), std::move(record.instances), std::move(*record.rig),
-                                         animation, path.string());
+                                         animation, path.string(), points);
 }
 
 }  // namespace ocelli

@@ -11,14 +11,17 @@
 #include "oc_core/base/progress.h"
 #include "oc_core/scene/moving_scene.h"
 #include "oc_core/scene/scene.h"
+#include "oc_core/scene/texture_bake.h"
 
 namespace ocelli {
+
+inline constexpr size_t kUsualTextureTriangles = 1'000'000;
 
 struct SceneFileOptions {
   bool textures = true;  ///< bake them to vertex colours; else materials have their plain colours
   /// Triangles that may be added, in all, so that textures survive (texture_bake.h).
-  size_t textureTriangles = 1'000'000;
-  PointSceneOptions points{};  ///< of a file of points
+  size_t textureTriangles = kUsualTextureTriangles;
+  PointSceneOptions points{};  ///< of a file with points or lines
 };
 
 /// Whether a file is PLY by its name or its first bytes.
@@ -30,7 +33,8 @@ bool isPlyFile(const std::filesystem::path& path);
 ///
 /// Colours are those of the vertices, else the diffuse or base colours of the materials, times their diffuse texture,
 /// plus their emissive colour times its texture; there are none where the file says nothing of colours. Textures may be
-/// embedded, or files that import/texture_search.h finds. One that is missing or no image is among Scene::warnings. The
+/// embedded, or files that import/texture_search.h finds. One that is missing or no image is among Scene::warnings, and
+/// so is where `textureTriangles` do not let them be whole. The
 /// colours of glTF are linear and multiply each other; all others are sRGB.
 ///
 /// Where materials have masks of alpha, what these leave out is cut away; copies of unlit materials are not lit.
@@ -42,7 +46,8 @@ bool isPlyFile(const std::filesystem::path& path);
 Scene readSceneFile(const std::filesystem::path& path, const SceneFileOptions& options = {},
                     const Progress& progress = {});
 
-/// The same file as it moves: the meshes of its copies as an animation moves them, by nodes, bones and morph targets.
+/// The same file as it moves: the meshes, lines and points of its copies as an animation moves them, by nodes, bones
+/// and morph targets.
 /// Nothing where it has no animation that takes some time, as files of PLY. `animation` is a name or a number from 1
 /// on; empty for the first one. What the file says that is not played so is among `warnings`, as are missing textures.
 /// Throws as readSceneFile() does, and InputError for an animation that is not there.

@@ -19,8 +19,10 @@
 //                u32 bones, each u32 node, 16 f32 (columns of boneFromMesh); where there are some
 //                  u32 a vertex and one more (where its weights begin), u32 weights, each u32 bone, f32 weight
 //                u32 morphs, each f32 weight at rest, 3 f32 a vertex
-//              u32 animations, each a text and u32 channels, each u32 node, u8 target, u8 steps, u32 values of a key,
-//                u32 keys, f32 time of each, the values of each
+//              u32 animations, each a text and u32 channels, each u32 node, u8 target, u8 course (0 straight, 1 steps,
+//              2
+//                cubic), u32 values of a key, u32 keys, f32 time of each, the values of each, then of a cubic spline
+//                the tangents of each
 //   bytes "END."
 //   text:    u32 bytes, then the bytes
 #pragma once

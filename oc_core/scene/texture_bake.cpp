@@ -16,6 +16,9 @@ namespace {
 
 /// A little more than the diagonal of a pixel, so that a square pixel becomes two triangles and is left at that.
 constexpr float kPixelsInEdge = 1.5f;
+/// With a vertex at the middle of each pixel, too: eight triangles a pixel.
+constexpr float kPixelsInFineEdge = kPixelsInEdge / 2;
+constexpr double kFineTriangles = 4;
 /// Each round halves the edges: enough for the longest texture, and an end for coordinates that are out of all bounds.
 constexpr int kMaxRounds = 16;
 
@@ -82,15 +85,15 @@ std::vector<float> pixelLengths(const Mesh& mesh, const EdgeList& list, const st
   return lengths;
 }
 
-/// Splits until no edge is longer than kPixelsInEdge, or the mesh has `most` triangles or more.
-void splitToPixels(TexturedMesh& part, const std::vector<LayerPixels>& layers, size_t most) {
+/// Splits until no edge is longer than `pixelsInEdge`, or the mesh has `most` triangles or more.
+void splitToPixels(TexturedMesh& part, const std::vector<LayerPixels>& layers, float pixelsInEdge, size_t most) {
   Mesh& mesh = part.mesh;
   for (int round = 0; round < kMaxRounds && mesh.triangles.size() < most; ++round) {
     const EdgeList list = findEdges(mesh);
     const std::vector<float> lengths = pixelLengths(mesh, list, layers);
     std::vector<uint32_t> chosen;
     for (uint32_t i = 0; i < lengths.size(); ++i) {
-      if (lengths[i] > kPixelsInEdge) {
+      if (lengths[i] > pixelsInEdge) {
         chosen.push_back(i);
       }
     }
@@ -144,7 +147,7 @@ std::vector<char> findMasks(const std::vector<TexturedMesh>& parts, size_t textu
 
 }  // namespace
 
-void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles) {
+BakedTextures bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles) {
   for (const TexturedMesh& part : parts) {
     for (const std::optional<TextureLayer>* layer : {&part.base, &part.emissive, &part.mask}) {
       OC_CHECK(!*layer || ((*layer)->uvs.size() == part.mesh.positions.size() && (*layer)->texture < textures.size()),
@@ -160,7 +163,12 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
   };
   const auto canShrink = [](const Texture& texture) { return texture.image.width() > 1 || texture.image.height() > 1; };
   const std::vector<char> isMask = findMasks(parts, textures.size());
-  while (addedInAll() > static_cast<double>(maxTriangles) && std::any_of(textures.begin(), textures.end(), canShrink)) {
+  const auto limit = static_cast<double>(maxTriangles);
+  double total = addedInAll();
+  BakedTextures baked{.wanted = total};
+  const bool isFine = kFineTriangles * total <= limit;
+  for (; total > limit && std::any_of(textures.begin(), textures.end(), canShrink); total = addedInAll()) {
+    ++baked.halvings;
     for (size_t i = 0; i < textures.size(); ++i) {
       textures[i] = isMask[i] != 0 ? textures[i].halvedValues() : textures[i].halved();
     }
@@ -168,13 +176,12 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
   // The estimate leaves slivers out: the limit of each part has room for them. Coordinates that run over a texture very
   // often ask for too many triangles even where it has one pixel: then they share what there may be.
   constexpr double kRoom = 4;
-  const double total = addedInAll();
-  const double limit = static_cast<double>(maxTriangles);
-  const double factor = total > limit ? limit / total : kRoom;
+  baked.isCut = total > limit;
+  const double factor = baked.isCut ? limit / total : isFine ? kRoom * kFineTriangles : kRoom;
   for (TexturedMesh& part : parts) {
     if (maxTriangles > 0 && part.hasTexture()) {
       const std::vector<LayerPixels> layers = layersOf(part, textures);
-      splitToPixels(part, layers,
+      splitToPixels(part, layers, isFine ? kPixelsInFineEdge : kPixelsInEdge,
                     part.mesh.triangles.size() + static_cast<size_t>(factor * estimateNew(part.mesh, layers)));
     }
     if (part.hasTexture() || part.emission != glm::vec3(0)) {
@@ -184,6 +191,7 @@ void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> texture
       cutByMask(part, textures);
     }
   }
+  return baked;
 }
 
 }  // namespace ocelli

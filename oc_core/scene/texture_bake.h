@@ -8,6 +8,7 @@
 
 #include "oc_core/scene/alpha_cut.h"
 #include "oc_core/scene/mesh.h"
+#include "oc_core/scene/scene.h"
 #include "oc_core/scene/texture_image.h"
 
 namespace ocelli {
@@ -37,10 +38,27 @@ struct TexturedMesh {
   bool hasTexture() const { return base || emissive || mask; }
 };
 
-/// Turns textures and emission into colours of vertices; a mesh without them stays as it is. Splits edges that are
-/// longer than two pixels of a texture. Where that takes more than `maxTriangles` new triangles in all, textures are
-/// halved in size until it does not, so a limit that is too low gives a blurred texture and no aliasing. Edges that
-/// meet in the same places are split alike also where the texture has a seam. What masks leave out is cut away.
-void bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles);
+/// As many triangles as textures may add to a scene that has hardly any others. Edges are halved, so that a pixel that
+/// asks for two triangles may get 3.6: this leaves room for that.
+inline constexpr size_t kMaxTextureTriangles = kMaxSceneTriangles / 2;
+
+/// What became of the textures.
+struct BakedTextures {
+  double wanted = 0;   ///< triangles that whole textures add, two a pixel
+  int halvings = 0;    ///< how often the width and the height of all textures were halved
+  bool isCut = false;  ///< textures of one pixel would add too many, too: some colours of pixels are left out
+};
+
+/// Turns textures and emission into colours of vertices; a mesh without them stays as it is. At most `maxTriangles` new
+/// triangles are made, in all; the first of these that fits is done:
+///
+/// - edges longer than 0.75 pixels of a texture are split, which makes eight triangles a pixel: colours are then those
+///   of bilinear interpolation in the middle of each pixel and of its edges, and linear in between;
+/// - edges longer than 1.5 pixels, two triangles a pixel: each vertex has the mean of the four pixels around it;
+/// - the same, with all textures halved in size as often as that takes, which blurs, and makes no aliasing.
+///
+/// Edges that meet in the same places are split alike also where the texture has a seam. What masks leave out is cut
+/// away.
+BakedTextures bakeTextures(std::vector<TexturedMesh>& parts, std::vector<Texture> textures, size_t maxTriangles);
 
 }  // namespace ocelli

@@ -45,6 +45,7 @@ Mesh loadedObject(const RoledObject& object, const SceneOptions& options, const 
   SceneOptions own = options;
   own.fit = true;
   own.points = {};
+  own.labels = {};
   own.iso.reset();
   own.transfer.clear();
   own.series.clear();

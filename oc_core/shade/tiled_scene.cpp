@@ -6,9 +6,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/scene/scene.h"
-#include "oc_core/scene/scene_file.h"
 #include "oc_core/volume/volume_scene.h"
-#include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/labelled_scene.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/placement.h"
 
@@ -27,7 +26,7 @@ Scene unlitScene(const std::string& source, const SceneOptions& options, const P
   if (options.motion.seconds) {
     throw InputError("a scene that moves has no relief tiles", source, "leave out --time, or the role \"relief\"");
   }
-  return isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
+  return readLabelledScene(source, options, progress);
 }
 
 bool isRelief(const std::vector<RoledObject>& roles, uint32_t object) {
@@ -91,6 +90,7 @@ TiledScene loadTiledScene(const std::string& source, const std::vector<RoledObje
     SceneOptions own = options;
     own.fit = true;
     own.points = {};
+    own.labels = {};
     own.shading = Shading::kNone;
     if (!role.has(kIsRelief)) {
       append(tiled.around, loadScene(role.source, own, progress), placesOf(role)[0]);

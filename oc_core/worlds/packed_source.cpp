@@ -19,6 +19,7 @@
 #include "oc_core/scene/shading.h"
 #include "oc_core/volume/volume_scene.h"
 #include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/labelled_scene.h"
 #include "oc_core/worlds/streamed_ply.h"
 
 namespace ocelli {
@@ -110,6 +111,7 @@ bool isStreamed(const std::string& source) {
 
 PackReport packStreamed(const std::string& source, const SceneOptions& options, const std::string& description,
                         const std::filesystem::path& path, const Progress& progress) {
+  refuseLabels(options.labels, "a scene larger than memory", "leave them out");
   report(progress, "looking at the file", 0);
   const std::string key = sourceKeyOf(options, description) + " streamed " + sha256(MappedFile(source).bytes());
   const StreamedPly triangles(source, options, path.parent_path(), progress);
@@ -147,8 +149,7 @@ PackReport packSource(const std::string& source, const SceneOptions& options, co
     return packScene(CopiesSource(std::move(scene), done, source), path, {.description = description, .sourceKey = key},
                      progress);
   }
-  Scene scene =
-      isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
+  Scene scene = readLabelledScene(source, options, progress);
   refuseUnusedPoints(scene.points, options);
   for (const std::string& warning : scene.warnings) {
     if (options.warn) {

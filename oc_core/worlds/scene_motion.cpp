@@ -14,6 +14,7 @@
 #include "oc_core/scene/scene.h"
 #include "oc_core/scene/scene_file.h"
 #include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/labelled_scene.h"
 
 namespace ocelli {
 namespace {
@@ -65,13 +66,16 @@ std::unique_ptr<MovingScene> openMotion(const std::string& source, const SceneOp
   if (isFolder(source)) {
     return readSeries(source, options, progress);
   }
-  refuseUnusedPoints({}, options);
   if (isBuiltinScene(source)) {
+    refuseUnusedPoints({}, options);
     return makeBuiltinMotion(source);
   }
   std::vector<std::string> warnings;
   std::unique_ptr<MovingScene> scene =
-      readAnimatedFile(source, {.textures = options.textures}, options.motion.animation, warnings, progress);
+      readAnimatedFile(source, fileOptionsOf(options), options.motion.animation, warnings, progress);
+  if (scene != nullptr) {
+    refuseUnusedPoints(scene->facts().points, options);
+  }
   tell(options, warnings);
   return scene;
 }
@@ -174,7 +178,7 @@ std::unique_ptr<SceneMotion> loadMotion(const std::string& source, const SceneOp
     throw InputError("only a file has animations of its own", "--animation", "leave it out");
   }
   report(progress, "loading the scene", 0);
-  std::unique_ptr<MovingScene> scene = openMotion(source, options, progress);
+  std::unique_ptr<MovingScene> scene = withLabels(openMotion(source, options, progress), options.labels);
   if (scene == nullptr) {
     return nullptr;
   }

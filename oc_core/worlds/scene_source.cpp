@@ -8,10 +8,9 @@
 #include "oc_core/base/error.h"
 #include "oc_core/isosurface/isosurface.h"
 #include "oc_core/scene/scene.h"
-#include "oc_core/scene/scene_file.h"
 #include "oc_core/scene/shading.h"
 #include "oc_core/volume/volume_scene.h"
-#include "oc_core/worlds/builtin_scenes.h"
+#include "oc_core/worlds/labelled_scene.h"
 #include "oc_core/worlds/packed_source.h"
 #include "oc_core/worlds/scene_motion.h"
 
@@ -50,7 +49,7 @@ GuidedScene momentOf(const std::string& source, const SceneOptions& options, con
   }
   Mesh mesh = motion->at(seconds);
   std::vector<uint32_t> objects(mesh.triangles.size(), 0);
-  return {std::move(mesh), std::move(objects), {}, motion->worldFromScene()};
+  return {std::move(mesh), std::move(objects), {}, motion->worldFromScene(), motion->facts().points};
 }
 
 /// What is said of a motion where none is played.
@@ -76,7 +75,7 @@ VolumeSceneOptions volumeOptionsOf(const SceneOptions& options) {
 }
 
 SceneFileOptions fileOptionsOf(const SceneOptions& options) {
-  return {.textures = options.textures, .points = options.points};
+  return {.textures = options.textures, .textureTriangles = options.textureTriangles, .points = options.points};
 }
 
 void refuseUnusedPoints(const std::optional<PointFacts>& points, const SceneOptions& options) {
@@ -106,6 +105,7 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
 GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
   requireSurfaceOfVolume(source, options);
   refuseUnusedPoints({}, options);
+  refuseLabels(options.labels, "a volume", "write its surface with ocelli scene export, and label that");
   if (!options.motion.animation.empty() || options.motion.meshesPerSecond ||
       options.motion.between != BetweenMeshes::kHold) {
     throw InputError("a volume has no animations or meshes", source, "leave out --animation, --rate and --between");
@@ -134,12 +134,12 @@ GuidedScene loadGuidedScene(const std::string& source, const SceneOptions& optio
   refuseUnusedMotion(source, options);
   if (isPackedScene(source)) {
     refuseUnusedPoints({}, options);
+    refuseLabels(options.labels, "a packed scene", "pack it with --labels");
     Mesh mesh = unpackedMesh(openPacked(source, options));
     std::vector<uint32_t> objects(mesh.triangles.size(), 0);
     return {std::move(mesh), std::move(objects), {}, glm::mat4(1)};
   }
-  Scene scene =
-      isBuiltinScene(source) ? makeBuiltinScene(source) : readSceneFile(source, fileOptionsOf(options), progress);
+  Scene scene = readLabelledScene(source, options, progress);
   refuseUnusedPoints(scene.points, options);
   for (const std::string& warning : scene.warnings) {
     if (options.warn) {

@@ -35,12 +35,20 @@ struct MotionOptions {
   BetweenMeshes between = BetweenMeshes::kHold;
 };
 
+/// Texts in a scene that is no volume and not packed.
+struct LabelOptions {
+  std::string file{};         ///< a table (oc_core/labels/label_table.h); empty: none
+  glm::vec3 facing{0, 0, 1};  ///< from where those can be read that do not say it themselves; not 0
+};
+
 struct SceneOptions {
   bool fit = true;  ///< into the unit sphere
   Shading shading = Shading::kLambert;
-  bool textures = true;  ///< bake the textures of a file to vertex colours
+  bool textures = true;                              ///< bake the textures of a file to vertex colours
+  size_t textureTriangles = kUsualTextureTriangles;  ///< as SceneFileOptions has it
   MotionOptions motion{};
   PointSceneOptions points{};  ///< of a scene of points
+  LabelOptions labels{};
   /// Of a volume (oc_core/volume): the scene is the surface at this value (oc_core/isosurface). Without it a volume is
   /// no mesh.
   std::optional<double> iso{};

@@ -2,8 +2,11 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <algorithm>
+
 #include "oc_core/ocri/union_mesh.h"
 #include "oc_core/scene/ply_file.h"
+#include "oc_core/scene/texture_bake.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/scene_source.h"
 #include "python/bindings/arrays.h"
@@ -40,7 +43,8 @@ GuidedScene sceneOfMesh(const Mesh& mesh, bool fit) {
 }
 
 GuidedScene load(const std::string& source, bool fit, bool shaded, bool textures, std::optional<double> seconds,
-                 std::optional<double> iso, const py::object& progress) {
+                 std::optional<double> iso, const std::string& labels, size_t textureTriangles,
+                 const py::object& progress) {
   std::vector<std::string> warnings;
   SceneOptions options;
   options.fit = fit;
@@ -48,6 +52,8 @@ GuidedScene load(const std::string& source, bool fit, bool shaded, bool textures
   options.textures = textures;
   options.motion.seconds = seconds;
   options.iso = iso;
+  options.labels.file = labels;
+  options.textureTriangles = std::min(textureTriangles, kMaxTextureTriangles);
   options.warn = [&](const std::string& warning) { warnings.push_back(warning); };
   const PythonProgress told(progress);
   GuidedScene scene = [&] {
@@ -130,7 +136,8 @@ fit is true.)")
       });
 
   module.def("load_scene", &load, py::arg("source"), py::arg("fit"), py::arg("shaded"), py::arg("textures"),
-             py::arg("seconds"), py::arg("iso"), py::arg("progress"));
+             py::arg("seconds"), py::arg("iso"), py::arg("labels"),
+             py::arg("texture_triangles"), py::arg("progress"));
   module.def("builtin_scenes", [] {
     std::vector<std::pair<std::string, std::string>> rows;
     for (const BuiltinScene& scene : listBuiltinScenes()) {

@@ -311,7 +311,15 @@ def build_volume_images(
     volume: Volume, camera: _Camera, view: View, width: int, height: int, opacity: Optional[float], progress: _Told
 ) -> ReferenceImages: ...
 def load_scene(
-    source: str, fit: bool, shaded: bool, textures: bool, seconds: Optional[float], iso: Optional[float], progress: _Told
+    source: str,
+    fit: bool,
+    shaded: bool,
+    textures: bool,
+    seconds: Optional[float],
+    iso: Optional[float],
+    labels: str,
+    texture_triangles: int,
+    progress: _Told,
 ) -> Scene: ...
 def builtin_scenes() -> list[tuple[str, str]]: ...
 def profiles() -> list[str]: ...

@@ -25,6 +25,8 @@ def load(
     textures: bool = True,
     seconds: float | None = None,
     iso: float | None = None,
+    labels: Path | None = None,
+    texture_triangles: int = 1_000_000,
     progress: Progress = None,
 ) -> Scene:
     """Loads a scene as one mesh with a colour at each vertex.
@@ -36,6 +38,8 @@ def load(
         textures: bake the textures of a file to the colours of its vertices.
         seconds: of a scene that moves, the moment that is taken; None: as it is at rest.
         iso: of a volume, the value whose surface is taken.
+        labels: a table in CSV of texts in the scene (docs/files.md, "Labels"): x, y, z, text, and perhaps size, color.
+        texture_triangles: how many triangles textures may add, up to 20 million; those that need more are blurred.
         progress: None, True, False or a function `progress(stage, fraction)`.
 
     Returns:
@@ -45,7 +49,17 @@ def load(
         InputError: for a file or a name that is wrong.
     """
     with Shown(progress) as callback:
-        return _ocelli.load_scene(os.fspath(source), fit, shaded, textures, seconds, iso, callback)
+        return _ocelli.load_scene(
+            os.fspath(source),
+            fit,
+            shaded,
+            textures,
+            seconds,
+            iso,
+            "" if labels is None else os.fspath(labels),
+            texture_triangles,
+            callback,
+        )
 
 
 def builtins() -> dict[str, str]:

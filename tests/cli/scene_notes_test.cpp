@@ -105,6 +105,42 @@ TEST_F(SceneNotes, sceneInfoTellsTrianglesInTheFileAndAfterBaking) {
   EXPECT_THAT(run("scene info --no-textures " + at("square.obj")).output, HasSubstr("triangles  2\n"));
 }
 
+TEST_F(SceneNotes, texturesThatDoNotFitAreToldOf) {
+  writePng(folder_ / "grey.png", Image<Rgb8>(64, 64, Rgb8(128)));
+  folder_.write("square.mtl", "newmtl m\nmap_Kd grey.png\n");
+  folder_.write("square.obj",
+                "mtllib square.mtl\nusemtl m\nv 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\n"
+                "f 1/1 2/2 3/3\nf 1/1 3/3 4/4\n");
+  const std::string info = "scene info --json " + at("square.obj") + " --texture-triangles ";
+  const ProgramResult halved = run(info + "520");
+  EXPECT_THAT(halved.error, testing::AllOf(HasSubstr("1/4 of their width"), HasSubstr("--texture-triangles full")));
+  EXPECT_EQ(nlohmann::json::parse(halved.output)["triangles"], 512);
+  const ProgramResult full = run(info + "full");
+  EXPECT_EQ(full.error, "");
+  EXPECT_EQ(nlohmann::json::parse(full.output)["triangles"], 8 * 64 * 64);
+  for (const char* wrong : {"-1", "some", "20000001", ""}) {
+    EXPECT_EQ(run(info + "'" + wrong + "'").exitCode, 2) << wrong;
+  }
+}
+
+TEST_F(SceneNotes, wrongLabelsAreToldWithTheirLine) {
+  folder_.write("labels.csv", "x,y,z,text\n0,0,0,here\n0,zero,0,there\n");
+  const ProgramResult wrong = run("scene info builtin:box --labels " + at("labels.csv"));
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_THAT(wrong.error, testing::AllOf(HasSubstr("labels.csv:3"), HasSubstr("\"zero\" in column \"y\"")));
+  folder_.write("labels.csv", "x,y,z,text\n0,0,0,here\n");
+  const std::string box = "scene info --json builtin:box";
+  const auto triangles = [&](const std::string& command) {
+    return nlohmann::json::parse(run(command).output)["triangles"].get<size_t>();
+  };
+  EXPECT_GT(triangles(box + " --labels " + at("labels.csv")), triangles(box) + 20);
+  EXPECT_EQ(run(box + " --label-facing 0,0,0").exitCode, 2);
+  const ProgramResult volume =
+      run("render builtin:volume,name=skull --labels " + at("labels.csv") + " -o " + at("x.png"));
+  EXPECT_EQ(volume.exitCode, 2);
+  EXPECT_THAT(volume.error, HasSubstr("--labels"));
+}
+
 TEST_F(SceneNotes, aUnionIsToldOnce) {
   const ProgramResult built = run("ocri build builtin:box --camera corners-8 --size 60x40 -o " + at("x.exr"));
   ASSERT_EQ(built.exitCode, 0) << built.error;

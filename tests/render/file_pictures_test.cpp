@@ -1,22 +1,19 @@
 // Pictures of scene files of many formats, which the tests write themselves: each beside the same thing in another
-// format, or by hand. OCELLI_TEST_IMAGES=FOLDER keeps the pictures.
+// format, or by hand (file_pictures.h).
+#include "tests/render/file_pictures.h"
+
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <cstring>
 #include <functional>
 #include <glm/geometric.hpp>
 #include <string>
 #include <vector>
 
-#include "oc_core/camera/view.h"
-#include "oc_core/image/color.h"
-#include "oc_core/image/png_file.h"
-#include "oc_core/render/rasterize.h"
 #include "oc_core/worlds/scene_source.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/scene/animated_gltf.h"
@@ -25,48 +22,14 @@ namespace ocelli {
 namespace {
 
 using test::AnimatedGltf;
+using test::covered;
+using test::differences;
+using test::kSide;
+using test::Picture;
+using test::pictureOf;
+using test::pictureOfFile;
+using test::pixelsOfUnit;
 using test::TemporaryFolder;
-
-constexpr int kSide = 240;
-/// The default view is 10 from the origin; this is how many pixels a unit there has.
-float pixelsOfUnit() {
-  const PinholeCamera camera(View{}, kSide, kSide);
-  return camera.project(glm::vec3(1, 0, 0))->u - camera.project(glm::vec3(0))->u;
-}
-
-using Picture = Image<glm::vec3>;
-
-/// Black where nothing is seen.
-Picture pictureOf(const Mesh& mesh, const std::string& name) {
-  const FragmentImage fragments = rasterize(PinholeCamera(View{}, kSide, kSide), mesh);
-  Picture picture(kSide, kSide, glm::vec3(0));
-  for (size_t i = 0; i < picture.size(); ++i) {
-    if (fragments[i].covered()) {
-      picture[i] = colorOf(fragments[i], mesh);
-    }
-  }
-  if (const char* folder = std::getenv("OCELLI_TEST_IMAGES")) {
-    writePng(std::filesystem::path(folder) / (name + ".png"), srgbFromLinear(picture));
-  }
-  return picture;
-}
-
-Picture pictureOfFile(const std::filesystem::path& path, SceneOptions options, const std::string& name) {
-  return pictureOf(loadScene(path.string(), options), name);
-}
-
-size_t differences(const Picture& a, const Picture& b) {
-  size_t count = 0;
-  for (size_t i = 0; i < a.size(); ++i) {
-    count += glm::distance(a[i], b[i]) > 1e-4f ? 1 : 0;
-  }
-  return count;
-}
-
-size_t covered(const Picture& picture) {
-  return static_cast<size_t>(
-      std::count_if(picture.begin(), picture.end(), [](const glm::vec3& c) { return c != glm::vec3(0); }));
-}
 
 template <class Value>
 void putBytes(std::string& bytes, Value value) {

@@ -107,15 +107,6 @@ TEST(AnimatedFile, StepsWhereItSaysSo) {
   expectPlayedAt(positionsAt(*read.scene, 2)[1], {0, 5, 0});
 }
 
-// Of each key the tangent before it, the value, and the tangent after it; tangents are not handed over by Assimp.
-TEST(AnimatedFile, TellsThatCubicSplinesAreStraightLines) {
-  const ReadMotion read = readText(turningTriangle(
-      "CUBICSPLINE", {0, 2}, {0, 0, 0, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0, 0, 0, kQuarter, kQuarter, 0, 0, 0, 0}));
-  ASSERT_EQ(read.warnings.size(), 1u);
-  EXPECT_THAT(read.warnings[0], HasSubstr("cubic"));
-  expectPlayedAt(positionsAt(*read.scene, 1)[1], {2 * kQuarter, 2 * kQuarter, 0});
-}
-
 TEST(AnimatedFile, KeysThatCannotBeAreLeftOut) {
   // The key at 1 s is no number, the one after it goes back in time.
   const ReadMotion read = readText(turningTriangle(

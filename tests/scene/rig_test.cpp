@@ -44,6 +44,44 @@ TEST(RigChannel, StepsAtItsKeys) {
   }
 }
 
+// Two keys two seconds apart with tangents that a cubic polynomial has there: it is met everywhere.
+TEST(RigChannel, FollowsCubicSplines) {
+  const auto cubic = [](double t) { return 0.5 * t * t * t - 2 * t * t + 3 * t - 1; };
+  const auto slope = [](double t) { return 1.5 * t * t - 4 * t + 3; };
+  RigChannel moves = channel(RigTarget::kWeights, {1, 3, 3.5f}, {0, 0, 0});
+  moves.values.clear();
+  for (const float time : moves.times) {
+    moves.values.push_back(static_cast<float>(cubic(static_cast<double>(time))));
+    moves.tangents.insert(moves.tangents.end(), 2, static_cast<float>(slope(static_cast<double>(time))));
+  }
+  float v = 0;
+  for (double t = 1; t <= 3.5; t += 0.03125) {
+    sample(moves, t, &v);
+    EXPECT_NEAR(v, cubic(t), 1e-5) << t;  // some roundings of single precision
+  }
+  sample(moves, 0, &v);
+  EXPECT_FLOAT_EQ(v, static_cast<float>(cubic(1))) << "it stays before the first key";
+  sample(moves, 9, &v);
+  EXPECT_FLOAT_EQ(v, static_cast<float>(cubic(3.5))) << "and after the last one";
+}
+
+// The tangents before and after a key may differ, and rotations are made unit quaternions.
+TEST(RigChannel, HasATangentBeforeAndOneAfterEachKey) {
+  RigChannel moves = channel(RigTarget::kWeights, {0, 1, 2}, {0, 0, 0});
+  moves.tangents = {9, 1, 0, -2, 0, 9};
+  float v = 0;
+  sample(moves, 0.5, &v);
+  EXPECT_FLOAT_EQ(v, 0.125f) << "from 1 to 0";
+  sample(moves, 1.5, &v);
+  EXPECT_FLOAT_EQ(v, -0.25f) << "from -2 to 0";
+  RigChannel turns = channel(RigTarget::kRotation, {0, 1}, {0, 0, 0, 1, 0, 0, kHalfTurn, kHalfTurn});
+  turns.tangents.assign(16, 0);
+  Rig rig;
+  rig.nodes.resize(1);
+  const glm::mat4 half = worldFromNodes(rig, RigAnimation{"", {turns}}, 0.5)[0];
+  expectMovedTo(glm::vec3(half * glm::vec4(1, 0, 0, 1)), {kHalfTurn, kHalfTurn, 0});
+}
+
 // From no turn to a quarter about z; half of the time is half of the angle, and the shorter way is taken where the
 // quaternion has the other sign.
 TEST(RigChannel, TurnsAtAConstantRate) {

@@ -67,7 +67,8 @@ SceneRecord sampleWithRig() {
   rig.parts[0].morphs = {{{{1, 2, 3}, {0, 0, 0}, {4, 5, 6}}, 0.5f}};
   rig.animations = {{"walk",
                      {{1, RigTarget::kRotation, false, 4, {0, 0.5f}, {0, 0, 0, 1, 1, 0, 0, 0}},
-                      {0, RigTarget::kWeights, true, 2, {1}, {7, 8}}}}};
+                      {0, RigTarget::kWeights, true, 2, {1}, {7, 8}},
+                      {0, RigTarget::kPosition, false, 3, {1}, {7, 8, 9}, {1, 2, 3, 4, 5, 6}}}}};
   record.rig = rig;
   return record;
 }
@@ -123,6 +124,8 @@ TEST(SceneRecord, BringsBackTheRig) {
   EXPECT_EQ(walk.seconds(), 1);
   EXPECT_THAT(walk.channels[0].values, ElementsAre(0, 0, 0, 1, 1, 0, 0, 0));
   EXPECT_TRUE(walk.channels[1].steps);
+  EXPECT_FALSE(walk.channels[2].steps);
+  EXPECT_THAT(walk.channels[2].tangents, ElementsAre(1, 2, 3, 4, 5, 6));
 }
 
 TEST(SceneRecord, RefusesRigsThatCannotBe) {
@@ -147,6 +150,8 @@ TEST(SceneRecord, RefusesRigsThatCannotBe) {
   refusedWith([](Rig& rig) { rig.parts[0].morphs[0].weight = kNan; });
   refusedWith([](Rig& rig) { rig.parts[0].morphs[0].offsets[1].x = kNan; });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].node = 2; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[2].tangents[5] = kNan; });
+  refusedWith([](Rig& rig) { rig.animations[0].channels[2].tangents.pop_back(); });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].target = static_cast<RigTarget>(4); });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].times = {0.5f, 0.5f}; });
   refusedWith([](Rig& rig) { rig.animations[0].channels[0].times = {-1, 0.5f}; });

@@ -102,6 +102,32 @@ TEST(BakeTextures, BlursWhereItMayAddFewTriangles) {
   EXPECT_EQ(none[0].mesh.triangles.size(), 2u);
 }
 
+TEST(BakeTextures, TellsHowMuchItKeeps) {
+  const auto baked = [](size_t maxTriangles) {
+    std::vector<TexturedMesh> parts{square()};
+    const BakedTextures report = bakeTextures(parts, {makeTexture(64)}, maxTriangles);
+    return std::pair(report, parts[0].mesh.triangles.size());
+  };
+  constexpr size_t kPixels = 64 * 64;
+  // Of two triangles that are there; an edge of 64 pixels is split at each half of one, or at each one.
+  const auto [fine, fineTriangles] = baked(8 * kPixels);
+  EXPECT_EQ(fineTriangles, 8 * kPixels);
+  EXPECT_EQ(fine.wanted, 2 * kPixels - 2);
+  EXPECT_EQ(fine.halvings, 0);
+  const auto [whole, wholeTriangles] = baked(2 * kPixels);
+  EXPECT_EQ(wholeTriangles, 2 * kPixels);
+  EXPECT_EQ(whole.halvings, 0);
+  const auto [halved, halvedTriangles] = baked(2 * kPixels - 3);
+  EXPECT_EQ(halvedTriangles, kPixels / 2);
+  EXPECT_EQ(halved.halvings, 1);
+  EXPECT_FALSE(halved.isCut);
+  std::vector<TexturedMesh> repeated{square()};
+  for (glm::vec2& uv : repeated[0].base->uvs) {
+    uv *= 100.0f;
+  }
+  EXPECT_TRUE(bakeTextures(repeated, {makeTexture(64)}, 1000).isCut);
+}
+
 TEST(BakeTextures, AddsFewTrianglesAlsoWhereCoordinatesAreOutOfAllBounds) {
   for (const float bound : {1e4f, 1e9f, 1e18f, 1e30f}) {
     TexturedMesh part = square();

@@ -4,18 +4,20 @@
 #include <assimp/scene.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <glm/gtc/type_ptr.hpp>
 #include <glm/matrix.hpp>
 #include <map>
 #include <set>
+#include <span>
 #include <string>
 #include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/printable_text.h"
 #include "oc_core/scene/import/file_materials.h"
-#include "oc_core/scene/import/gltf_interpolation.h"
+#include "oc_core/scene/import/gltf_curves.h"
 
 namespace ocelli {
 namespace {
@@ -43,7 +45,7 @@ class RigReader {
   std::optional<Rig> read(const std::vector<const aiNode*>& instanceNodes) {
     addNode(*scene_.mRootNode, kNoRigParent);
     if (isGltfScene(scene_)) {
-      interpolations_ = readGltfInterpolations(path_);
+      curves_ = readGltfCurves(path_);
     }
     for (unsigned i = 0; i < scene_.mNumAnimations; ++i) {
       addAnimation(*scene_.mAnimations[i], i);
@@ -109,15 +111,47 @@ class RigReader {
     }
   }
 
-  /// Adds a key, where it is one.
-  static void addKey(RigChannel& channel, double seconds, std::initializer_list<float> values) {
+  /// Adds a key, where it is one. `tangents`: before and after it, along cubic splines.
+  static void addKey(RigChannel& channel, double seconds, std::span<const float> values,
+                     std::span<const float> tangents = {}) {
     const auto time = static_cast<float>(seconds);
     const bool forward = channel.times.empty() || time > channel.times.back();
-    if (std::isfinite(time) && time >= 0 && forward &&
-        std::ranges::all_of(values, [](float x) { return std::isfinite(x); })) {
+    const auto areNumbers = [](std::span<const float> list) {
+      return std::ranges::all_of(list, [](float x) { return std::isfinite(x); });
+    };
+    if (std::isfinite(time) && time >= 0 && forward && areNumbers(values) && areNumbers(tangents)) {
       channel.times.push_back(time);
-      channel.values.insert(channel.values.end(), values);
+      channel.values.insert(channel.values.end(), values.begin(), values.end());
+      channel.tangents.insert(channel.tangents.end(), tangents.begin(), tangents.end());
     }
+  }
+
+  /// The keys that a glTF file itself has for a channel of this width; of any, where that is 0. False where they cannot
+  /// be read.
+  bool addOwnKeys(RigChannel& channel, unsigned animation, const aiString& node, const char* path) {
+    const auto found = curves_.find({animation, node.C_Str(), path});
+    if (found == curves_.end()) {
+      return false;
+    }
+    const GltfCurve& curve = found->second;
+    const bool isCubic = curve.interpolation == "CUBICSPLINE";
+    channel.steps = curve.interpolation == "STEP";
+    if (curve.width == 0 || (channel.width != 0 && channel.width != curve.width)) {
+      hasLostSplines_ = hasLostSplines_ || isCubic;
+      return false;
+    }
+    const size_t width = channel.width = curve.width;
+    std::vector<float> tangents;
+    for (size_t i = 0; i < curve.times.size(); ++i) {
+      const std::span<const float> lists = std::span(curve.keys).subspan(i * width * (isCubic ? 3 : 1));
+      if (isCubic) {
+        tangents.assign(lists.begin(), lists.begin() + static_cast<ptrdiff_t>(width));
+        tangents.insert(tangents.end(), lists.begin() + static_cast<ptrdiff_t>(2 * width),
+                        lists.begin() + static_cast<ptrdiff_t>(3 * width));
+      }
+      addKey(channel, static_cast<double>(curve.times[i]), lists.subspan(isCubic ? width : 0, width), tangents);
+    }
+    return true;
   }
 
   void addNodeChannels(RigAnimation& animation, const aiNodeAnim& source, unsigned number, double perSecond) {
@@ -125,20 +159,26 @@ class RigReader {
     if (!node) {
       return;
     }
-    RigChannel position{*node, RigTarget::kPosition, isStepped(number, source.mNodeName, "translation"), 3, {}, {}};
-    for (unsigned i = 0; i < source.mNumPositionKeys; ++i) {
-      const aiVector3D& v = source.mPositionKeys[i].mValue;
-      addKey(position, source.mPositionKeys[i].mTime / perSecond, {v.x, v.y, v.z});
+    const auto addVectors = [&](RigChannel& channel, const aiVectorKey* keys, unsigned count) {
+      for (unsigned i = 0; i < count; ++i) {
+        const aiVector3D& v = keys[i].mValue;
+        addKey(channel, keys[i].mTime / perSecond, std::array{v.x, v.y, v.z});
+      }
+    };
+    RigChannel position{*node, RigTarget::kPosition, false, 3, {}, {}};
+    if (!addOwnKeys(position, number, source.mNodeName, "translation")) {
+      addVectors(position, source.mPositionKeys, source.mNumPositionKeys);
     }
-    RigChannel rotation{*node, RigTarget::kRotation, isStepped(number, source.mNodeName, "rotation"), 4, {}, {}};
-    for (unsigned i = 0; i < source.mNumRotationKeys; ++i) {
-      const aiQuaternion& q = source.mRotationKeys[i].mValue;
-      addKey(rotation, source.mRotationKeys[i].mTime / perSecond, {q.x, q.y, q.z, q.w});
+    RigChannel rotation{*node, RigTarget::kRotation, false, 4, {}, {}};
+    if (!addOwnKeys(rotation, number, source.mNodeName, "rotation")) {
+      for (unsigned i = 0; i < source.mNumRotationKeys; ++i) {
+        const aiQuaternion& q = source.mRotationKeys[i].mValue;
+        addKey(rotation, source.mRotationKeys[i].mTime / perSecond, std::array{q.x, q.y, q.z, q.w});
+      }
     }
-    RigChannel scale{*node, RigTarget::kScale, isStepped(number, source.mNodeName, "scale"), 3, {}, {}};
-    for (unsigned i = 0; i < source.mNumScalingKeys; ++i) {
-      const aiVector3D& v = source.mScalingKeys[i].mValue;
-      addKey(scale, source.mScalingKeys[i].mTime / perSecond, {v.x, v.y, v.z});
+    RigChannel scale{*node, RigTarget::kScale, false, 3, {}, {}};
+    if (!addOwnKeys(scale, number, source.mNodeName, "scale")) {
+      addVectors(scale, source.mScalingKeys, source.mNumScalingKeys);
     }
     if (position.times.empty() && rotation.times.empty() && scale.times.empty()) {
       return;
@@ -149,13 +189,13 @@ class RigReader {
     aiVector3D restPosition;
     nodes_[*node]->mTransformation.Decompose(restScale, restRotation, restPosition);
     if (position.times.empty()) {
-      addKey(position, 0, {restPosition.x, restPosition.y, restPosition.z});
+      setKey(position, std::array{restPosition.x, restPosition.y, restPosition.z});
     }
     if (rotation.times.empty()) {
-      addKey(rotation, 0, {restRotation.x, restRotation.y, restRotation.z, restRotation.w});
+      setKey(rotation, std::array{restRotation.x, restRotation.y, restRotation.z, restRotation.w});
     }
     if (scale.times.empty()) {
-      addKey(scale, 0, {restScale.x, restScale.y, restScale.z});
+      setKey(scale, std::array{restScale.x, restScale.y, restScale.z});
     }
     for (RigChannel* channel : {&position, &rotation, &scale}) {
       if (!channel->times.empty()) {
@@ -164,41 +204,34 @@ class RigReader {
     }
   }
 
+  /// One key alone.
+  static void setKey(RigChannel& channel, std::span<const float> values) {
+    channel.steps = false;
+    addKey(channel, 0, values);
+  }
+
   void addMorphChannel(RigAnimation& animation, const aiMeshMorphAnim& source, unsigned number, double perSecond) {
     const std::optional<uint32_t> node = nodeNamed(source.mName);
     if (!node || source.mNumKeys == 0) {
       return;
     }
-    RigChannel channel{*node, RigTarget::kWeights, isStepped(number, source.mName, "weights"), 0, {}, {}};
-    channel.width = source.mKeys[0].mNumValuesAndWeights;
-    for (unsigned i = 0; i < source.mNumKeys; ++i) {
-      const aiMeshMorphKey& key = source.mKeys[i];
-      const auto time = static_cast<float>(key.mTime / perSecond);
-      std::vector<float> weights(channel.width, 0);
-      bool valid = std::isfinite(time) && time >= 0 && (channel.times.empty() || time > channel.times.back());
-      for (unsigned k = 0; k < key.mNumValuesAndWeights; ++k) {
-        const auto weight = static_cast<float>(key.mWeights[k]);
-        valid = valid && std::isfinite(weight);
-        if (key.mValues[k] < weights.size()) {
-          weights[key.mValues[k]] = weight;
+    RigChannel channel{*node, RigTarget::kWeights, false, 0, {}, {}};
+    if (!addOwnKeys(channel, number, source.mName, "weights")) {
+      channel.width = source.mKeys[0].mNumValuesAndWeights;
+      for (unsigned i = 0; i < source.mNumKeys; ++i) {
+        const aiMeshMorphKey& key = source.mKeys[i];
+        std::vector<float> weights(channel.width, 0);
+        for (unsigned k = 0; k < key.mNumValuesAndWeights; ++k) {
+          if (key.mValues[k] < weights.size()) {
+            weights[key.mValues[k]] = static_cast<float>(key.mWeights[k]);
+          }
         }
-      }
-      if (valid) {
-        channel.times.push_back(time);
-        channel.values.insert(channel.values.end(), weights.begin(), weights.end());
+        addKey(channel, key.mTime / perSecond, weights);
       }
     }
     if (!channel.times.empty() && channel.width > 0) {
       animation.channels.push_back(std::move(channel));
     }
-  }
-
-  bool isStepped(unsigned animation, const aiString& node, const char* path) {
-    const auto found = interpolations_.find({animation, node.C_Str(), path});
-    if (found != interpolations_.end() && found->second == "CUBICSPLINE") {
-      cubic_ = true;
-    }
-    return found != interpolations_.end() && found->second == "STEP";
   }
 
   RigPart partOf(const aiMesh& source) {
@@ -260,9 +293,10 @@ class RigReader {
   }
 
   void warn() {
-    if (cubic_) {
-      rig_.warnings.push_back(
-          path_.string() + ": its animations have cubic splines, which are played as straight lines from key to key");
+    if (hasLostSplines_) {
+      rig_.warnings.push_back(path_.string() +
+                              ": some of its cubic splines cannot be read, and are played as straight lines from key "
+                              "to key");
     }
     if (!missing_.empty()) {
       rig_.warnings.push_back(path_.string() + ": its animations or skins name " + std::to_string(missing_.size()) +
@@ -278,8 +312,8 @@ class RigReader {
   std::map<const aiNode*, uint32_t> numbers_;
   std::map<std::string, uint32_t> byName_;
   std::set<std::string> missing_;
-  GltfInterpolations interpolations_;
-  bool cubic_ = false;
+  GltfCurves curves_;
+  bool hasLostSplines_ = false;
 };
 
 }  // namespace

@@ -20,8 +20,8 @@ namespace ocelli {
 /// 1; a node without a key for its position, rotation or scale keeps that of the file. Throws InputError where a node
 /// or a bone is placed by what is no number.
 ///
-/// DEVIATION: cubic splines of glTF are straight lines between their keys, as Assimp leaves their tangents out; a
-/// warning says so.
+/// Keys of glTF files are read by gltf_curves.h, all others are Assimp's. Where cubic splines cannot be read (sparse
+/// accessors), a warning says that they are straight lines.
 std::optional<Rig> readFileRig(const aiScene& scene, const SceneRecord& record,
                                const std::vector<const aiNode*>& instanceNodes, const std::filesystem::path& path);
 

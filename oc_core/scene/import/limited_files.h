@@ -12,7 +12,8 @@ class IOSystem;
 namespace ocelli {
 
 /// Files as Assimp's own system opens them, for reading alone; what is no regular file (a device, a pipe) counts as
-/// missing. `budget` must outlive it and may be null.
+/// missing. What is missing beside the first file, the scene, is opened by what its name says as a URI
+/// (percent_decoded.h), as glTF has names. `budget` must outlive it and may be null.
 std::unique_ptr<Assimp::IOSystem> makeLimitedFiles(ReadingBudget* budget);
 
 }  // namespace ocelli

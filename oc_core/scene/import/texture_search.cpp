@@ -2,8 +2,9 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <system_error>
+
+#include "oc_core/scene/import/percent_decoded.h"
 
 namespace ocelli {
 namespace {
@@ -53,21 +54,6 @@ std::optional<fs::path> fileInAnyCase(const fs::path& folder, const fs::path& na
     path = *next;
   }
   return isFile(path) ? std::optional(path) : std::nullopt;
-}
-
-std::string percentDecoded(const std::string& text) {
-  std::string decoded;
-  for (size_t i = 0; i < text.size(); ++i) {
-    unsigned byte = 0;
-    const char* digits = text.data() + i + 1;
-    if (text[i] == '%' && i + 2 < text.size() && std::from_chars(digits, digits + 2, byte, 16).ptr == digits + 2) {
-      decoded += static_cast<char>(byte);
-      i += 2;
-    } else {
-      decoded += text[i];
-    }
-  }
-  return decoded;
 }
 
 }  // namespace
