@@ -17,7 +17,7 @@ if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
   target_compile_options(ocelli_strict INTERFACE --param=ggc-min-heapsize=524288)
   # GCC 12 leaves out the rounding where it makes vectors of (double)(float)x from neighbouring statements: points that are
   # worked out twice then differ (tests/render/single_precision_test.cpp).
-  target_compile_options(ocelli_strict INTERFACE $<$<VERSION_LESS:$<CXX_COMPILER_VERSION>,13>:-fno-tree-slp-vectorize>)
+  target_compile_options(ocelli_strict INTERFACE -fno-tree-slp-vectorize)
 endif()
 if(CMAKE_UNITY_BUILD)
   # A .cpp file may have types with members of its own anonymous namespace: GCC takes it for a header here.
