@@ -12,7 +12,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/number_text.h"
 #include "oc_core/camera/pinhole_camera.h"
-#include "oc_core/image/color.h"
+#include "oc_core/image/color_text.h"
 #include "oc_core/scene/texture_bake.h"
 
 namespace ocelli {
@@ -126,14 +126,11 @@ glm::dvec4 halfSpaceFromText(const std::string& text, const std::string& option)
 }
 
 glm::vec3 colorFromText(const std::string& text, const std::string& option) {
-  uint32_t number = 0;
-  const char* end = text.data() + text.size();
-  const bool isHex =
-      text.size() == 7 && text.front() == '#' && std::from_chars(text.data() + 1, end, number, 16).ptr == end;
-  if (!isHex) {
+  const std::optional<glm::vec3> color = linearFromColorText(text);
+  if (!color) {
     fail(option, text, "a colour, #RRGGBB in hexadecimal digits", "'#202830'");
   }
-  return linearFromSrgb(glm::vec3(number >> 16, number >> 8 & 255, number & 255) / 255.0f);
+  return *color;
 }
 
 size_t textureTrianglesFromText(const std::string& text, const std::string& option) {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <charconv>
 #include <map>
 
 #include "oc_core/base/csv.h"
@@ -10,16 +9,12 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/number_text.h"
 #include "oc_core/base/printable_text.h"
+#include "oc_core/base/trimmed.h"
 #include "oc_core/base/utf8.h"
-#include "oc_core/image/color.h"
+#include "oc_core/image/color_text.h"
 
 namespace ocelli {
 namespace {
-
-std::string withoutBlanks(const std::string& field) {
-  const size_t begin = field.find_first_not_of(" \t");
-  return begin == std::string::npos ? "" : field.substr(begin, field.find_last_not_of(" \t") + 1 - begin);
-}
 
 class LabelReader {
  public:
@@ -28,7 +23,7 @@ class LabelReader {
       throw InputError("this table of labels is empty", where, "begin it with x,y,z,text");
     }
     for (size_t i = 0; i < fields_.size(); ++i) {
-      std::string name = withoutBlanks(fields_[i]);
+      std::string name(trimmed(fields_[i]));
       std::ranges::transform(name, name.begin(), [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
       columns_.emplace(name == "colour" ? "color" : name, i);
     }
@@ -45,7 +40,7 @@ class LabelReader {
       if (!reader_.next(fields_)) {
         return false;
       }
-    } while (std::ranges::all_of(fields_, [](const std::string& field) { return withoutBlanks(field).empty(); }));
+    } while (std::ranges::all_of(fields_, [](const std::string& field) { return trimmed(field).empty(); }));
     label = {};
     label.position = {needed("x"), needed("y"), needed("z")};
     label.text = cleanText(textOfCsv(field("text")));
@@ -80,7 +75,7 @@ class LabelReader {
   }
 
   std::optional<float> number(const char* column) const {
-    const std::string text = withoutBlanks(textOfCsv(field(column)));
+    const std::string text(trimmed(textOfCsv(field(column))));
     if (text.empty()) {
       return std::nullopt;
     }
@@ -102,16 +97,15 @@ class LabelReader {
   }
 
   void readColor(SceneLabel& label) const {
-    const std::string text = withoutBlanks(field("color"));
+    const std::string text(trimmed(field("color")));
     if (text.empty()) {
       return;
     }
-    uint32_t rgb = 0;
-    const char* end = text.data() + text.size();
-    if (text.size() != 7 || text.front() != '#' || std::from_chars(text.data() + 1, end, rgb, 16).ptr != end) {
+    const std::optional<glm::vec3> color = linearFromColorText(text);
+    if (!color) {
       throw InputError("\"" + printableText(text) + "\" is no colour", reader_.place(), "write it like #ff8000");
     }
-    label.color = linearFromSrgb(glm::vec3(rgb >> 16U, rgb >> 8U & 255U, rgb & 255U) / 255.0f);
+    label.color = *color;
   }
 
   CsvReader reader_;

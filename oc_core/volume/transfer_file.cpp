@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +10,7 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/image/color.h"
+#include "oc_core/image/color_text.h"
 #include "oc_core/volume/volume_percentiles.h"
 
 namespace ocelli {
@@ -46,29 +46,16 @@ std::vector<std::string> scaleNames() {
   return names;
 }
 
-/// "#rrggbb".
-std::optional<std::array<uint8_t, 3>> bytesOfHex(const std::string& text) {
-  uint32_t all = 0;
-  if (text.size() != 7 || text[0] != '#') {
-    return std::nullopt;
-  }
-  const auto [end, error] = std::from_chars(text.data() + 1, text.data() + text.size(), all, 16);
-  if (error != std::errc() || end != text.data() + text.size()) {
-    return std::nullopt;
-  }
-  return std::array{uint8_t(all >> 16U), uint8_t(all >> 8U), uint8_t(all)};
-}
-
 glm::dvec3 readColor(JsonFields& fields) {
   if (!fields.has("color")) {
     return TransferPoint().color;
   }
   if (fields.value("color").is_string()) {
-    const auto bytes = bytesOfHex(fields.text("color"));
-    if (!bytes) {
+    const std::optional<glm::vec3> color = linearFromColorText(fields.text("color"));
+    if (!color) {
       fields.fail("color", "must be of the form \"#rrggbb\", in hexadecimal digits");
     }
-    return {linearFromSrgbByte((*bytes)[0]), linearFromSrgbByte((*bytes)[1]), linearFromSrgbByte((*bytes)[2])};
+    return *color;
   }
   if (!fields.value("color").is_array()) {
     fields.fail("color", "must be a text \"#rrggbb\", or an array of 3 numbers between 0 and 1 (sRGB)");

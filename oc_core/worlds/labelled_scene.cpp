@@ -21,11 +21,11 @@ Box boxOfCopies(const Scene& scene) {
   Box box;
   for (const Instance& instance : scene.instances) {
     const Box& own = boxes[instance.mesh];
-    for (uint32_t corner = 0; corner < 8 && !own.empty(); ++corner) {
-      const glm::vec3 place((corner & 1U) != 0 ? own.upper.x : own.lower.x,
-                            (corner & 2U) != 0 ? own.upper.y : own.lower.y,
-                            (corner & 4U) != 0 ? own.upper.z : own.lower.z);
-      box.add(glm::vec3(instance.worldFromMesh * glm::vec4(place, 1)));
+    if (own.empty()) {
+      continue;
+    }
+    for (const glm::vec3& corner : cornersOf(own)) {
+      box.add(glm::vec3(instance.worldFromMesh * glm::vec4(corner, 1)));
     }
   }
   return box;

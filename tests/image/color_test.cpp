@@ -5,6 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "oc_core/image/color_text.h"
+
 namespace ocelli {
 namespace {
 
@@ -52,6 +54,15 @@ TEST(Color, VectorIsChannelByChannel) {
   EXPECT_EQ(linear.x, linearFromSrgb(0.25f));
   EXPECT_EQ(linear.y, linearFromSrgb(0.5f));
   EXPECT_EQ(linear.z, linearFromSrgb(0.75f));
+}
+
+TEST(Color, TextsAreSixHexadecimalDigits) {
+  const glm::vec3 orange(1, linearFromSrgbByte(0x80), linearFromSrgbByte(0x0a));
+  EXPECT_EQ(linearFromColorText("#ff800a"), orange);
+  EXPECT_EQ(linearFromColorText("#FF800A"), orange);
+  for (const char* text : {"", "#", "ff800a", "#ff800", "#ff800a0", "#ff80 a", "#ff80-a", "#ff80gg", " #ff800"}) {
+    EXPECT_FALSE(linearFromColorText(text)) << text;
+  }
 }
 
 }  // namespace
