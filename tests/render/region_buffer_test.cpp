@@ -101,6 +101,42 @@ TEST(RegionBuffer, fillsAsPixelByPixel) {
   EXPECT_GT(covered, 20000u);
 }
 
+// Every kind that some pixel has is among those of a rectangle around it; tiles of one leaf add no other.
+TEST(RegionBuffer, knowsTheKindsOfRaysInARectangle) {
+  const std::array<int16_t, 4> kinds{0, kNotPassed, 2, 2};
+  Random random(9);
+  size_t told = 0;
+  for (int image = 0; image < 50; ++image) {
+    PixelLeaves leaves(40, 20, 0);
+    for (uint16_t leaf = 1; leaf < 4; ++leaf) {
+      const PixelBounds part{static_cast<int>(random.inRange(0, 40)), static_cast<int>(random.inRange(0, 20)), 40, 20};
+      for (int y = part.y0; y < part.y1; ++y) {
+        for (int x = part.x0; x < part.x1; ++x) {
+          leaves(x, y) = leaf;
+        }
+      }
+    }
+    RegionBuffer region;
+    const PixelBounds all{3, 2, 40, 20};
+    region.reset(all, leaves);
+    for (int y = all.y0; y < all.y1; ++y) {
+      for (int x = all.x0; x < all.x1; ++x) {
+        const int16_t kind = kinds[leaves(x, y)];
+        const uint64_t found = region.kindsIn({x, y, x + 1, y + 1}, kinds);
+        if (kind >= 0) {
+          ASSERT_NE(found & RegionBuffer::kindBit(static_cast<size_t>(kind)), 0u) << x << ", " << y;
+        }
+        told += found == 0 || found == 1 || found == 4 ? 1 : 0;
+      }
+    }
+  }
+  EXPECT_GT(told, 50u * 37 * 18 / 2) << "most tiles have one leaf";
+  RegionBuffer halves;
+  halves.reset({0, 0, 40, 20}, twoLeaves());
+  EXPECT_EQ(halves.kindsIn({0, 0, 16, 20}, std::array<int16_t, 2>{0, 1}), 1u);
+  EXPECT_EQ(halves.kindsIn({24, 0, 40, 20}, std::array<int16_t, 2>{0, 1}), 2u);
+}
+
 // From one pixel in a corner to most of the image: they hold what the whole image does there, and no tile of theirs is
 // passed over that may still show something.
 TEST(RegionBuffer, regionsHoldWhatTheWholeImageDoes) {
