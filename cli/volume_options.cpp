@@ -5,6 +5,7 @@
 #include "cli/number_check.h"
 #include "cli/values.h"
 #include "oc_core/base/error.h"
+#include "oc_core/worlds/labelled_scene.h"
 
 namespace ocelli {
 namespace {
@@ -22,7 +23,7 @@ void refuseMeshOptions(const SceneChoice& scene) {
   refuse(!scene.options.textures, "--no-textures", "textures");
   refuse(scene.options.textureTriangles != kUsualTextureTriangles, "--texture-triangles", "textures");
   refuse(scene.options.points.width.has_value(), "--point-size", "points");
-  refuse(!scene.options.labels.file.empty(), "--labels", "labels");
+  refuseLabelsOfVolume(scene.options.labels);
   refuse(!scene.options.motion.animation.empty(), "--animation", "animations");
   refuse(scene.options.motion.meshesPerSecond.has_value(), "--rate", "meshes");
   refuse(scene.options.motion.between != BetweenMeshes::kHold, "--between", "meshes");

@@ -101,4 +101,8 @@ void refuseLabels(const LabelOptions& labels, const std::string& what, const std
   }
 }
 
+void refuseLabelsOfVolume(const LabelOptions& labels) {
+  refuseLabels(labels, "a volume", "write its surface with ocelli scene export --iso VALUE, and label that");
+}
+
 }  // namespace ocelli

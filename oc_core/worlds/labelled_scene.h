@@ -21,5 +21,6 @@ std::unique_ptr<MovingScene> withLabels(std::unique_ptr<MovingScene> scene, cons
 
 /// Throws InputError where labels are given for a scene that takes none; `what` it is, such as "a volume".
 void refuseLabels(const LabelOptions& labels, const std::string& what, const std::string& next);
+void refuseLabelsOfVolume(const LabelOptions& labels);
 
 }  // namespace ocelli

@@ -105,7 +105,7 @@ void requireSurfaceOfVolume(const std::string& source, const SceneOptions& optio
 GuidedScene loadVolumeSurface(const std::string& source, const SceneOptions& options, const Progress& progress) {
   requireSurfaceOfVolume(source, options);
   refuseUnusedPoints({}, options);
-  refuseLabels(options.labels, "a volume", "write its surface with ocelli scene export, and label that");
+  refuseLabelsOfVolume(options.labels);
   if (!options.motion.animation.empty() || options.motion.meshesPerSecond ||
       options.motion.between != BetweenMeshes::kHold) {
     throw InputError("a volume has no animations or meshes", source, "leave out --animation, --rate and --between");
