@@ -22,6 +22,9 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::Not;
 
+/// A subject whose id is so long that no name of a temporary folder, which databases hold too, has it by chance.
+constexpr const char* kLeaver = "leaver-of-studies";
+
 class MergeTest : public testing::Test {
  protected:
   /// One session of a subject, who is added where that is needed.
@@ -186,33 +189,33 @@ TEST_F(MergeTest, CompletesRunsOfWhichItHasACopyMadeMeanwhile) {
 }
 
 TEST_F(MergeTest, LeavesOutWhoWithdrew) {
-  store("one.db", "A1");
+  store("one.db", kLeaver);
   store("one.db", "A2");
   merge({"one.db"});
-  withdrawSubject(target_, "A1", {});
+  withdrawSubject(target_, kLeaver, {});
   const MergeReport report = merge({"one.db"});
   EXPECT_EQ(report.subjects, 0);
   EXPECT_EQ(report.runs, 0);
-  EXPECT_THAT(report.withdrawnSubjects, ElementsAre("A1"));
-  EXPECT_THAT(fileBytes(target_), Not(HasSubstr("A1")));
+  EXPECT_THAT(report.withdrawnSubjects, ElementsAre(kLeaver));
+  EXPECT_THAT(fileBytes(target_), Not(HasSubstr(kLeaver)));
   EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 1u);
   // The id is free for someone else.
-  store("two.db", "A1");
+  store("two.db", kLeaver);
   EXPECT_EQ(merge({"one.db", "two.db"}).subjects, 1);
   EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 2u);
 }
 
 TEST_F(MergeTest, LeavesOutWhoWithdrewFromAnotherSourceAndRemembersIt) {
-  store("one.db", "A1");
+  store("one.db", kLeaver);
   store("one.db", "A2");
   mergeDatabases(folder_ / "copy.db", {folder_ / "one.db"});
-  withdrawSubject(folder_ / "one.db", "A1", {});
+  withdrawSubject(folder_ / "one.db", kLeaver, {});
   const MergeReport report = merge({"copy.db", "one.db"});
   EXPECT_EQ(report.subjects, 1);
-  EXPECT_THAT(report.withdrawnSubjects, ElementsAre("A1"));
-  EXPECT_THAT(fileBytes(target_), Not(HasSubstr("A1")));
+  EXPECT_THAT(report.withdrawnSubjects, ElementsAre(kLeaver));
+  EXPECT_THAT(fileBytes(target_), Not(HasSubstr(kLeaver)));
   // Also when the copy comes alone.
-  EXPECT_THAT(merge({"copy.db"}).withdrawnSubjects, ElementsAre("A1"));
+  EXPECT_THAT(merge({"copy.db"}).withdrawnSubjects, ElementsAre(kLeaver));
   EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 1u);
 }
 
@@ -277,11 +280,11 @@ TEST_F(MergeTest, RefusesAnotherProtocolARunningSessionAndItself) {
 }
 
 TEST_F(MergeTest, CanBeFollowedByAWithdrawal) {
-  store("one.db", "A1");
+  store("one.db", kLeaver);
   store("two.db", "B1");
   merge({"one.db", "two.db"});
-  withdrawSubject(target_, "A1", {});
-  EXPECT_THAT(fileBytes(target_), Not(HasSubstr("A1")));
+  withdrawSubject(target_, kLeaver, {});
+  EXPECT_THAT(fileBytes(target_), Not(HasSubstr(kLeaver)));
   EXPECT_EQ(StudyDatabase::openForReading(target_).subjects().size(), 1u);
 }
 
