@@ -9,12 +9,12 @@
 #include <span>
 #include <vector>
 
+#include "oc_core/sea/near_atan.h"
+
 namespace ocelli {
 namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-/// Of the distance from the reference: nearer than that, what is met is what was looked for.
-constexpr float kSightMargin = 2e-3f;
 /// A cell is drawn by its corners where its middle lies within so many pixels of where they say.
 constexpr float kMostBend = 0.125f;
 constexpr int kFinest = 2;  ///< pixels that share a ray where cells are refined
@@ -25,23 +25,74 @@ struct Meeting {
   float distance = 0;           ///< from the target
 };
 
+/// What SeaProjection does, for many pixels: by tables, and by angles that are near enough.
+class WarpProjection {
+ public:
+  explicit WarpProjection(const SeaProjection& projection) : projection_(projection) {
+    if (projection.kind == SeaProjectionKind::kPanorama) {
+      // Pixels of warps stand at halves of pixels.
+      for (int i = 0; i <= 2 * projection.width; ++i) {
+        const glm::vec3 level =
+            projection.direction({0.5f * static_cast<float>(i), 0.5f * static_cast<float>(projection.height)});
+        longitudes_.emplace_back(level.x, level.z);
+      }
+      for (int i = 0; i <= 2 * projection.height; ++i) {
+        const glm::vec3 ahead =
+            projection.direction({0.5f * static_cast<float>(projection.width), 0.5f * static_cast<float>(i)});
+        latitudes_.emplace_back(-ahead.z, ahead.y);
+      }
+    }
+  }
+
+  glm::vec3 direction(const glm::vec2& pixel) const {
+    if (longitudes_.empty()) {
+      return projection_.direction(pixel);
+    }
+    const glm::vec2& longitude = longitudes_[static_cast<size_t>(2 * pixel.x)];
+    const glm::vec2& latitude = latitudes_[static_cast<size_t>(2 * pixel.y)];
+    return {longitude.x * latitude.x, latitude.y, longitude.y * latitude.x};
+  }
+
+  /// NaN where it is not seen.
+  glm::vec2 pixel(const glm::vec3& direction) const {
+    if (longitudes_.empty()) {
+      const auto found = projection_.pixel(direction);
+      return found && !isOutside(*found) ? *found : glm::vec2(kNaN);
+    }
+    constexpr float kPerTurn = 0.15915494f;
+    const float longitude = nearAtan2(direction.x, -direction.z);
+    const float level = std::sqrt(direction.x * direction.x + direction.z * direction.z);
+    const float latitude = nearAtan2(direction.y, level);
+    return {(longitude * kPerTurn + 0.5f) * static_cast<float>(projection_.width),
+            (0.5f - 2 * latitude * kPerTurn) * static_cast<float>(projection_.height)};
+  }
+
+ private:
+  bool isOutside(const glm::vec2& place) const {
+    return place.x < 0 || place.y < 0 || place.x > static_cast<float>(projection_.width) ||
+           place.y > static_cast<float>(projection_.height);
+  }
+
+  const SeaProjection& projection_;
+  std::vector<glm::vec2> longitudes_;  ///< of a panorama: x and z of level directions
+  std::vector<glm::vec2> latitudes_;   ///< how long their level part is, and their y
+};
+
 class WarpRays {
  public:
   WarpRays(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target, const SeaPose& reference)
       : proxy_(proxy),
         projection_(projection),
         eye_(target.position),
-        worldFromTarget_(target.worldFromCamera),
+        worldFromTarget_(glm::mat3_cast(target.worldFromCamera)),
         referenceEye_(reference.position),
-        referenceFromWorld_(glm::inverse(glm::quat(reference.worldFromCamera))) {}
+        referenceFromWorld_(glm::mat3_cast(glm::inverse(reference.worldFromCamera))) {}
 
   glm::vec3 direction(const glm::vec2& pixel) const { return worldFromTarget_ * projection_.direction(pixel); }
 
-  /// Where the reference has a point, whether it sees it or not.
+  /// Where the reference has a point, whether it sees it or not; NaN beyond its borders.
   glm::vec2 placeOf(const glm::vec3& point) const {
-    const glm::vec3 way = point - referenceEye_;
-    const auto found = projection_.pixel(referenceFromWorld_ * way);
-    return found && !isOutside(*found) ? *found : glm::vec2(kNaN);
+    return projection_.pixel(referenceFromWorld_ * (point - referenceEye_));
   }
 
   /// One meeting a pixel.
@@ -71,18 +122,12 @@ class WarpRays {
   const glm::vec3& eye() const { return eye_; }
 
  private:
-  /// Half a pixel beyond the outermost centres there is nothing to interpolate with.
-  bool isOutside(const glm::vec2& place) const {
-    return !projection_.wraps() && (place.x < 0 || place.y < 0 || place.x > static_cast<float>(projection_.width) ||
-                                    place.y > static_cast<float>(projection_.height));
-  }
-
   const SeaProxy& proxy_;
-  const SeaProjection& projection_;
+  WarpProjection projection_;
   glm::vec3 eye_;
-  glm::quat worldFromTarget_;
+  glm::mat3 worldFromTarget_;
   glm::vec3 referenceEye_;
-  glm::quat referenceFromWorld_;
+  glm::mat3 referenceFromWorld_;
   std::vector<SightLine> lines_;
   std::vector<float> shares_;
   std::vector<uint8_t> blocked_;
@@ -144,10 +189,13 @@ CellCorners cornersOf(const WarpGrid& grid, std::span<const Meeting> meetings, i
                       const SeaProjection& projection) {
   CellCorners corners;
   const glm::vec2 middle = meetings[grid.middle(column, row)].place;
-  if (!isSeen(middle)) {
+  // All columns meet at the poles of a panorama: corners there have no column.
+  const bool touchesPole = projection.wraps() && (row == 0 || row + 1 == grid.rows);
+  if (!isSeen(middle) || touchesPole) {
     return corners;
   }
   glm::vec2 mean(0);
+  float farthest = 0;
   for (size_t i = 0; i < 4; ++i) {
     const size_t corner = grid.corner(column + static_cast<int>(i % 2), row + static_cast<int>(i / 2));
     if (!isSeen(meetings[corner].place)) {
@@ -155,9 +203,13 @@ CellCorners cornersOf(const WarpGrid& grid, std::span<const Meeting> meetings, i
     }
     corners.places[i] = unwrapped(meetings[corner].place, middle, projection);
     mean += corners.places[i] * 0.25f;
+    farthest = std::max(farthest, std::abs(corners.places[i].x - middle.x));
   }
   const glm::vec2 bend = glm::abs(mean - middle);
-  corners.areSmooth = std::max(bend.x, bend.y) <= kMostBend;
+  // Around a pole of the reference corners lie in all directions of their middle, which may be where that is by chance.
+  constexpr float kFarthest = 1.0f / 16;
+  corners.areSmooth =
+      std::max(bend.x, bend.y) <= kMostBend && farthest <= kFarthest * static_cast<float>(projection.width);
   return corners;
 }
 
@@ -237,24 +289,6 @@ WarpMap makeWarpMap(const SeaProxy& proxy, const SeaProjection& projection, cons
     }
   }
   fine.fill(map, rays);
-  return map;
-}
-
-WarpMap exactWarpMap(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                     const SeaPose& reference) {
-  WarpRays rays(proxy, projection, target, reference);
-  WarpMap map(projection.width, projection.height, glm::vec2(kNaN));
-  std::vector<glm::vec2> pixels(static_cast<size_t>(projection.width));
-  std::vector<Meeting> meetings(pixels.size());
-  for (int y = 0; y < projection.height; ++y) {
-    for (int x = 0; x < projection.width; ++x) {
-      pixels[static_cast<size_t>(x)] = glm::vec2(x, y) + 0.5f;
-    }
-    rays.follow(pixels, meetings);
-    for (int x = 0; x < projection.width; ++x) {
-      map(x, y) = meetings[static_cast<size_t>(x)].place;
-    }
-  }
   return map;
 }
 

@@ -23,6 +23,9 @@ inline bool isSeen(const glm::vec2& place) {
   return !std::isnan(place.x);
 }
 
+/// Of the distance from the reference: nearer than that to a point, what its ray meets is the point.
+inline constexpr float kSightMargin = 2e-3f;
+
 /// The pixels between the rays that are cast first. More makes maps faster, and misses thin things.
 inline constexpr int kWarpCell = 8;
 

@@ -15,8 +15,7 @@ Mesh roomProxy();
 
 class RoomImages : public SeaSource {
  public:
-  explicit RoomImages(std::vector<SeaPose> poses,
-                      SeaProjection projection = {SeaProjectionKind::kPanorama, 64, 64, {}, {}});
+  explicit RoomImages(std::vector<SeaPose> poses, SeaProjection projection = {.width = 64, .height = 64});
 
   std::string description() const override { return "a room"; }
   const SeaProjection& projection() const override { return projection_; }

@@ -150,7 +150,7 @@ TEST(NearestNeighbors, FewImagesDo) {
 }
 
 TEST(PoseRefinement, FindsWhereAnImageWasTakenIndeed) {
-  const SeaProjection projection{SeaProjectionKind::kPanorama, 128, 128, {}, {}};
+  const SeaProjection projection{.width = 128, .height = 128};
   const SeaPose reference{{-0.1, 0, 0.1}, glm::dquat(1, 0, 0, 0)};
   const SeaPose truth{{0.12, 0.03, -0.05}, glm::angleAxis(0.03, glm::normalize(glm::dvec3(1, 2, 0.5)))};
   const RoomImages images({reference, truth}, projection);

@@ -8,6 +8,7 @@
 #include <glm/geometric.hpp>
 
 #include "oc_core/camera/panorama_camera.h"
+#include "oc_core/image/color.h"
 #include "oc_core/sea_input/sea_proxies.h"
 
 namespace ocelli {
@@ -24,7 +25,7 @@ Mesh coloredBox() {
 TEST(RenderedImages, AreWhatThePanoramaCameraSees) {
   const Mesh mesh = coloredBox();
   const glm::vec3 eye(0.3f, 0.1f, -0.2f);
-  const SeaProjection projection{SeaProjectionKind::kPanorama, 64, 32, {}, {}};
+  const SeaProjection projection{.width = 64, .height = 32};
   const RenderedImages images("a box", mesh, {{glm::dvec3(eye), glm::dquat(1, 0, 0, 0)}},
                               {projection, 1, glm::vec3(0)});
   View view;
@@ -45,8 +46,8 @@ TEST(RenderedImages, AreWhatThePanoramaCameraSees) {
 TEST(RenderedImages, PixelsAreMeansOfTheirSamples) {
   const Mesh mesh = coloredBox();
   const SeaPose pose{{0, 0, 0}, glm::dquat(1, 0, 0, 0)};
-  const SeaProjection fine{SeaProjectionKind::kPanorama, 128, 64, {}, {}};
-  const SeaProjection coarse{SeaProjectionKind::kPanorama, 64, 32, {}, {}};
+  const SeaProjection fine{.width = 128, .height = 64};
+  const SeaProjection coarse{.width = 64, .height = 32};
   const Image<Rgb8> many = RenderedImages("a box", mesh, {pose}, {fine, 1, glm::vec3(0)}).image(0);
   const Image<Rgb8> mean = RenderedImages("a box", mesh, {pose}, {coarse, 2, glm::vec3(0)}).image(0);
   const Image<Rgb8> once = RenderedImages("a box", mesh, {pose}, {coarse, 1, glm::vec3(0)}).image(0);
