@@ -10,15 +10,16 @@
 namespace ocelli {
 namespace {
 
-constexpr int kBlock = 4;  ///< pixels a side, of the finest level
+constexpr int kBlock = 8;  ///< pixels a side, of the finest level
+constexpr int kStep = 2;   ///< of the pixels of a block that count
 
 /// Sums of colours, and in w how much was summed up.
 using Sums = Image<glm::vec4>;
 
 Sums blockSums(const Image<Rgb8>& image, const WarpMap& map) {
   Sums sums((image.width() + kBlock - 1) / kBlock, (image.height() + kBlock - 1) / kBlock, glm::vec4(0));
-  for (int y = 0; y < image.height(); ++y) {
-    for (int x = 0; x < image.width(); ++x) {
+  for (int y = 0; y < image.height(); y += kStep) {
+    for (int x = 0; x < image.width(); x += kStep) {
       if (isSeen(map(x, y))) {
         sums(x / kBlock, y / kBlock) += glm::vec4(glm::vec3(image(x, y)), 1);
       }
@@ -54,6 +55,9 @@ glm::vec3 between(const Image<glm::vec3>& means, const glm::vec2& at, float bloc
 }  // namespace
 
 void fillUnseen(Image<Rgb8>& image, const WarpMap& map) {
+  if (std::all_of(map.begin(), map.end(), isSeen)) {
+    return;
+  }
   std::vector<Sums> levels{blockSums(image, map)};
   while (levels.back().size() > 1) {
     levels.push_back(halved(levels.back()));

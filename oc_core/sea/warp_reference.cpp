@@ -27,23 +27,23 @@ glm::ivec2 pixelOfRim(int x, int y, const SeaProjection& projection) {
 WarpReference::WarpReference(const Image<Rgb8>& image, const SeaProjection& projection)
     : width_(image.width()), height_(image.height()), projection_(projection) {
   OC_CHECK(image.width() == projection.width && image.height() == projection.height, "an image of the projection");
-  pixels_.resize(4 * stride() * (static_cast<size_t>(height_) + 2 * kRim));
-  uint8_t* to = pixels_.data();
+  pixels_.resize(3 * planeBytes());
+  std::array<uint8_t*, 3> to{pixels_.data(), pixels_.data() + planeBytes(), pixels_.data() + 2 * planeBytes()};
   const auto put = [&](const Rgb8& pixel) {
-    to[0] = pixel.r;
-    to[1] = pixel.g;
-    to[2] = pixel.b;
-    to += 4;
+    *to[0]++ = pixel.r;
+    *to[1]++ = pixel.g;
+    *to[2]++ = pixel.b;
   };
   for (int y = -kRim; y < height_ + kRim; ++y) {
     const bool isRow = y >= 0 && y < height_;
     for (int x = -kRim; x < width_ + kRim; ++x) {
-      if (isRow && x >= 0 && x < width_) {
-        put(image(x, y));
-      } else {
-        const glm::ivec2 from = pixelOfRim(x, y, projection);
-        put(image(from.x, from.y));
+      if (isRow && x == 0) {
+        for (; x < width_; ++x) {
+          put(image(x, y));
+        }
       }
+      const glm::ivec2 from = pixelOfRim(x, y, projection);
+      put(image(from.x, from.y));
     }
   }
 }
@@ -52,8 +52,7 @@ Image<Rgb8> WarpReference::image() const {
   Image<Rgb8> image(width_, height_);
   for (int y = 0; y < height_; ++y) {
     for (int x = 0; x < width_; ++x) {
-      const uint8_t* pixel = at(x, y);
-      image(x, y) = {pixel[0], pixel[1], pixel[2]};
+      image(x, y) = at(x, y);
     }
   }
   return image;
@@ -74,10 +73,10 @@ Image<Rgb8> plainWarpedImage(const WarpReference& reference, const WarpMap& map)
     std::array<float, 3> sum{};
     for (int row = 0; row < 4; ++row) {
       for (int column = 0; column < 4; ++column) {
-        const uint8_t* pixel = reference.at(static_cast<int>(x) - 1 + column, static_cast<int>(y) - 1 + row);
+        const Rgb8 pixel = reference.at(static_cast<int>(x) - 1 + column, static_cast<int>(y) - 1 + row);
         const float weight = across[static_cast<size_t>(column)] * down[static_cast<size_t>(row)];
         for (size_t c = 0; c < 3; ++c) {
-          sum[c] += weight * static_cast<float>(pixel[c]);
+          sum[c] += weight * static_cast<float>(pixel[static_cast<int>(c)]);
         }
       }
     }

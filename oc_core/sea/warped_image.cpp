@@ -1,7 +1,6 @@
 #include "oc_core/sea/warped_image.h"
 
 #include "oc_core/base/vector_targets.h"
-#include "oc_core/sea/cubic_weights.h"
 
 // This file is compiled once for each of these instruction sets; foreach_target.h includes it again and again.
 #undef HWY_TARGET_INCLUDE
@@ -13,48 +12,89 @@ HWY_BEFORE_NAMESPACE();
 namespace ocelli::HWY_NAMESPACE {
 namespace hn = hwy::HWY_NAMESPACE;
 
-using PixelFloats = hn::CappedTag<float, 4>;  ///< the colours of one pixel
-using PixelBytes = hn::Rebind<uint8_t, PixelFloats>;
-using PixelWords = hn::Rebind<int32_t, PixelFloats>;
-using PixelVec = hn::Vec<PixelFloats>;
+using WarpFloats = hn::CappedTag<float, 16>;  ///< a number for each of some pixels in a row
+using WarpInts = hn::Rebind<int32_t, WarpFloats>;
+using WarpBytes = hn::Rebind<uint8_t, WarpFloats>;
+using WarpFloat = hn::Vec<WarpFloats>;
+using WarpInt = hn::Vec<WarpInts>;
 
-HWY_ATTR HWY_INLINE PixelVec weighed(const uint8_t* bytes, float weight) {
-  const PixelFloats floats;
-  return hn::Mul(hn::ConvertTo(floats, hn::PromoteTo(PixelWords(), hn::LoadU(PixelBytes(), bytes))),
-                 hn::Set(floats, weight));
+/// What cubicWeights() gives.
+struct CubicVectors {
+  HWY_ATTR explicit CubicVectors(WarpFloat f) {
+    const WarpFloats floats;
+    const auto number = [&](float x) HWY_ATTR { return hn::Set(floats, x); };
+    const auto square = hn::Mul(f, f);
+    w[0] = hn::Mul(hn::Sub(hn::Mul(hn::Add(hn::Mul(number(-0.5f), f), number(1)), f), number(0.5f)), f);
+    w[1] = hn::Add(hn::Mul(hn::Sub(hn::Mul(number(1.5f), f), number(2.5f)), square), number(1));
+    w[2] = hn::Mul(hn::Add(hn::Mul(hn::Add(hn::Mul(number(-1.5f), f), number(2)), f), number(0.5f)), f);
+    w[3] = hn::Mul(hn::Sub(hn::Mul(number(0.5f), f), number(0.5f)), square);
+  }
+
+  WarpFloat w[4];
+};
+
+/// Four neighbours in a row of a plane, of which each offset is the first, by their weights.
+HWY_ATTR HWY_INLINE WarpFloat alongRow(const uint8_t* plane, WarpInt offsets, const CubicVectors& across) {
+  const WarpFloats floats;
+  const WarpInts ints;
+  // Four bytes at a time, wherever they lie.
+  const auto four = hn::GatherOffset(ints, reinterpret_cast<const int32_t*>(plane), offsets);
+  const auto byte = hn::Set(ints, 0xff);
+  const auto first = hn::ConvertTo(floats, hn::And(four, byte));
+  const auto second = hn::ConvertTo(floats, hn::And(hn::ShiftRight<8>(four), byte));
+  const auto third = hn::ConvertTo(floats, hn::And(hn::ShiftRight<16>(four), byte));
+  const auto fourth = hn::ConvertTo(floats, hn::And(hn::ShiftRight<24>(four), byte));
+  return hn::Add(hn::Add(hn::Mul(first, across.w[0]), hn::Mul(second, across.w[1])),
+                 hn::Add(hn::Mul(third, across.w[2]), hn::Mul(fourth, across.w[3])));
 }
 
 HWY_ATTR void warpRow(const WarpReference& reference, const glm::vec2* places, int count, Rgb8* to) {
-  const PixelFloats floats;
+  const WarpFloats floats;
+  const WarpInts ints;
+  const WarpBytes bytes;
   constexpr size_t kLanes = hn::MaxLanes(floats);
-  const bool wraps = reference.projection().wraps();
-  const auto width = static_cast<float>(reference.width());
-  const size_t rowBytes = 4 * reference.stride();
-  for (int i = 0; i < count; ++i) {
-    const glm::vec2 place = places[i];
-    if (!isSeen(place)) {
-      to[i] = Rgb8(0);
-      continue;
+  const auto width = hn::Set(floats, static_cast<float>(reference.width()));
+  const auto perWidth =
+      hn::Set(floats, reference.projection().wraps() ? 1 / static_cast<float>(reference.width()) : 0.0f);
+  const auto half = hn::Set(floats, 0.5f);
+  const auto stride = hn::Set(ints, static_cast<int32_t>(reference.stride()));
+  const auto most = hn::Set(floats, 255.0f);
+  for (size_t i = 0; i < static_cast<size_t>(count); i += kLanes) {
+    const size_t some = std::min(kLanes, static_cast<size_t>(count) - i);
+    HWY_ALIGN float x[kLanes] = {};
+    HWY_ALIGN float y[kLanes] = {};
+    for (size_t lane = 0; lane < some; ++lane) {
+      x[lane] = places[i + lane].x;
+      y[lane] = places[i + lane].y;
     }
-    const float u = wraps ? place.x - width * std::floor(place.x / width) : place.x;
-    const float x = std::floor(u - 0.5f);
-    const float y = std::floor(place.y - 0.5f);
-    const std::array<float, 4> across = cubicWeights(u - 0.5f - x);
-    const std::array<float, 4> down = cubicWeights(place.y - 0.5f - y);
-    const uint8_t* corner = reference.at(static_cast<int>(x) - 1, static_cast<int>(y) - 1);
-    uint8_t bytes[4];
-    for (size_t c = 0; c < 4; c += kLanes) {
-      auto sum = hn::Zero(floats);
-      for (size_t row = 0; row < 4; ++row) {
-        const uint8_t* from = corner + row * rowBytes + c;
-        const auto line = hn::Add(hn::Add(weighed(from, across[0]), weighed(from + 4, across[1])),
-                                  hn::Add(weighed(from + 8, across[2]), weighed(from + 12, across[3])));
-        sum = hn::Add(sum, hn::Mul(line, hn::Set(floats, down[row])));
+    auto u = hn::Load(floats, x);
+    const auto isThere = hn::Eq(u, u);  // not NaN
+    u = hn::IfThenElseZero(isThere, u);
+    u = hn::Sub(hn::Sub(u, hn::Mul(width, hn::Floor(hn::Mul(u, perWidth)))), half);
+    const auto v = hn::Sub(hn::IfThenElseZero(isThere, hn::Load(floats, y)), half);
+    const auto left = hn::Floor(u);
+    const auto top = hn::Floor(v);
+    const CubicVectors across(hn::Sub(u, left));
+    const CubicVectors down(hn::Sub(v, top));
+    const auto corner = hn::Add(hn::Mul(hn::ConvertTo(ints, top), stride), hn::ConvertTo(ints, left));
+    WarpFloat sums[3];
+    for (int plane = 0; plane < 3; ++plane) {
+      const uint8_t* from = reference.plane(plane) - reference.stride() - 1;
+      auto offsets = corner;
+      sums[plane] = hn::Mul(alongRow(from, offsets, across), down.w[0]);
+      for (int row = 1; row < 4; ++row) {
+        offsets = hn::Add(offsets, stride);
+        sums[plane] = hn::Add(sums[plane], hn::Mul(alongRow(from, offsets, across), down.w[row]));
       }
-      const auto within = hn::Min(hn::Max(sum, hn::Zero(floats)), hn::Set(floats, 255.0f));
-      hn::StoreU(hn::DemoteTo(PixelBytes(), hn::NearestInt(within)), PixelBytes(), bytes + c);
+      sums[plane] = hn::IfThenElseZero(isThere, hn::Min(hn::Max(sums[plane], hn::Zero(floats)), most));
     }
-    to[i] = Rgb8(bytes[0], bytes[1], bytes[2]);
+    uint8_t colors[3][kLanes];
+    for (int plane = 0; plane < 3; ++plane) {
+      hn::StoreU(hn::DemoteTo(bytes, hn::NearestInt(sums[plane])), bytes, colors[plane]);
+    }
+    for (size_t lane = 0; lane < some; ++lane) {
+      to[i + lane] = Rgb8(colors[0][lane], colors[1][lane], colors[2][lane]);
+    }
   }
 }
 

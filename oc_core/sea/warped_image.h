@@ -1,6 +1,7 @@
 // Images drawn by a warp map: what an image of a sea looks like from another position, as far as it can know.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -11,27 +12,34 @@
 
 namespace ocelli {
 
-/// An image of 8-bit sRGB prepared to be looked up between its pixels: four bytes a pixel, with a rim on every side
-/// that goes on round a panorama, over its poles, and repeats the border of other images.
+/// An image of 8-bit sRGB prepared to be looked up between its pixels: a plane for each colour, with a rim on every
+/// side that goes on round a panorama, over its poles, and repeats the border of other images.
 class WarpReference {
  public:
-  static constexpr int kRim = 3;
+  static constexpr int kRim = 4;
 
   WarpReference() = default;
   WarpReference(const Image<Rgb8>& image, const SeaProjection& projection);
 
   int width() const { return width_; }
   int height() const { return height_; }
-  /// Of the first byte of a pixel, within the rim or the image.
-  const uint8_t* at(int x, int y) const {
-    return pixels_.data() + 4 * (static_cast<size_t>(y + kRim) * stride() + static_cast<size_t>(x + kRim));
+  /// Of the first pixel of a colour (0, 1 or 2); the next row is stride() further. The rim lies around.
+  const uint8_t* plane(int color) const {
+    return pixels_.data() + static_cast<size_t>(color) * planeBytes() + kRim * stride() + kRim;
+  }
+  /// A pixel of the image or its rim.
+  Rgb8 at(int x, int y) const {
+    const ptrdiff_t offset = y * static_cast<ptrdiff_t>(stride()) + x;
+    return {plane(0)[offset], plane(1)[offset], plane(2)[offset]};
   }
   /// As it was given.
   Image<Rgb8> image() const;
-  size_t stride() const { return static_cast<size_t>(width_) + 2 * kRim; }  ///< pixels
+  size_t stride() const { return static_cast<size_t>(width_) + 2 * kRim; }
   const SeaProjection& projection() const { return projection_; }
 
  private:
+  size_t planeBytes() const { return stride() * (static_cast<size_t>(height_) + 2 * kRim); }
+
   int width_ = 0;
   int height_ = 0;
   SeaProjection projection_;

@@ -178,8 +178,8 @@ TEST(WarpedImage, ItsRimGoesRoundAndOverThePoles) {
   EXPECT_EQ(at(200, 129), glm::ivec2(72, 126));
   EXPECT_EQ(reference.image(), image);
   const WarpReference flat(image, {SeaProjectionKind::kPinhole, 256, 128, {100, 100}, {128, 64}});
-  EXPECT_EQ(flat.at(-2, 50)[0], 0);
-  EXPECT_EQ(flat.at(10, -1)[1], 0);
+  EXPECT_EQ(flat.at(-2, 50).r, 0);
+  EXPECT_EQ(flat.at(10, -1).g, 0);
 }
 
 TEST(WarpedImage, CubicWeightsSumUpToOneAndKeepPixels) {
