@@ -38,10 +38,11 @@ ParsedBuiltin parsed(const std::string& source) {
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
   static const std::vector<BuiltinScene> scenes{
-      teapotScene(), roomScene(),       statuesScene(), crowdScene(),     fenceScene(), doorsScene(), boxesScene(),
-      mazeScene(),   townScene(),       canyonScene(),  sphereScene(),    torusScene(), boxScene(),   wavingScene(),
-      mirrorScene(), mirrorMazeScene(), lensScene(),    parkingScene(),   cityScene(),  houseScene(), barrelsScene(),
-      lampScene(),   pergolaScene(),    dnaScene(),     particlesScene(), treeScene()};
+      teapotScene(),    roomScene(),   statuesScene(), crowdScene(),      fenceScene(),   doorsScene(),
+      boxesScene(),     mazeScene(),   townScene(),    canyonScene(),     sphereScene(),  torusScene(),
+      boxScene(),       wavingScene(), mirrorScene(),  mirrorMazeScene(), lensScene(),    parkingScene(),
+      cityScene(),      houseScene(),  barrelsScene(), lampScene(),       pergolaScene(), dnaScene(),
+      particlesScene(), treeScene(),   museumScene(),  officeScene(),     libraryScene()};
   return scenes;
 }
 
