@@ -4,8 +4,7 @@
 #include <cmath>
 #include <glm/common.hpp>
 #include <glm/geometric.hpp>
-#include <limits>
-#include <numeric>
+#include <utility>
 
 #include "oc_core/base/check.h"
 
@@ -55,26 +54,24 @@ Image<Rgb8> blendedView(const SeaDecoder& decoder, std::span<const BlendedImage>
   const SeaProjection& projection = settings.projection;
   Image<glm::vec4> sums(projection.width, projection.height, glm::vec4(0));
   for (const BlendedImage& each : images) {
-    const WarpMap map = makeWarpMap(decoder.proxy(), projection, target, each.pose, settings.warpCell);
-    const Image<Rgb8> warped = warpedImage(*each.image, map);
+    const PartialImage warped = warpedOver(decoder.proxy(), *each.image, each.pose, target, settings.warpCell);
     const auto weight = static_cast<float>(each.weight);
-    for (size_t i = 0; i < map.size(); ++i) {
-      if (isSeen(map[i])) {
-        sums[i] += glm::vec4(glm::vec3(warped[i]), 1.0f) * weight;
+    for (size_t i = 0; i < sums.size(); ++i) {
+      if (warped.isKnown[i] != 0) {
+        sums[i] += glm::vec4(glm::vec3(warped.image[i]), 1.0f) * weight;
       }
     }
   }
-  constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
-  Image<Rgb8> view(projection.width, projection.height);
-  WarpMap seen(projection.width, projection.height, glm::vec2(kNaN));
+  PartialImage view{Image<Rgb8>(projection.width, projection.height, Rgb8(0)),
+                    Image<uint8_t>(projection.width, projection.height, 0)};
   for (size_t i = 0; i < sums.size(); ++i) {
     if (sums[i].w > 0) {
-      seen[i] = glm::vec2(0);
-      view[i] = Rgb8(glm::clamp(glm::vec3(sums[i]) / sums[i].w + 0.5f, 0.0f, 255.0f));
+      view.isKnown[i] = 1;
+      view.image[i] = Rgb8(glm::clamp(glm::vec3(sums[i]) / sums[i].w + 0.5f, 0.0f, 255.0f));
     }
   }
-  fillUnseen(view, seen);
-  return view;
+  fillUnknown(view);
+  return std::move(view.image);
 }
 
 }  // namespace ocelli

@@ -1,5 +1,7 @@
 #include "oc_core/sea/sea_decoder.h"
 
+#include <utility>
+
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -26,10 +28,9 @@ Image<Rgb8> SeaDecoder::inner(std::span<const uint8_t> bytes) const {
 
 Image<Rgb8> SeaDecoder::predicted(const WarpReference& reference, const SeaPose& referencePose,
                                   const SeaPose& target) const {
-  const WarpMap map = makeWarpMap(proxy_, settings_.projection, target, referencePose, settings_.warpCell);
-  Image<Rgb8> image = warpedImage(reference, map);
-  fillUnseen(image, map);
-  return image;
+  PartialImage partial = warpedOver(proxy_, reference, referencePose, target, settings_.warpCell);
+  fillUnknown(partial);
+  return std::move(partial.image);
 }
 
 Image<Rgb8> SeaDecoder::residual(std::span<const uint8_t> bytes) const {

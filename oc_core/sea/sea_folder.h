@@ -10,8 +10,8 @@
 namespace ocelli {
 
 /// Makes the folder. Of panoramas the table is positions.csv (file, x, y, z, qw, qx, qy, qz), of pinholes they are
-/// COLMAP's cameras.txt and images.txt. Images have the names that they came with, or their numbers. The proxy, if there
-/// is one, is proxy.ply. Throws WorkError where something cannot be written, InputError as SeaFile does.
+/// COLMAP's cameras.txt and images.txt. Images have the names that they came with, or their numbers. The proxy, if
+/// there is one, is proxy.ply. Throws WorkError where something cannot be written, InputError as SeaFile does.
 void writeSeaFolder(const SeaFile& sea, const std::filesystem::path& folder, const Progress& progress = {});
 
 }  // namespace ocelli

@@ -142,90 +142,54 @@ glm::vec2 unwrapped(const glm::vec2& place, const glm::vec2& near, const SeaProj
   return {place.x - width * std::round((place.x - near.x) / width), place.y};
 }
 
-/// The grid of rays over the target: at the corners of cells, and in their middles.
-struct WarpGrid {
-  WarpGrid(const SeaProjection& projection, int cellSize)
-      : cell(cellSize),
-        columns((projection.width + cellSize - 1) / cellSize),
-        rows((projection.height + cellSize - 1) / cellSize),
-        width(projection.width),
-        height(projection.height) {
-    for (int row = 0; row <= rows; ++row) {
-      for (int column = 0; column <= columns; ++column) {
-        pixels.emplace_back(std::min(column * cell, width), std::min(row * cell, height));
-      }
-    }
-    firstMiddle = pixels.size();
-    for (int row = 0; row < rows; ++row) {
-      for (int column = 0; column < columns; ++column) {
-        pixels.push_back((pixels[corner(column, row)] + pixels[corner(column + 1, row + 1)]) * 0.5f);
-      }
-    }
-  }
+/// A part of the target with what the rays at its corners, row by row, and in its middle meet.
+struct WarpCell {
+  glm::ivec2 low;                    ///< its first pixel
+  glm::ivec2 high;                   ///< the pixel behind its last one
+  std::array<glm::vec2, 4> corners;  ///< places in the reference
+  glm::vec2 middle;
 
-  size_t corner(int column, int row) const {
-    return static_cast<size_t>(row) * static_cast<size_t>(columns + 1) + static_cast<size_t>(column);
-  }
-  size_t middle(int column, int row) const {
-    return firstMiddle + static_cast<size_t>(row) * static_cast<size_t>(columns) + static_cast<size_t>(column);
-  }
+  glm::ivec2 size() const { return high - low; }
+  /// Into quarters whose corners are whole pixels.
+  bool canSplit() const { return size().x > kSmallest && size().y > kSmallest && (size().x | size().y) % 2 == 0; }
 
-  int cell;
-  int columns;
-  int rows;
-  int width;
-  int height;
-  size_t firstMiddle = 0;
-  std::vector<glm::vec2> pixels;
+ private:
+  static constexpr int kSmallest = 4;
 };
 
-/// The places of a cell's corners, row by row, where these tell all of it.
-struct CellCorners {
-  std::array<glm::vec2, 4> places;
-  bool areSmooth = false;
-};
-
-CellCorners cornersOf(const WarpGrid& grid, std::span<const Meeting> meetings, int column, int row,
-                      const SeaProjection& projection) {
-  CellCorners corners;
-  const glm::vec2 middle = meetings[grid.middle(column, row)].place;
+/// Whether corners tell all of a cell; then they are made to lie on one side of a panorama's seam.
+bool isSmooth(WarpCell& cell, const SeaProjection& projection) {
   // All columns meet at the poles of a panorama: corners there have no column.
-  const bool touchesPole = projection.wraps() && (row == 0 || row + 1 == grid.rows);
-  if (!isSeen(middle) || touchesPole) {
-    return corners;
+  const bool touchesPole = projection.wraps() && (cell.low.y == 0 || cell.high.y == projection.height);
+  if (!isSeen(cell.middle) || touchesPole) {
+    return false;
   }
   glm::vec2 mean(0);
   float farthest = 0;
-  for (size_t i = 0; i < 4; ++i) {
-    const size_t corner = grid.corner(column + static_cast<int>(i % 2), row + static_cast<int>(i / 2));
-    if (!isSeen(meetings[corner].place)) {
-      return corners;
+  for (glm::vec2& corner : cell.corners) {
+    if (!isSeen(corner)) {
+      return false;
     }
-    corners.places[i] = unwrapped(meetings[corner].place, middle, projection);
-    mean += corners.places[i] * 0.25f;
-    farthest = std::max(farthest, std::abs(corners.places[i].x - middle.x));
+    corner = unwrapped(corner, cell.middle, projection);
+    mean += corner * 0.25f;
+    farthest = std::max(farthest, std::abs(corner.x - cell.middle.x));
   }
-  const glm::vec2 bend = glm::abs(mean - middle);
+  const glm::vec2 bend = glm::abs(mean - cell.middle);
   // Around a pole of the reference corners lie in all directions of their middle, which may be where that is by chance.
   constexpr float kFarthest = 1.0f / 16;
-  corners.areSmooth =
-      std::max(bend.x, bend.y) <= kMostBend && farthest <= kFarthest * static_cast<float>(projection.width);
-  return corners;
+  return std::max(bend.x, bend.y) <= kMostBend && farthest <= kFarthest * static_cast<float>(projection.width);
 }
 
-void fillCell(WarpMap& map, const WarpGrid& grid, int column, int row, const CellCorners& corners) {
-  const int left = column * grid.cell;
-  const int top = row * grid.cell;
-  const int width = std::min(grid.cell, grid.width - left);
-  const int height = std::min(grid.cell, grid.height - top);
-  const float perWidth = 1 / static_cast<float>(width);
-  const float perHeight = 1 / static_cast<float>(height);
-  for (int y = 0; y < height; ++y) {
-    const float down = (static_cast<float>(y) + 0.5f) * perHeight;
-    const glm::vec2 from = glm::mix(corners.places[0], corners.places[2], down);
-    const glm::vec2 step = (glm::mix(corners.places[1], corners.places[3], down) - from) * perWidth;
-    float* to = &map(left, top + y).x;
-    for (int x = 0; x < width; ++x) {
+/// `strip` begins at row `top`.
+void fillCell(WarpMap& strip, int top, const WarpCell& cell) {
+  const glm::ivec2 size = cell.size();
+  const glm::vec2 perPixel = 1.0f / glm::vec2(size);
+  for (int y = 0; y < size.y; ++y) {
+    const float down = (static_cast<float>(y) + 0.5f) * perPixel.y;
+    const glm::vec2 from = glm::mix(cell.corners[0], cell.corners[2], down);
+    const glm::vec2 step = (glm::mix(cell.corners[1], cell.corners[3], down) - from) * perPixel.x;
+    float* to = &strip(cell.low.x, cell.low.y - top + y).x;
+    for (int x = 0; x < size.x; ++x) {
       const float right = static_cast<float>(x) + 0.5f;
       to[2 * x] = from.x + step.x * right;
       to[2 * x + 1] = from.y + step.y * right;
@@ -233,25 +197,121 @@ void fillCell(WarpMap& map, const WarpGrid& grid, int column, int row, const Cel
   }
 }
 
-/// Where the proxy bends or ends within a cell: a ray for every few pixels, and what it meets is as far away for all.
-class FineCells {
+/// Makes warp maps strip by strip: a row of cells, each of which is split where the proxy bends or ends within it.
+class WarpStrips {
  public:
-  void add(const WarpGrid& grid, int column, int row) {
-    const int right = std::min((column + 1) * grid.cell, grid.width);
-    const int bottom = std::min((row + 1) * grid.cell, grid.height);
-    for (int y = row * grid.cell; y < bottom; y += kFinest) {
-      for (int x = column * grid.cell; x < right; x += kFinest) {
-        const glm::ivec2 end{std::min(x + kFinest, right), std::min(y + kFinest, bottom)};
-        corners_.emplace_back(x, y);
-        ends_.push_back(end);
-        pixels_.push_back((glm::vec2(x, y) + glm::vec2(end)) * 0.5f);
+  WarpStrips(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target, const SeaPose& reference,
+             int cell)
+      : projection_(projection), rays_(proxy, projection, target, reference), cell_(cell) {
+    columns_ = (projection.width + cell - 1) / cell;
+    follow(rowOfCorners(0), below_);
+  }
+
+  /// The rows from `top` on, which is a multiple of the cell; each row once, from the first one down.
+  void draw(int top, WarpMap& strip) {
+    std::fill(strip.begin(), strip.end(), glm::vec2(kNaN));
+    cells_.clear();
+    fine_.clear();
+    addRow(top);
+    while (!cells_.empty()) {
+      split_.clear();
+      for (WarpCell& cell : cells_) {
+        if (isSmooth(cell, projection_)) {
+          fillCell(strip, top, cell);
+        } else if (cell.canSplit()) {
+          split_.push_back(cell);
+        } else {
+          fine_.push_back(cell);
+        }
       }
+      splitCells();
+    }
+    fillFine(strip, top);
+  }
+
+ private:
+  int columnAt(int column) const { return std::min(column * cell_, projection_.width); }
+
+  std::vector<glm::vec2> rowOfCorners(int y) const {
+    std::vector<glm::vec2> pixels;
+    for (int column = 0; column <= columns_; ++column) {
+      pixels.emplace_back(columnAt(column), y);
+    }
+    return pixels;
+  }
+
+  void follow(std::span<const glm::vec2> pixels, std::vector<Meeting>& meetings) {
+    meetings.resize(pixels.size());
+    rays_.follow(pixels, meetings);
+  }
+
+  void addRow(int top) {
+    const int bottom = std::min(top + cell_, projection_.height);
+    above_.swap(below_);
+    follow(rowOfCorners(bottom), below_);
+    pixels_.clear();
+    for (int column = 0; column < columns_; ++column) {
+      pixels_.push_back(glm::vec2(columnAt(column) + columnAt(column + 1), top + bottom) * 0.5f);
+    }
+    follow(pixels_, meetings_);
+    for (size_t column = 0; column < static_cast<size_t>(columns_); ++column) {
+      const auto number = static_cast<int>(column);
+      cells_.push_back(
+          {{columnAt(number), top},
+           {columnAt(number + 1), bottom},
+           {above_[column].place, above_[column + 1].place, below_[column].place, below_[column + 1].place},
+           meetings_[column].place});
     }
   }
 
-  void fill(WarpMap& map, WarpRays& rays) {
-    meetings_.resize(pixels_.size());
-    rays.follow(pixels_, meetings_);
+  /// cells_ becomes the quarters of split_.
+  void splitCells() {
+    constexpr size_t kEach = 8;  ///< rays: the middles of the sides (above, left, right, below), and of the quarters
+    pixels_.clear();
+    for (const WarpCell& cell : split_) {
+      const glm::vec2 low(cell.low);
+      const glm::vec2 size(cell.size());
+      for (const glm::vec2& at : {glm::vec2(0.5f, 0),
+                                  {0, 0.5f},
+                                  {1, 0.5f},
+                                  {0.5f, 1},
+                                  {0.25f, 0.25f},
+                                  {0.75f, 0.25f},
+                                  {0.25f, 0.75f},
+                                  {0.75f, 0.75f}}) {
+        pixels_.push_back(low + at * size);
+      }
+    }
+    follow(pixels_, meetings_);
+    cells_.clear();
+    for (size_t i = 0; i < split_.size(); ++i) {
+      const WarpCell& cell = split_[i];
+      const auto at = [&](size_t ray) { return meetings_[kEach * i + ray].place; };
+      const glm::ivec2 half = cell.size() / 2;
+      const glm::ivec2 middle = cell.low + half;
+      const auto& [first, second, third, fourth] = cell.corners;
+      cells_.push_back({cell.low, middle, {first, at(0), at(1), cell.middle}, at(4)});
+      cells_.push_back({{middle.x, cell.low.y}, {cell.high.x, middle.y}, {at(0), second, cell.middle, at(2)}, at(5)});
+      cells_.push_back({{cell.low.x, middle.y}, {middle.x, cell.high.y}, {at(1), cell.middle, third, at(3)}, at(6)});
+      cells_.push_back({middle, cell.high, {cell.middle, at(2), at(3), fourth}, at(7)});
+    }
+  }
+
+  /// A ray for every few pixels, and what it meets is as far away for all of these.
+  void fillFine(WarpMap& strip, int top) {
+    corners_.clear();
+    ends_.clear();
+    pixels_.clear();
+    for (const WarpCell& cell : fine_) {
+      for (int y = cell.low.y; y < cell.high.y; y += kFinest) {
+        for (int x = cell.low.x; x < cell.high.x; x += kFinest) {
+          corners_.emplace_back(x, y);
+          ends_.push_back(glm::min(glm::ivec2(x, y) + kFinest, cell.high));
+          pixels_.push_back(glm::vec2(corners_.back() + ends_.back()) * 0.5f);
+        }
+      }
+    }
+    follow(pixels_, meetings_);
     for (size_t i = 0; i < pixels_.size(); ++i) {
       if (!isSeen(meetings_[i].place)) {
         continue;
@@ -259,13 +319,22 @@ class FineCells {
       for (int y = corners_[i].y; y < ends_[i].y; ++y) {
         for (int x = corners_[i].x; x < ends_[i].x; ++x) {
           const glm::vec2 pixel{static_cast<float>(x) + 0.5f, static_cast<float>(y) + 0.5f};
-          map(x, y) = rays.placeOf(rays.eye() + rays.direction(pixel) * meetings_[i].distance);
+          strip(x, y - top) = rays_.placeOf(rays_.eye() + rays_.direction(pixel) * meetings_[i].distance);
         }
       }
     }
   }
 
- private:
+  const SeaProjection& projection_;
+  WarpRays rays_;
+  int cell_;
+  int columns_ = 0;
+  std::vector<Meeting> above_;  ///< at the corners of the row of cells
+  std::vector<Meeting> below_;
+  // What is kept from strip to strip, so that its memory is.
+  std::vector<WarpCell> cells_;
+  std::vector<WarpCell> split_;
+  std::vector<WarpCell> fine_;
   std::vector<glm::ivec2> corners_;
   std::vector<glm::ivec2> ends_;
   std::vector<glm::vec2> pixels_;
@@ -274,25 +343,26 @@ class FineCells {
 
 }  // namespace
 
+void forEachWarpStrip(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
+                      const SeaPose& reference, int cell,
+                      const std::function<void(int top, const WarpMap& strip)>& visit) {
+  WarpStrips strips(proxy, projection, target, reference, cell);
+  WarpMap strip(projection.width, std::min(cell, projection.height));
+  for (int top = 0; top < projection.height; top += cell) {
+    if (top + cell > projection.height) {
+      strip = WarpMap(projection.width, projection.height - top);
+    }
+    strips.draw(top, strip);
+    visit(top, strip);
+  }
+}
+
 WarpMap makeWarpMap(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
                     const SeaPose& reference, int cell) {
-  WarpRays rays(proxy, projection, target, reference);
-  const WarpGrid grid(projection, cell);
-  std::vector<Meeting> meetings(grid.pixels.size());
-  rays.follow(grid.pixels, meetings);
-  WarpMap map(projection.width, projection.height, glm::vec2(kNaN));
-  FineCells fine;
-  for (int row = 0; row < grid.rows; ++row) {
-    for (int column = 0; column < grid.columns; ++column) {
-      const CellCorners corners = cornersOf(grid, meetings, column, row, projection);
-      if (corners.areSmooth) {
-        fillCell(map, grid, column, row, corners);
-      } else {
-        fine.add(grid, column, row);
-      }
-    }
-  }
-  fine.fill(map, rays);
+  WarpMap map(projection.width, projection.height);
+  forEachWarpStrip(proxy, projection, target, reference, cell, [&](int top, const WarpMap& strip) {
+    std::copy(strip.begin(), strip.end(), map.begin() + static_cast<ptrdiff_t>(map.index(0, top)));
+  });
   return map;
 }
 

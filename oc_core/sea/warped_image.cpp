@@ -118,5 +118,21 @@ Image<Rgb8> warpedImage(const WarpReference& reference, const WarpMap& map) {
   return image;
 }
 
+PartialImage warpedOver(const SeaProxy& proxy, const WarpReference& reference, const SeaPose& referencePose,
+                        const SeaPose& target, int cell) {
+  PartialImage partial{Image<Rgb8>(reference.width(), reference.height()),
+                       Image<uint8_t>(reference.width(), reference.height())};
+  const auto warp = HWY_DYNAMIC_DISPATCH(warpRow);
+  forEachWarpStrip(proxy, reference.projection(), target, referencePose, cell, [&](int top, const WarpMap& strip) {
+    for (int y = 0; y < strip.height(); ++y) {
+      warp(reference, &strip(0, y), strip.width(), &partial.image(0, top + y));
+      for (int x = 0; x < strip.width(); ++x) {
+        partial.isKnown(x, top + y) = isSeen(strip(x, y)) ? 1 : 0;
+      }
+    }
+  });
+  return partial;
+}
+
 }  // namespace ocelli
 #endif

@@ -51,8 +51,18 @@ Image<Rgb8> warpedImage(const WarpReference& reference, const WarpMap& map);
 /// The same in plain steps: what the one above, which takes vectors of the CPU, is compared with.
 Image<Rgb8> plainWarpedImage(const WarpReference& reference, const WarpMap& map);
 
-/// Fills what is not seen with what is around it, smoothly: by means of blocks, of larger blocks where whole blocks are
-/// not seen.
-void fillUnseen(Image<Rgb8>& image, const WarpMap& map);
+/// An image and which of its pixels are known: 1, or 0.
+struct PartialImage {
+  Image<Rgb8> image;
+  Image<uint8_t> isKnown;
+};
+
+/// What warpedImage() gives with makeWarpMap().
+PartialImage warpedOver(const SeaProxy& proxy, const WarpReference& reference, const SeaPose& referencePose,
+                        const SeaPose& target, int cell);
+
+/// Fills what is not known with what is around it, smoothly: by means of blocks, of larger blocks where whole blocks
+/// are not known.
+void fillUnknown(PartialImage& partial);
 
 }  // namespace ocelli

@@ -133,10 +133,15 @@ TEST(WarpMap, APinholeSeesNothingBeyondItsBorders) {
 TEST(WarpedImage, IsWhatIsSeenFromThere) {
   const RoomImages images({poseAt(-0.2, 0.3), poseAt(0.1, 0.4, 0.7)}, {.width = 256, .height = 256});
   const SeaProxy room(test::roomProxy());
-  const WarpMap map = makeWarpMap(room, images.projection(), images.poses()[1], images.poses()[0]);
-  Image<Rgb8> warped = warpedImage(WarpReference(images.image(0), images.projection()), map);
-  fillUnseen(warped, map);
-  const double error = meanDifference(warped, images.image(1));
+  const WarpReference reference(images.image(0), images.projection());
+  PartialImage warped = warpedOver(room, reference, images.poses()[0], images.poses()[1], 8);
+  const WarpMap map = makeWarpMap(room, images.projection(), images.poses()[1], images.poses()[0], 8);
+  EXPECT_EQ(warped.image, warpedImage(reference, map));
+  for (size_t i = 0; i < map.size(); ++i) {
+    ASSERT_EQ(warped.isKnown[i] != 0, isSeen(map[i]));
+  }
+  fillUnknown(warped);
+  const double error = meanDifference(warped.image, images.image(1));
   EXPECT_LT(error, 3);
   EXPECT_GT(meanDifference(images.image(0), images.image(1)), 10 * error) << "without the warp they differ much";
 }
@@ -192,29 +197,28 @@ TEST(WarpedImage, CubicWeightsSumUpToOneAndKeepPixels) {
   EXPECT_THAT(cubicWeights(0), testing::ElementsAre(0, 1, 0, 0));
 }
 
-TEST(FillUnseen, GoesOnWithWhatIsAround) {
-  Image<Rgb8> image(64, 64, Rgb8(0));
-  WarpMap map(64, 64, glm::vec2(kNaN));
+TEST(FillUnknown, GoesOnWithWhatIsAround) {
+  PartialImage partial{Image<Rgb8>(64, 64, Rgb8(0)), Image<uint8_t>(64, 64, 0)};
   for (int y = 0; y < 64; ++y) {
     for (int x = 0; x < 64; ++x) {
       if (x < 20 || x >= 44) {
-        map(x, y) = glm::vec2(0);
-        image(x, y) = x < 20 ? Rgb8(200, 100, 0) : Rgb8(0, 100, 200);
+        partial.isKnown(x, y) = 1;
+        partial.image(x, y) = x < 20 ? Rgb8(200, 100, 0) : Rgb8(0, 100, 200);
       }
     }
   }
-  fillUnseen(image, map);
-  EXPECT_EQ(image(10, 10), Rgb8(200, 100, 0)) << "what is seen stays";
-  EXPECT_GT(image(21, 30).r, image(42, 30).r);
+  fillUnknown(partial);
+  EXPECT_EQ(partial.image(10, 10), Rgb8(200, 100, 0)) << "what is known stays";
+  EXPECT_GT(partial.image(21, 30).r, partial.image(42, 30).r);
   for (int x = 20; x < 44; ++x) {
-    EXPECT_NEAR(image(x, 30).g, 100, 1) << x;
+    EXPECT_NEAR(partial.image(x, 30).g, 100, 1) << x;
   }
 }
 
-TEST(FillUnseen, IsGreyWhereNothingIsSeen) {
-  Image<Rgb8> image(10, 10, Rgb8(0));
-  fillUnseen(image, WarpMap(10, 10, glm::vec2(kNaN)));
-  EXPECT_EQ(image(5, 5), Rgb8(128));
+TEST(FillUnknown, IsGreyWhereNothingIsKnown) {
+  PartialImage partial{Image<Rgb8>(10, 10, Rgb8(0)), Image<uint8_t>(10, 10, 0)};
+  fillUnknown(partial);
+  EXPECT_EQ(partial.image(5, 5), Rgb8(128));
 }
 
 }  // namespace

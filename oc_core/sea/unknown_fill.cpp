@@ -1,4 +1,4 @@
-// fillUnseen(): a pyramid of means over what is seen.
+// fillUnknown(): a pyramid of means over what is known.
 #include <algorithm>
 #include <cmath>
 #include <glm/common.hpp>
@@ -16,11 +16,12 @@ constexpr int kStep = 2;   ///< of the pixels of a block that count
 /// Sums of colours, and in w how much was summed up.
 using Sums = Image<glm::vec4>;
 
-Sums blockSums(const Image<Rgb8>& image, const WarpMap& map) {
+Sums blockSums(const PartialImage& partial) {
+  const Image<Rgb8>& image = partial.image;
   Sums sums((image.width() + kBlock - 1) / kBlock, (image.height() + kBlock - 1) / kBlock, glm::vec4(0));
   for (int y = 0; y < image.height(); y += kStep) {
     for (int x = 0; x < image.width(); x += kStep) {
-      if (isSeen(map(x, y))) {
+      if (partial.isKnown(x, y) != 0) {
         sums(x / kBlock, y / kBlock) += glm::vec4(glm::vec3(image(x, y)), 1);
       }
     }
@@ -32,7 +33,7 @@ Sums halved(const Sums& finer) {
   Sums sums((finer.width() + 1) / 2, (finer.height() + 1) / 2, glm::vec4(0));
   for (int y = 0; y < finer.height(); ++y) {
     for (int x = 0; x < finer.width(); ++x) {
-      // What is seen little of counts as little; but full blocks do not outweigh what is next to a hole.
+      // What is known little of counts as little; but full blocks do not outweigh what is next to a hole.
       const glm::vec4& sum = finer(x, y);
       sums(x / 2, y / 2) += sum.w > 1 ? sum / sum.w : sum;
     }
@@ -54,11 +55,12 @@ glm::vec3 between(const Image<glm::vec3>& means, const glm::vec2& at, float bloc
 
 }  // namespace
 
-void fillUnseen(Image<Rgb8>& image, const WarpMap& map) {
-  if (std::all_of(map.begin(), map.end(), isSeen)) {
+void fillUnknown(PartialImage& partial) {
+  if (std::find(partial.isKnown.begin(), partial.isKnown.end(), 0) == partial.isKnown.end()) {
     return;
   }
-  std::vector<Sums> levels{blockSums(image, map)};
+  Image<Rgb8>& image = partial.image;
+  std::vector<Sums> levels{blockSums(partial)};
   while (levels.back().size() > 1) {
     levels.push_back(halved(levels.back()));
   }
@@ -80,7 +82,7 @@ void fillUnseen(Image<Rgb8>& image, const WarpMap& map) {
   }
   for (int y = 0; y < image.height(); ++y) {
     for (int x = 0; x < image.width(); ++x) {
-      if (!isSeen(map(x, y))) {
+      if (partial.isKnown(x, y) == 0) {
         const glm::vec3 color = between(means, glm::vec2(x, y) + 0.5f, kBlock);
         image(x, y) = Rgb8(glm::clamp(color + 0.5f, 0.0f, 255.0f));
       }
