@@ -32,6 +32,13 @@ std::span<const ColorCodec> colorCodecs() {
        .inBrowsers = true,
        .encode = encodeJpeg,
        .decode = decodeJpeg},
+      {.name = "jpeg_baseline",
+       .mediaType = "image/jpeg",
+       .meaning = "not progressive, with libjpeg",
+       .isLossless = false,
+       .inBrowsers = true,
+       .encode = encodeBaselineJpeg,
+       .decode = decodeJpeg},
 #endif
 #ifdef OCELLI_WITH_WEBP
       {.name = "webp",

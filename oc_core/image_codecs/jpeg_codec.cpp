@@ -97,8 +97,14 @@ void endOutput(j_compress_ptr jpeg) {
   bytes.resize(bytes.size() - jpeg->dest->free_in_buffer);
 }
 
+struct JpegForm {
+  int quality;
+  bool wholeChroma;
+  bool isProgressive;
+};
+
 /// Fills `bytes`, which are empty. Returns whether it could; otherwise errors.message says why not.
-bool compressJpeg(const Rgb8* pixels, int width, int height, int quality, bool wholeChroma, JumpingErrors& errors,
+bool compressJpeg(const Rgb8* pixels, int width, int height, const JpegForm& form, JumpingErrors& errors,
                   std::vector<std::byte>& bytes) {
   jpeg_compress_struct jpeg{};
   GrowingOutput output{};
@@ -118,12 +124,14 @@ bool compressJpeg(const Rgb8* pixels, int width, int height, int quality, bool w
   jpeg.input_components = 3;
   jpeg.in_color_space = JCS_RGB;
   jpeg_set_defaults(&jpeg);
-  jpeg_set_quality(&jpeg, quality, TRUE);
-  const int sampling = wholeChroma ? 1 : 2;
+  jpeg_set_quality(&jpeg, form.quality, TRUE);
+  const int sampling = form.wholeChroma ? 1 : 2;
   jpeg.comp_info[0].h_samp_factor = sampling;
   jpeg.comp_info[0].v_samp_factor = sampling;
   jpeg.optimize_coding = TRUE;
-  jpeg_simple_progression(&jpeg);
+  if (form.isProgressive) {
+    jpeg_simple_progression(&jpeg);
+  }
   jpeg_start_compress(&jpeg, TRUE);
   while (jpeg.next_scanline < jpeg.image_height) {
     // libjpeg reads from a pointer to what it could change.
@@ -168,18 +176,26 @@ bool decompressJpeg(std::span<const std::byte> bytes, Image<Rgb8>& image, Jumpin
   return true;
 }
 
-}  // namespace
-
-std::vector<std::byte> encodeJpeg(const Image<Rgb8>& image, double quality) {
+std::vector<std::byte> encodedJpeg(const Image<Rgb8>& image, double quality, bool isProgressive) {
   JumpingErrors errors{};
   prepareErrors(errors);
   std::vector<std::byte> bytes;
-  if (!compressJpeg(image.data(), image.width(), image.height(), static_cast<int>(std::lround(quality)),
-                    quality >= kJpegWholeChroma, errors, bytes)) {
+  const JpegForm form{static_cast<int>(std::lround(quality)), quality >= kJpegWholeChroma, isProgressive};
+  if (!compressJpeg(image.data(), image.width(), image.height(), form, errors, bytes)) {
     throw WorkError(std::string("cannot make a JPEG of this image (") + errors.message + ")", "image",
                     "use a smaller one");
   }
   return bytes;
+}
+
+}  // namespace
+
+std::vector<std::byte> encodeJpeg(const Image<Rgb8>& image, double quality) {
+  return encodedJpeg(image, quality, true);
+}
+
+std::vector<std::byte> encodeBaselineJpeg(const Image<Rgb8>& image, double quality) {
+  return encodedJpeg(image, quality, false);
 }
 
 Image<Rgb8> decodeJpeg(std::span<const std::byte> bytes, glm::ivec2 expectedSize) {

@@ -15,8 +15,8 @@ struct SeaSettings {
   SeaWay way = SeaWay::kDirect;
   int spacing = 4;  ///< levels of the tree below an I-node, as in the text
   /// Codecs of oc_core/image_codecs by name, and their qualities; the text has 75 and 65.
-  std::string iCodec = "jpeg";
-  std::string pCodec = "jpeg";
+  std::string iCodec = "jpeg_baseline";
+  std::string pCodec = "jpeg_baseline";
   double iQuality = 75;
   double pQuality = 65;
   /// Residuals of little energy get a quality that is lower by up to this share (text: 0.3).

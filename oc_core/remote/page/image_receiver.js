@@ -14,7 +14,7 @@ const kMaxUnderWay = 4;
 
 /// Of the formats of colours that browsers may have: each decides by itself whether it has `jxl`.
 const kMediaTypes = {
-  png: 'image/png', jpeg: 'image/jpeg', webp: 'image/webp', webp_lossless: 'image/webp', jxl: 'image/jxl',
+  png: 'image/png', jpeg: 'image/jpeg', jpeg_baseline: 'image/jpeg', webp: 'image/webp', webp_lossless: 'image/webp', jxl: 'image/jxl',
 };
 
 /// Why images with these settings of a server cannot be shown in any browser; nothing where some can.
