@@ -42,6 +42,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addDeviceCommand(program, context);
   addEvaluateCommand(program, context);
   addExploreCommand(program, context);
+  addSeaCommand(program, context);
   addShadeCommand(program, context);
   addSolidityCommand(program, context);
   addViewersCommand(program, context);

@@ -52,6 +52,7 @@ material scene/image_corpus $seconds
 shade shade/corpus $seconds
 remote_message remote/message_corpus $seconds
 image_codecs image_codecs/corpus $seconds
+sea sea/corpus $seconds
 $volumes
 END
 wait "$campaign" || status=1

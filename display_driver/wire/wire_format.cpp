@@ -1,11 +1,10 @@
 #include "display_driver/wire/wire_format.h"
 
-#include <isa-l/crc.h>
-
 #include <algorithm>
 #include <cstring>
 
 #include "oc_core/base/check.h"
+#include "oc_core/base/crc32c.h"
 
 namespace ocelli::wire {
 namespace {
@@ -92,15 +91,7 @@ bool isWhole(std::span<const uint8_t> bytes, size_t size) {
 }  // namespace
 
 uint32_t crc32c(std::span<const uint8_t> bytes, uint32_t before) {
-  // The library takes lengths as int, and leaves both inversions to its caller.
-  uint32_t crc = ~before;
-  constexpr size_t kMax = size_t{1} << 30;
-  while (!bytes.empty()) {
-    const std::span<const uint8_t> some = bytes.first(std::min(bytes.size(), kMax));
-    crc = crc32_iscsi(const_cast<uint8_t*>(some.data()), static_cast<int>(some.size()), crc);
-    bytes = bytes.subspan(some.size());
-  }
-  return ~crc;
+  return ocelli::crc32c(bytes, before);
 }
 
 uint32_t crc32cOfNumber(uint32_t number, uint32_t before) {

@@ -1,10 +1,11 @@
 #include "oc_core/pack/pack_format.h"
 
-#include <isa-l/crc.h>
 #include <meshoptimizer.h>
 
 #include <algorithm>
 #include <cstring>
+
+#include "oc_core/base/crc32c.h"
 
 namespace ocelli::opack {
 namespace {
@@ -44,15 +45,7 @@ const uint8_t* take(const uint8_t* from, std::vector<T>& values, size_t count) {
 }  // namespace
 
 uint32_t checksum(std::span<const uint8_t> bytes) {
-  constexpr size_t kAtOnce = size_t{1} << 30;
-  uint32_t crc = 0xffffffffu;
-  while (!bytes.empty()) {
-    const std::span<const uint8_t> some = bytes.first(std::min(bytes.size(), kAtOnce));
-    // NOLINTNEXTLINE(cppcoreguidelines-pro-type-const-cast): it reads only
-    crc = crc32_iscsi(const_cast<uint8_t*>(some.data()), static_cast<int>(some.size()), crc);
-    bytes = bytes.subspan(some.size());
-  }
-  return ~crc;
+  return crc32c(bytes);
 }
 
 std::vector<uint8_t> blobOf(const ClusterGroup& group) {

@@ -28,12 +28,26 @@ std::vector<std::string> x265Arguments() {
   return {"-preset", "medium", "-tune", "zerolatency", "-x265-params", "keyint=-1:log-level=error"};
 }
 
+/// Of films that are there as a whole: frames may wait for later ones.
+std::vector<std::string> x265FilmArguments() {
+  return {"-preset", "medium", "-x265-params", "keyint=250:log-level=error"};
+}
+std::vector<std::string> av1FilmArguments() {
+  return {"-preset", "6", "-g", "240"};
+}
+
 constexpr std::array<StreamKind, 4> kKinds{{
     {"x264", "libx264", "H.264 by x264, a frame at a time, colour at half the resolution", "yuv420p", x264Arguments},
     {"x265", "libx265", "HEVC by x265, a frame at a time, colour at half the resolution", "yuv420p", x265Arguments},
     {"x264-444", "libx264", "H.264 by x264, a frame at a time, colour at the full resolution", "yuv444p",
      x264Arguments},
     {"x265-444", "libx265", "HEVC by x265, a frame at a time, colour at the full resolution", "yuv444p", x265Arguments},
+}};
+constexpr std::array<StreamKind, 2> kFilmKinds{{
+    {"x265-film", "libx265", "HEVC by x265, all frames at hand, colour at half the resolution", "yuv420p",
+     x265FilmArguments},
+    {"av1-film", "libsvtav1", "AV1 by SVT-AV1, all frames at hand, colour at half the resolution", "yuv420p",
+     av1FilmArguments},
 }};
 
 /// An expression of ffmpeg's that is 1 for these frames, in rising order: halves of halves, as a sum of all of them
@@ -78,6 +92,10 @@ std::vector<size_t> packetSizes(std::string_view text) {
 
 std::span<const StreamKind> streamKinds() {
   return kKinds;
+}
+
+std::span<const StreamKind> filmKinds() {
+  return kFilmKinds;
 }
 
 const StreamKind* findStreamKind(std::string_view name) {

@@ -27,6 +27,8 @@ struct StreamKind {
 };
 std::span<const StreamKind> streamKinds();
 const StreamKind* findStreamKind(std::string_view name);
+/// Those of films that are there as a whole, whose frames may wait for later ones: nothing for a stream.
+std::span<const StreamKind> filmKinds();
 
 /// How much a frame may cost: the constant rate factor of x264 and x265 (0 to 51, less is better), and at most so many
 /// bytes a second, over a tenth of a second, where given.

@@ -3,18 +3,13 @@
 #pragma once
 
 #include <cstdint>
-#include <glm/vec3.hpp>
 #include <memory>
 #include <span>
 
+#include "oc_core/render/sight_line.h"
 #include "oc_core/scene/mesh.h"
 
 namespace ocelli {
-
-struct SightLine {
-  glm::vec3 from{0};
-  glm::vec3 to{0};
-};
 
 class BlockedRays {
  public:

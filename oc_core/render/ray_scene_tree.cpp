@@ -1,5 +1,6 @@
 // RayScene without Embree: slower, with the same results but for rounding.
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 #include "oc_core/render/ray_segment.h"
@@ -53,6 +54,15 @@ Fragment RayScene::intersect(const RayPath& path) const {
 void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const {
   OC_CHECK(paths.size() == fragments.size(), "one fragment a path");
   std::transform(paths.begin(), paths.end(), fragments.begin(), [&](const RayPath& path) { return intersect(path); });
+}
+
+void RayScene::meet(std::span<const SightLine> lines, std::span<float> shares) const {
+  OC_CHECK(lines.size() == shares.size(), "one share a line");
+  std::transform(lines.begin(), lines.end(), shares.begin(), [&](const SightLine& line) {
+    const glm::vec3 step = line.to - line.from;
+    const auto meeting = castable(line.from, step) ? impl_->tree.meet(line.from, step, 1) : std::nullopt;
+    return meeting ? std::min(static_cast<float>(meeting->share), 1.0f) : std::numeric_limits<float>::infinity();
+  });
 }
 
 const Mesh& RayScene::mesh() const {

@@ -12,6 +12,7 @@
 #include "oc_core/camera/camera.h"
 #include "oc_core/render/fragment_image.h"
 #include "oc_core/render/ray_target.h"
+#include "oc_core/render/sight_line.h"
 
 namespace ocelli {
 
@@ -49,6 +50,9 @@ class RayScene final : public RayTarget {
   Fragment intersect(const RayPath& path) const;
   /// The same for each of many paths, in packets: neighbours should run alike.
   void intersect(std::span<const RayPath> paths, std::span<Fragment> fragments) const;
+  /// How far along each line a triangle is first met, as a share of its way; infinity where none is. In packets:
+  /// neighbours should run alike. Lines whose coordinates are not finite meet nothing.
+  void meet(std::span<const SightLine> lines, std::span<float> shares) const;
   /// Around all triangles; empty as boundsOf() of an empty mesh.
   Box bounds() const override;
   /// Whether a point of the surface lies within `reach` of `point`.

@@ -121,14 +121,14 @@ endif()")
 
 # All.
 set(all "find_package(Ocelli REQUIRED)
-foreach(target IN ITEMS foundation mazes pages core streaming import display driver trials study analysis power)
+foreach(target IN ITEMS foundation mazes pages core streaming seas import display driver trials study analysis power)
   if(NOT TARGET Ocelli::\${target})
     message(FATAL_ERROR \"no Ocelli::\${target}\")
   endif()
 endforeach()")
 must_configure("${all}")
 
-must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, streaming, import, display, driver, trials, study, analysis, power"
+must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, streaming, seas, import, display, driver, trials, study, analysis, power"
   "find_package(Ocelli REQUIRED COMPONENTS core graphics)")
 must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED COMPONENTS study)"
   -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)

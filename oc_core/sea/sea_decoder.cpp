@@ -1,0 +1,39 @@
+#include "oc_core/sea/sea_decoder.h"
+
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+
+SeaDecoder::SeaDecoder(const SeaSettings& settings, const SeaProxy& proxy)
+    : settings_(settings),
+      proxy_(proxy),
+      iCodec_(findColorCodec(settings.iCodec)),
+      pCodec_(findColorCodec(settings.pCodec)) {
+  OC_CHECK(iCodec_ != nullptr && pCodec_ != nullptr, "settings are validated");
+}
+
+Image<Rgb8> SeaDecoder::decoded(const ColorCodec& codec, std::span<const uint8_t> bytes) const {
+  Image<Rgb8> image;
+  runAlone([&] {
+    image = codec.decode(std::as_bytes(bytes), {settings_.projection.width, settings_.projection.height});
+  });
+  return image;
+}
+
+Image<Rgb8> SeaDecoder::inner(std::span<const uint8_t> bytes) const {
+  return decoded(*iCodec_, bytes);
+}
+
+Image<Rgb8> SeaDecoder::predicted(const WarpReference& reference, const SeaPose& referencePose,
+                                  const SeaPose& target) const {
+  const WarpMap map = makeWarpMap(proxy_, settings_.projection, target, referencePose, settings_.warpCell);
+  Image<Rgb8> image = warpedImage(reference, map);
+  fillUnseen(image, map);
+  return image;
+}
+
+Image<Rgb8> SeaDecoder::residual(std::span<const uint8_t> bytes) const {
+  return decoded(*pCodec_, bytes);
+}
+
+}  // namespace ocelli

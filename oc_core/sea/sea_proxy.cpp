@@ -1,0 +1,20 @@
+#include "oc_core/sea/sea_proxy.h"
+
+#include <algorithm>
+#include <glm/geometric.hpp>
+#include <utility>
+
+namespace ocelli {
+
+SeaProxy::SeaProxy(Mesh mesh)
+    : mesh_(std::make_unique<Mesh>(std::move(mesh))),
+      rays_(std::make_unique<RayScene>(*mesh_)),
+      blocked_(std::make_unique<BlockedRays>(*mesh_)) {
+  if (!mesh_->empty()) {
+    const Box box = boundsOf(*mesh_);
+    constexpr float kExtents = 100;
+    far_ = std::max(kExtents * glm::distance(box.lower, box.upper), 1e-3f);
+  }
+}
+
+}  // namespace ocelli

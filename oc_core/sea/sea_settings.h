@@ -1,0 +1,38 @@
+// How a sea was built: what its file says of itself, as JSON.
+#pragma once
+
+#include <string>
+
+#include "oc_core/sea/sea_projection.h"
+#include "oc_core/sea/sea_tree.h"
+#include "oc_core/sea/warp_map.h"
+
+namespace ocelli {
+
+struct SeaSettings {
+  std::string source;  ///< of the images: as the user wrote it
+  SeaProjection projection;
+  SeaWay way = SeaWay::kDirect;
+  int spacing = 4;  ///< levels of the tree below an I-node, as in the text
+  /// Codecs of oc_core/image_codecs by name, and their qualities; the text has 75 and 65.
+  std::string iCodec = "jpeg";
+  std::string pCodec = "jpeg";
+  double iQuality = 75;
+  double pQuality = 65;
+  /// Residuals of little energy get a quality that is lower by up to this share (text: 0.3).
+  double adaptive = 0.3;
+  std::string refinement = "none";  ///< of poses: a name of pose_refinement.h
+  int warpCell = kWarpCell;
+
+  bool operator==(const SeaSettings&) const = default;
+};
+
+/// Throws InputError, naming `where`, for codecs and refinements that this build does not know, and numbers out of
+/// range.
+void validate(const SeaSettings& settings, const std::string& where);
+
+std::string jsonText(const SeaSettings& settings);
+/// Throws InputError as validate() does, and for fields that are missing or unknown.
+SeaSettings seaSettingsFromJson(const std::string& text, const std::string& where);
+
+}  // namespace ocelli
