@@ -14,6 +14,7 @@ void addSeaCommand(CLI::App& program, const CommandContext& context) {
   addSeaGetCommand(sea, context);
   addSeaEvaluateCommand(sea, context);
   addSeaVerifyCommand(sea, context);
+  addSeaExportCommand(sea, context);
 }
 
 }  // namespace ocelli

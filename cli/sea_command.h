@@ -7,6 +7,7 @@ namespace ocelli {
 
 void addSeaBuildCommand(CLI::App& sea, const CommandContext& context);
 void addSeaEvaluateCommand(CLI::App& sea, const CommandContext& context);
+void addSeaExportCommand(CLI::App& sea, const CommandContext& context);
 void addSeaGetCommand(CLI::App& sea, const CommandContext& context);
 void addSeaInfoCommand(CLI::App& sea, const CommandContext& context);
 void addSeaVerifyCommand(CLI::App& sea, const CommandContext& context);

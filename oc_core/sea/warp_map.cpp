@@ -216,15 +216,19 @@ CellCorners cornersOf(const WarpGrid& grid, std::span<const Meeting> meetings, i
 void fillCell(WarpMap& map, const WarpGrid& grid, int column, int row, const CellCorners& corners) {
   const int left = column * grid.cell;
   const int top = row * grid.cell;
-  const int right = std::min(left + grid.cell, grid.width);
-  const int bottom = std::min(top + grid.cell, grid.height);
-  for (int y = top; y < bottom; ++y) {
-    const float down = (static_cast<float>(y - top) + 0.5f) / static_cast<float>(bottom - top);
+  const int width = std::min(grid.cell, grid.width - left);
+  const int height = std::min(grid.cell, grid.height - top);
+  const float perWidth = 1 / static_cast<float>(width);
+  const float perHeight = 1 / static_cast<float>(height);
+  for (int y = 0; y < height; ++y) {
+    const float down = (static_cast<float>(y) + 0.5f) * perHeight;
     const glm::vec2 from = glm::mix(corners.places[0], corners.places[2], down);
-    const glm::vec2 step =
-        (glm::mix(corners.places[1], corners.places[3], down) - from) / static_cast<float>(right - left);
-    for (int x = left; x < right; ++x) {
-      map(x, y) = from + step * (static_cast<float>(x - left) + 0.5f);
+    const glm::vec2 step = (glm::mix(corners.places[1], corners.places[3], down) - from) * perWidth;
+    float* to = &map(left, top + y).x;
+    for (int x = 0; x < width; ++x) {
+      const float right = static_cast<float>(x) + 0.5f;
+      to[2 * x] = from.x + step.x * right;
+      to[2 * x + 1] = from.y + step.y * right;
     }
   }
 }

@@ -45,8 +45,8 @@ struct FolderKind {
 };
 
 constexpr std::array kFolderKinds{FolderKind{"positions.csv (columns file, x, y, z) and omnidirectional images",
-                                       isPositionFolder, readPositionFolder},
-                            FolderKind{"COLMAP's cameras.txt and images.txt", isColmapFolder, readColmapFolder}};
+                                             isPositionFolder, readPositionFolder},
+                                  FolderKind{"COLMAP's cameras.txt and images.txt", isColmapFolder, readColmapFolder}};
 
 }  // namespace
 

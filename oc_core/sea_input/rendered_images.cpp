@@ -5,8 +5,6 @@
 #include <glm/gtc/quaternion.hpp>
 #include <utility>
 
-#include "oc_core/base/check.h"
-
 namespace ocelli {
 namespace {
 
@@ -56,23 +54,6 @@ Image<Rgb8> RenderedImages::image(uint32_t index) const {
     sum /= static_cast<float>(samples * samples);
   }
   return srgbFromLinear(sums);
-}
-
-std::vector<SeaPose> posesAlong(const std::vector<glm::vec3>& way, double spacing, size_t count) {
-  OC_CHECK(way.size() >= 2 && spacing > 0, "a way has a length");
-  std::vector<SeaPose> poses{{glm::dvec3(way[0]), glm::dquat(1, 0, 0, 0)}};
-  double left = spacing;  // until the next place
-  for (size_t i = 1; i < way.size() && (count == 0 || poses.size() < count); ++i) {
-    const glm::dvec3 from(way[i - 1]);
-    const glm::dvec3 to(way[i]);
-    const double length = glm::distance(from, to);
-    double at = left;
-    for (; at <= length && (count == 0 || poses.size() < count); at += spacing) {
-      poses.push_back({glm::mix(from, to, at / length), glm::dquat(1, 0, 0, 0)});
-    }
-    left = at - length;
-  }
-  return poses;
 }
 
 }  // namespace ocelli

@@ -36,8 +36,4 @@ class RenderedImages final : public SeaSource {
   Options options_;
 };
 
-/// Places on a way, each so far from the one before; at most `count`, 0: as many as there are. The way has two points
-/// or more. Cameras look along -z, up is y.
-std::vector<SeaPose> posesAlong(const std::vector<glm::vec3>& way, double spacing, size_t count);
-
 }  // namespace ocelli

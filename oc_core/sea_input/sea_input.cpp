@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <glm/geometric.hpp>
 #include <utility>
 
 #include "oc_core/base/error.h"
@@ -77,6 +78,14 @@ void keepChosen(std::vector<SeaPose>& poses, const SeaInputOptions& options, con
   }
 }
 
+double lengthOf(const std::vector<glm::vec3>& path) {
+  double length = 0;
+  for (size_t i = 1; i < path.size(); ++i) {
+    length += glm::distance(glm::dvec3(path[i - 1]), glm::dvec3(path[i]));
+  }
+  return length;
+}
+
 std::vector<SeaPose> posesInScene(const std::string& input, const SceneGuides& guides, const SeaInputOptions& options) {
   if (!options.positions.empty() && !options.grid.empty()) {
     throw InputError("a table of places and a grid do not go together", "--grid", "leave one of them out");
@@ -91,7 +100,16 @@ std::vector<SeaPose> posesInScene(const std::string& input, const SceneGuides& g
     throw InputError("this scene knows no path to take images along", input,
                      "give --positions FILE.csv, or --grid X0,Z0,X1,Z1,SPACING");
   }
-  return posesAlong(guides.path, options.spacing.value_or(kUsualSpacing), 0);
+  SeaWalk walk = guides.sea.value_or(SeaWalk{0, static_cast<float>(kUsualSpacing)});
+  if (options.spacing || walk.count == 0) {
+    walk.spacing = static_cast<float>(options.spacing.value_or(walk.spacing));
+    walk.count = static_cast<size_t>(lengthOf(guides.path) / walk.spacing) + 1;
+  }
+  std::vector<SeaPose> poses;
+  for (const glm::vec3& position : seaPositions(guides.path, walk)) {
+    poses.push_back({glm::dvec3(position), glm::dquat(1, 0, 0, 0)});
+  }
+  return poses;
 }
 
 std::vector<glm::dvec3> positionsOf(const std::vector<SeaPose>& poses) {

@@ -65,15 +65,6 @@ TEST(RenderedImages, PixelsAreMeansOfTheirSamples) {
   EXPECT_GT(differs, 10);
 }
 
-TEST(PosesAlong, StandEquallyFarApartRoundCorners) {
-  const std::vector<SeaPose> poses = posesAlong({{0, 1, 0}, {1, 1, 0}, {1, 1, 0.55f}}, 0.3, 0);
-  ASSERT_EQ(poses.size(), 6u);
-  EXPECT_NEAR(glm::distance(poses[3].position, glm::dvec3(0.9, 1, 0)), 0, 1e-6);
-  EXPECT_NEAR(glm::distance(poses[4].position, glm::dvec3(1, 1, 0.2)), 0, 1e-6) << "the rest of the way goes on";
-  EXPECT_NEAR(glm::distance(poses[5].position, glm::dvec3(1, 1, 0.5)), 0, 1e-6);
-  EXPECT_EQ(posesAlong({{0, 1, 0}, {1, 1, 0}}, 0.3, 2).size(), 2u);
-}
-
 TEST(SeaProxies, ABoxHoldsPositionsAndMostPoints) {
   std::vector<glm::dvec3> points;
   for (int i = 0; i <= 100; ++i) {
