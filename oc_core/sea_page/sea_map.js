@@ -52,7 +52,8 @@
       return layer;
     }
 
-    draw({eye, yaw, fov}, blend) {
+    /// `half`: of what is seen from left to right, radians.
+    draw({eye, yaw}, half, blend) {
       const context = this.canvas.getContext('2d');
       context.setTransform(1, 0, 0, 1, 0, 0);
       context.clearRect(0, 0, this.canvas.width, this.canvas.height);
@@ -67,7 +68,6 @@
       const [x, y] = this.pixelOf([eye[0], eye[2]]);
       context.strokeStyle = context.fillStyle = this.color('accent');
       const middle = (yaw - 90) * Math.PI / 180;
-      const half = fov * Math.PI / 360;
       context.globalAlpha = 0.45;
       context.beginPath();
       context.moveTo(x, y);

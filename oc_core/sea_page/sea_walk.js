@@ -132,7 +132,8 @@
         this.picture.draw(this.view, old);
       }
       this.isWhole = parts.length === this.blend.length;
-      this.map.draw(this.view, this.blend);
+      const half = Math.atan(Math.tan(this.view.fov * Math.PI / 360) * this.canvas.width / this.canvas.height);
+      this.map.draw(this.view, half, this.blend);
       const shares = this.blend.map(({index, weight}) => `${index} (${Math.round(100 * weight)} %)`).join(', ');
       const status = `${this.blend.length > 1 ? 'Between places' : 'Place'} ${this.blend.length > 1 ? shares : this.blend[0].index} of ${this.data.places.length}`;
       if (element('status').textContent !== status) {
