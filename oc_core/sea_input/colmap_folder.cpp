@@ -139,10 +139,10 @@ bool isColmapFolder(const fs::path& folder) {
   return modelFolder(folder).has_value();
 }
 
-ImageFolder readColmapFolder(const fs::path& folder) {
+PosedImages readColmapFolder(const fs::path& folder) {
   const fs::path model = *modelFolder(folder);
   const std::map<int, SeaProjection> cameras = readCameras(model / "cameras.txt");
-  ImageFolder read;
+  PosedImages read;
   std::optional<int> first;
   ColmapLines lines(model / "images.txt");
   while (lines.next()) {

@@ -13,6 +13,6 @@ namespace ocelli {
 
 bool isColmapFolder(const std::filesystem::path& folder);
 /// Throws InputError with file and line.
-ImageFolder readColmapFolder(const std::filesystem::path& folder);
+PosedImages readColmapFolder(const std::filesystem::path& folder);
 
 }  // namespace ocelli

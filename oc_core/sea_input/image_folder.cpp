@@ -21,13 +21,13 @@ bool isPositionFolder(const fs::path& folder) {
 }
 
 /// Omnidirectional images, and a table of where they were taken.
-ImageFolder readPositionFolder(const fs::path& folder) {
+PosedImages readPositionFolder(const fs::path& folder) {
   const std::string where = (folder / kPositions).string();
   PlaceTable table = placesFromCsv(readFile(folder / kPositions, kMaxTextBytes), where);
   if (table.files.empty()) {
     throw InputError("this table names no images", where, "add a column \"file\"");
   }
-  ImageFolder read;
+  PosedImages read;
   read.poses = std::move(table.poses);
   read.names = std::move(table.files);
   for (const std::string& name : read.names) {
@@ -41,7 +41,7 @@ ImageFolder readPositionFolder(const fs::path& folder) {
 struct FolderKind {
   const char* holds;  ///< in messages
   bool (*is)(const fs::path& folder);
-  ImageFolder (*read)(const fs::path& folder);
+  PosedImages (*read)(const fs::path& folder);
 };
 
 constexpr std::array kFolderKinds{FolderKind{"positions.csv (columns file, x, y, z) and omnidirectional images",
@@ -50,7 +50,7 @@ constexpr std::array kFolderKinds{FolderKind{"positions.csv (columns file, x, y,
 
 }  // namespace
 
-ImageFolder readImageFolder(const fs::path& folder) {
+PosedImages readImageFolder(const fs::path& folder) {
   std::string known;
   for (const FolderKind& kind : kFolderKinds) {
     if (kind.is(folder)) {
@@ -61,7 +61,7 @@ ImageFolder readImageFolder(const fs::path& folder) {
   throw InputError("this folder does not say where its images were taken", folder.string(), "it should hold " + known);
 }
 
-FolderImages::FolderImages(std::string description, ImageFolder folder)
+FolderImages::FolderImages(std::string description, PosedImages folder)
     : description_(std::move(description)), folder_(std::move(folder)) {
   validate(folder_.projection, description_);
   validatePoses(folder_.poses, folder_.names, description_);

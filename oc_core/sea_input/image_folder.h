@@ -14,7 +14,7 @@
 namespace ocelli {
 
 /// What such a folder says.
-struct ImageFolder {
+struct PosedImages {
   SeaProjection projection;
   std::vector<SeaPose> poses;
   std::vector<std::string> names;            ///< as the folder calls them
@@ -23,12 +23,12 @@ struct ImageFolder {
 };
 
 /// Throws InputError for a folder of no kind that is known, with what it should hold, and for what is wrong in it.
-ImageFolder readImageFolder(const std::filesystem::path& folder);
+PosedImages readImageFolder(const std::filesystem::path& folder);
 
 class FolderImages final : public SeaSource {
  public:
   /// `description`: the folder as the user wrote it. The files are looked for at once. Throws InputError as above.
-  FolderImages(std::string description, ImageFolder folder);
+  FolderImages(std::string description, PosedImages folder);
 
   std::string description() const override { return description_; }
   const SeaProjection& projection() const override { return folder_.projection; }
@@ -38,7 +38,7 @@ class FolderImages final : public SeaSource {
 
  private:
   std::string description_;
-  ImageFolder folder_;
+  PosedImages folder_;
 };
 
 }  // namespace ocelli

@@ -126,7 +126,7 @@ SeaInput openFolder(const std::string& input, const SeaInputOptions& options) {
     throw InputError("images in a folder have their places already", input,
                      "leave --positions, --grid and --spacing out");
   }
-  ImageFolder folder = readImageFolder(input);
+  PosedImages folder = readImageFolder(input);
   const std::vector<glm::dvec3> points = std::move(folder.points);
   if (folder.poses.size() > options.first) {
     const auto keep = [&](auto& list) {
@@ -178,8 +178,8 @@ SeaInput openSeaSource(const std::string& input, SceneOptions sceneOptions, cons
   SeaInput opened;
   std::error_code ignored;
   if (fs::is_directory(input, ignored)) {
-    ImageFolder all = readImageFolder(input);
-    ImageFolder chosen;
+    PosedImages all = readImageFolder(input);
+    PosedImages chosen;
     chosen.projection = all.projection;
     for (const std::string& name : sea.names()) {
       const auto found = std::find(all.names.begin(), all.names.end(), name);

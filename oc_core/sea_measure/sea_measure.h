@@ -51,7 +51,7 @@ struct SeaMeasureOptions {
   size_t images = 24;              ///< that are compared, evenly chosen
   size_t timed = 64;               ///< that are had at random
   size_t run = 120;                ///< in a row, for video
-  std::vector<std::string> peers;  ///< names of rows of seaPeers()
+  std::vector<std::string> peers{};  ///< names of rows of seaPeers()
 };
 
 /// What a peer is given.

@@ -2,9 +2,12 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 #include <random>
 
+#include "oc_core/base/random.h"
+#include "oc_core/worlds/solids.h"
 #include "tests/render/camera_cases.h"
 
 namespace ocelli {
@@ -44,6 +47,35 @@ TEST(Raycast, surfacesWhereSegmentsMeetAreHit) {
     }
   }
   EXPECT_GT(front, 300u);
+}
+
+TEST(RayScene, linesMeetWhatTheirPathsHit) {
+  const Mesh mesh = makeTorus(0.3f, 24);
+  const RayScene rays(mesh);
+  Random random(1);
+  std::vector<SightLine> lines;
+  for (int i = 0; i < 403; ++i) {  // not a multiple of any packet
+    const auto point = [&] {
+      return glm::vec3(random.inRange(-1.2f, 1.2f), random.inRange(-1.2f, 1.2f), random.inRange(-1.2f, 1.2f));
+    };
+    lines.push_back({point(), point()});
+  }
+  lines.push_back({{0, 0, 0}, {0, 0, std::nanf("")}});
+  std::vector<float> shares(lines.size(), 7);
+  rays.meet(lines, shares);
+  size_t met = 0;
+  for (size_t i = 0; i + 1 < lines.size(); ++i) {
+    const Fragment expected = rays.intersect(RayPath{lines[i].from, lines[i].to});
+    const float length = glm::distance(lines[i].from, lines[i].to);
+    if (expected.covered()) {
+      EXPECT_NEAR(shares[i] * length, expected.t, 1e-5f) << i;
+      ++met;
+    } else {
+      EXPECT_TRUE(std::isinf(shares[i])) << i;
+    }
+  }
+  EXPECT_TRUE(std::isinf(shares.back()));
+  EXPECT_GT(met, 50u);
 }
 
 TEST(RayScene, whatLiesBeyondTheLastPointIsNotHit) {

@@ -11,6 +11,7 @@
 #include "oc_core/base/parallel.h"
 #include "oc_core/base/random.h"
 #include "oc_core/sea/sea_build.h"
+#include "oc_core/sea/sea_folder.h"
 #include "oc_core/sea/sea_summary.h"
 #include "oc_core/sea/sea_writer.h"
 #include "tests/base/full_disk.h"
@@ -223,6 +224,15 @@ TEST_F(SeaFileTest, ViewsFromBetweenAreAsTheyWouldBeSeen) {
   EXPECT_LT(meanDifference(sea.view(between), images_.seenFrom(between)), 4);
   // At the place of an image it is that image.
   EXPECT_LT(meanDifference(sea.view(sea.pose(7)), sea.image(7)), 0.5);
+}
+
+TEST_F(SeaFileTest, WritesItsImagesAndTheirPlaces) {
+  const SeaFile sea(build("room.sea", settingsOf(images_)));
+  writeSeaFolder(sea, folder_ / "out");
+  EXPECT_EQ(readPng(folder_ / "out/image3.png"), sea.image(3));
+  EXPECT_THAT(fileBytes(folder_ / "out/positions.csv"),
+              AllOf(HasSubstr("file,x,y,z,qw"), HasSubstr("image3.png,0.15,0,-0.22")));
+  EXPECT_TRUE(fs::exists(folder_ / "out/proxy.ply"));
 }
 
 }  // namespace

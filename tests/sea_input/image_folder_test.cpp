@@ -83,7 +83,7 @@ TEST(PlaceTable, TakesQuaternions) {
   EXPECT_THAT(read(""), ThrowsMessage<InputError>(HasSubstr("empty")));
 }
 
-TEST(ImageFolder, SaysWhatItShouldHold) {
+TEST(PosedImages, SaysWhatItShouldHold) {
   const TemporaryFolder folder;
   EXPECT_THAT([&] { readImageFolder(folder.path()); },
               ThrowsMessage<InputError>(AllOf(HasSubstr("positions.csv"), HasSubstr("cameras.txt"))));
@@ -107,7 +107,7 @@ class ColmapFolder : public testing::Test {
 
 TEST_F(ColmapFolder, TurnsPosesIntoOurs) {
   folder_.write("sparse/0/points3D.txt", "# id\n7 1 2 3 255 0 0 0.5 1 0\n");
-  const ImageFolder folder = readImageFolder(folder_.path());
+  const PosedImages folder = readImageFolder(folder_.path());
   EXPECT_EQ(folder.projection,
             (SeaProjection{SeaProjectionKind::kPinhole, 64, 48, glm::dvec2(50, 51), glm::dvec2(32, 24)}));
   EXPECT_THAT(folder.names, ElementsAre("one.png", "two words.png"));
@@ -121,7 +121,7 @@ TEST_F(ColmapFolder, TurnsPosesIntoOurs) {
 }
 
 TEST_F(ColmapFolder, APointIsSeenWhereColmapSeesIt) {
-  const ImageFolder folder = readImageFolder(folder_.path());
+  const PosedImages folder = readImageFolder(folder_.path());
   // By COLMAP's own rule: K (R p + t).
   const glm::dquat rotation(0.70710678, 0, 0.70710678, 0);
   const glm::dvec3 point = glm::dvec3(1, 2, 3) + glm::inverse(rotation) * glm::dvec3(0.3, -0.2, 2);
