@@ -20,7 +20,7 @@ constexpr int kLampSteps = 3;          // samples of a lamp along each side
 constexpr size_t kSkyRays = 40;
 
 /// Where a ray enters the box between two corners, seen from its beginning.
-float entryOf(const glm::vec3& lower, const glm::vec3& upper, const glm::vec3& inverse) {
+inline float entryOf(const glm::vec3& lower, const glm::vec3& upper, const glm::vec3& inverse) {
   const glm::vec3 a = lower * inverse;
   const glm::vec3 b = upper * inverse;
   const glm::vec3 near = glm::min(a, b);
@@ -50,8 +50,9 @@ std::array<glm::vec3, kSkyRays> skyDirections() {
 }  // namespace
 
 float IndoorLight::Occluder::entry(const glm::vec3& from, const glm::vec3& along, const glm::vec3& inverse) const {
-  if (!isTurned) {
-    return entryOf(bounds.lower - from, bounds.upper - from, inverse);
+  const float outer = entryOf(bounds.lower - from, bounds.upper - from, inverse);
+  if (!isTurned || outer == std::numeric_limits<float>::infinity()) {
+    return outer;
   }
   const glm::vec3 origin(boxFromWorld * glm::vec4(from, 1));
   return entryOf(-half - origin, half - origin, inverseOf(glm::vec3(boxFromWorld * glm::vec4(along, 0))));

@@ -84,6 +84,28 @@ TEST_F(SeaCommand, aFolderThatWasExportedMakesTheSameSea) {
   EXPECT_EQ(readPng(folder_ / "named.png"), again);
 }
 
+TEST_F(SeaCommand, exportsAPage) {
+  ASSERT_EQ(build().exitCode, 0);
+  const ProgramResult result = runProgram("sea export " + path("house.sea") + " --page " + path("page") + " --every 5");
+  ASSERT_EQ(result.exitCode, 0) << result.error;
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "page/index.html"));
+  // Of twelve images those with the numbers 0, 5 and 10.
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "page/images/00002.js"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "page/images/00003.js"));
+  const std::string sea = fileBytes(folder_ / "page/sea.js");
+  const size_t from = sea.find('(') + 1;
+  const auto data = nlohmann::json::parse(sea.substr(from, sea.rfind(')') - from));
+  EXPECT_EQ(data["title"], "house");
+  ASSERT_EQ(data["places"].size(), 3u);
+  EXPECT_NEAR(data["places"][0]["eye"][0], 2, 1e-5);
+  EXPECT_NEAR(data["places"][0]["eye"][1], 1.6, 1e-5);
+  EXPECT_NEAR(data["places"][0]["forward"][2], -1, 1e-5);
+  EXPECT_FALSE(data["proxy"].is_null());
+  for (const char* wrong : {"", " --folder f --page p", " --folder f --every 2"}) {
+    EXPECT_EQ(runProgram("sea export " + path("house.sea") + wrong).exitCode, 2) << wrong;
+  }
+}
+
 TEST_F(SeaCommand, saysWhatIsWrong) {
   const auto fails = [&](const std::string& arguments) {
     const ProgramResult result = runProgram("sea " + arguments);

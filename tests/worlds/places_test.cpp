@@ -8,6 +8,7 @@
 #include <numeric>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
 #include "oc_core/worlds/builtin_scenes.h"
 #include "oc_core/worlds/place_builder.h"
 #include "oc_core/worlds/place_walk.h"
@@ -112,14 +113,35 @@ TEST_P(EveryPlace, KeepsAwayFromAllThings) {
   EXPECT_LE(nearest, 1.0f) << "nothing was found: the test looks in the wrong place";
 }
 
-TEST_P(EveryPlace, IsTheSameOfASeedAndAnotherOfAnother) {
+TEST_P(EveryPlace, IsTheSameOfASeedWithAnyNumberOfThreads) {
+  setThreadCount(1);
   const Mesh one = flatten(built(0.15));
+  setThreadCount(4);
   const Mesh same = flatten(built(0.15));
+  setThreadCount(0);
   const Mesh other = flatten(built(0.15, 2));
   EXPECT_EQ(one.positions, same.positions);
   EXPECT_EQ(one.colors, same.colors);
   EXPECT_EQ(one.triangles, same.triangles);
   EXPECT_NE(one.colors, other.colors);
+}
+
+TEST_P(EveryPlace, IsFittedWithItsWalk) {
+  const std::string source = "builtin:" + std::string(GetParam().name) + ",texel=0.2";
+  const GuidedScene fitted = loadGuidedScene(source);
+  const GuidedScene metres = loadGuidedScene(source, {.fit = false});
+  float radius = 0;
+  for (const glm::vec3& p : fitted.mesh.positions) {
+    radius = std::max(radius, glm::length(p));
+  }
+  EXPECT_NEAR(radius, 1, 1e-5);
+  EXPECT_EQ(fitted.mesh.colors.size(), fitted.mesh.positions.size());
+  // No light falls on what has its light already.
+  EXPECT_EQ(loadScene(source, {.fit = false, .shading = Shading::kNone}).colors.front(), metres.mesh.colors.front());
+  const float scale = glm::length(glm::vec3(fitted.worldFromScene[0]));
+  ASSERT_TRUE(fitted.guides.sea);
+  EXPECT_NEAR(fitted.guides.sea->spacing, scale * metres.guides.sea->spacing, 1e-7);
+  EXPECT_EQ(seaPositions(fitted.guides.path, *fitted.guides.sea).size(), GetParam().count);
 }
 
 TEST_P(EveryPlace, IsNeitherDarkNorOverexposed) {

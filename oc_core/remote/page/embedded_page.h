@@ -2,14 +2,10 @@
 #pragma once
 
 #include <span>
-#include <string_view>
+
+#include "oc_core/base/embedded_file.h"
 
 namespace ocelli {
-
-struct EmbeddedFile {
-  std::string_view name;
-  std::string_view bytes;
-};
 
 std::span<const EmbeddedFile> embeddedPage();
 
