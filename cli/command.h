@@ -85,6 +85,7 @@ struct ExitCode {
 /// Flushes standard output. Throws WorkError where what was printed could not be written in full.
 void flushStandardOutput();
 
+void addSeaCommand(CLI::App& program, const CommandContext& context);
 void addSceneCommand(CLI::App& program, const CommandContext& context);
 void addPresentCommand(CLI::App& program, const CommandContext& context);
 void addShadeCommand(CLI::App& program, const CommandContext& context);
