@@ -167,6 +167,7 @@ ViewsSurface surfaceOfViews(std::vector<DepthView> views, const ViewsSurfaceOpti
   }
   surface.mesh = unionMesh(images);
   surface.mesh.isPart = true;
+  surface.mesh.isSampled = true;
   return surface;
 }
 

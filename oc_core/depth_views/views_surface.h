@@ -18,19 +18,19 @@ namespace ocelli {
 struct ViewsSurfaceOptions {
   /// Samples of two views are of the same place where they are at most so many spaces between samples apart: of the
   /// view whose sample stays, and no less than of a surface that is seen face on.
-  float maxSpaces = 1;
+  float maxSpaces = 0.75f;
   /// A view is better where its samples are so many times closer together, or more.
   float betterBy = 2;
   /// Samples with such neighbours, pixel footprints apart, are joined; longer steps say nothing of a surface.
   float maxStepFootprints = 10;
   /// Around what stays of a view, so many samples of the same surface stay too.
-  int seamPixels = 1;
+  int seamPixels = 2;
   /// All samples stay: what views that see the same place differently look like.
   bool keepsAll = false;
 };
 
 struct ViewsSurface {
-  Mesh mesh;                 ///< a part of a scene (Mesh::isPart): nothing tells what is inside of objects
+  Mesh mesh;                 ///< a part of a scene (Mesh::isPart), and of samples (Mesh::isSampled)
   std::vector<size_t> kept;  ///< samples of each view
   size_t samples = 0;        ///< of all views, before any was dropped
 
