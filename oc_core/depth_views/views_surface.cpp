@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -22,6 +23,7 @@ class SampledView {
         project_(projectionOf(image)),
         points_(image.width(), image.height(), glm::vec3(0)),
         spaces_(image.width(), image.height(), 0),
+        widest_(image.width(), image.height(), 0),
         grades_(image.width(), image.height(), 0) {
     const PinholeCamera reference = image.reference();
     forRows([&](int x, int y) {
@@ -40,10 +42,28 @@ class SampledView {
         spaces(x, y) = std::max({own, std::min(rows, columns) > 0 ? std::max(rows, columns) : own});
         // What has no neighbour along a row or a column may be as sparse as anything.
         const float widest = rows > 0 && columns > 0 ? spaces(x, y) : options_.maxStepFootprints * own;
-        grades_(x, y) = static_cast<int>(std::floor(std::log(widest) / std::log(options_.betterBy)));
+        widest_(x, y) = widest;
       }
     });
     spaces_ = std::move(spaces);
+  }
+
+  /// The distance that half of the samples are closer together than, world units.
+  float medianSpace() const {
+    std::vector<float> all;
+    std::copy_if(widest_.begin(), widest_.end(), std::back_inserter(all), [](float space) { return space > 0; });
+    const auto middle = all.begin() + static_cast<std::ptrdiff_t>(all.size() / 2);
+    std::nth_element(all.begin(), middle, all.end());
+    return *middle;
+  }
+  /// Most samples are of grade 0 where `usual` is a usual distance: nothing divides them.
+  void gradeBy(float usual) {
+    forRows([&](int x, int y) {
+      if (holds(x, y)) {
+        grades_(x, y) =
+            static_cast<int>(std::floor(std::log(widest_(x, y) / usual) / std::log(options_.betterBy) + 0.5f));
+      }
+    });
   }
 
   bool holds(int x, int y) const { return spaces_(x, y) > 0; }
@@ -111,6 +131,7 @@ class SampledView {
   Projection project_;
   Image<glm::vec3> points_;
   Image<float> spaces_;  ///< to the next samples, world units; 0 where there is no sample
+  Image<float> widest_;  ///< the same, where a neighbour is missing as wide as can be
   Image<int> grades_;
 };
 
@@ -146,6 +167,10 @@ ViewsSurface surfaceOfViews(std::vector<DepthView> views, const ViewsSurfaceOpti
     sampled.reserve(views.size());
     for (const DepthView& view : views) {
       sampled.emplace_back(view.image, options);
+    }
+    const float usual = sampled.front().medianSpace();
+    for (SampledView& view : sampled) {
+      view.gradeBy(usual);
     }
     for (size_t i = 0; i < views.size(); ++i) {
       report(progress, "joining views", static_cast<double>(i) / static_cast<double>(views.size()));
