@@ -11,6 +11,7 @@
 #include <CLI/CLI.hpp>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <functional>
 #include <nlohmann/json.hpp>
 
@@ -49,6 +50,7 @@ struct ViewsBenchChoice {
   bool alsoOfScene = false;
   ViewsSurfaceOptions surface;
   std::string json;
+  std::string pictures;
 };
 
 struct Truth {
@@ -120,11 +122,18 @@ size_t samplesOf(const ReferenceImages& images) {
 /// One line: what keeps how many samples, and how good its pictures are.
 class ViewsTable {
  public:
-  ViewsTable(std::string scene, double cell, size_t unit, const std::vector<Truth>& truths)
-      : scene_(std::move(scene)), cell_(cell), unit_(static_cast<double>(unit)), truths_(truths) {}
+  ViewsTable(std::string scene, double cell, size_t unit, const std::vector<Truth>& truths, std::string pictures)
+      : scene_(std::move(scene)),
+        cell_(cell),
+        unit_(static_cast<double>(unit)),
+        truths_(truths),
+        pictures_(std::move(pictures)) {
+    writePicture("scene", truths_.front().frame.image);
+  }
 
   void add(const std::string& name, size_t samples, const Mesh& mesh, double buildMilliseconds, size_t packed = 0) {
     const LumaErrors errors = errorsOf(mesh, truths_);
+    writePicture(name, renderFrame(truths_.front().camera, mesh).image);
     const double share = static_cast<double>(samples) / unit_;
     fmt::print("| {} | {:.1f} | {} | {:.2f} | {:.2f} | {:.2f} | {:.2f} % | {:.0f} ms |{}\n", scene_, cell_, name, share,
                errors.psnr(), errors.psnrFilled(), 100 * errors.emptyShare(), buildMilliseconds,
@@ -145,10 +154,18 @@ class ViewsTable {
   Json rows = Json::array();
 
  private:
+  /// From the first viewpoint, where pictures are wanted.
+  void writePicture(const std::string& name, const Image<Rgb8>& image) const {
+    if (!pictures_.empty()) {
+      writePng(std::filesystem::path(pictures_) / (name + ".png"), image);
+    }
+  }
+
   std::string scene_;
   double cell_;
   double unit_;
   const std::vector<Truth>& truths_;
+  std::string pictures_;  ///< a folder, or none
 };
 
 std::vector<Truth> truthsOf(const Mesh& scene, const PinholeCamera& reference, const ViewCell& cell,
@@ -179,7 +196,7 @@ Json measureCase(const std::string& name, const Mesh& scene, double cellRadii, c
   for (ReferenceImage& image : buildCornerDepthImages(reference, scene, cell, 8)) {
     views.push_back({fmt::format("v{:02}", views.size()), std::move(image)});
   }
-  ViewsTable table(name, cellRadii, views.front().image.sampleCount(), truths);
+  ViewsTable table(name, cellRadii, views.front().image.sampleCount(), truths, choice.pictures);
   const ViewsSurface all = surfaceOfViews(views, {.keepsAll = true});
   table.add("all 9 views", all.samples, all.mesh, 0);
   PrunedViews pruned;
@@ -230,6 +247,7 @@ int main(int argumentCount, char** arguments) {
   program.add_option("--seam", choice.surface.seamPixels, "Pixels of seams")->check(CLI::Range(0, 100));
   program.add_option("--max-spaces", choice.surface.maxSpaces, "How far apart samples of the same place are, spaces");
   program.add_option("--better-by", choice.surface.betterBy, "How much closer together samples are of a better view");
+  program.add_option("--pictures", choice.pictures, "Folder for what the first viewpoint sees: of one scene and cell");
   program.add_option("--json", choice.json, "Also write the figures here");
   return ocelli::runProgram(program, argumentCount, arguments, choice, [](const auto& each) { ocelli::measure(each); });
 }
