@@ -11,10 +11,9 @@
 #include "oc_core/image/level_png.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/ocri/camera_choice.h"
-#include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/ocri/reference_image_file.h"
 #include "tests/base/temporary_folder.h"
-#include "tests/ocri/test_scenes.h"
+#include "tests/depth_views/test_views.h"
 
 namespace ocelli {
 namespace {
@@ -23,14 +22,6 @@ using test::kHeight;
 using test::kWidth;
 using test::TemporaryFolder;
 using testing::HasSubstr;
-
-std::vector<DepthView> viewsOf(const Mesh& scene) {
-  std::vector<DepthView> views;
-  for (ReferenceImage& image : buildCornerDepthImages(test::smallCamera(), scene, ViewCell{}, 4)) {
-    views.push_back({"v" + std::to_string(views.size()), std::move(image)});
-  }
-  return views;
-}
 
 std::string readingError(const std::filesystem::path& folder) {
   try {
@@ -43,7 +34,7 @@ std::string readingError(const std::filesystem::path& folder) {
 
 TEST(DepthViewsFolder, exrFilesComeBackExactly) {
   const TemporaryFolder folder;
-  const std::vector<DepthView> views = viewsOf(test::tiltedPlane(0.5f));
+  const std::vector<DepthView> views = test::cornerViews(test::tiltedPlane(0.5f), 4);
   writeDepthViews(folder / "views", views, depthViewsFormats()[0]);
   const std::vector<DepthView> back = readDepthViews(folder / "views");
   ASSERT_EQ(back.size(), views.size());
@@ -58,7 +49,7 @@ TEST(DepthViewsFolder, exrFilesComeBackExactly) {
 // Equal steps of 1/z: half a step of it is the most that a depth is off. Colours are off by half a byte of sRGB.
 TEST(DepthViewsFolder, pngFilesComeBackWithinTheirSteps) {
   const TemporaryFolder folder;
-  const std::vector<DepthView> views = viewsOf(test::tiltedPlane(0.5f));
+  const std::vector<DepthView> views = test::cornerViews(test::tiltedPlane(0.5f), 4);
   writeDepthViews(folder / "views", views, depthViewsFormats()[1]);
   const std::vector<DepthView> back = readDepthViews(folder / "views");
   ASSERT_EQ(back.size(), views.size());
@@ -99,7 +90,7 @@ TEST(DepthViewsFolder, whatIsMissingIsNamed) {
   const TemporaryFolder folder;
   EXPECT_THAT(readingError(folder / "none"), HasSubstr("there is no such folder"));
   EXPECT_THAT(readingError(folder.path()), HasSubstr("no views.json and no .exr files"));
-  writeDepthViews(folder / "views", viewsOf(test::wall(0)), depthViewsFormats()[1]);
+  writeDepthViews(folder / "views", test::cornerViews(test::wall(0), 4), depthViewsFormats()[1]);
   std::filesystem::remove(folder / "views/v2_depth.png");
   EXPECT_THAT(readingError(folder / "views"), HasSubstr("v2_depth.png"));
 }
@@ -107,7 +98,7 @@ TEST(DepthViewsFolder, whatIsMissingIsNamed) {
 TEST(DepthViewsFolder, depthsThatDoNotFitAreNamed) {
   const TemporaryFolder folder;
   const auto broken = folder / "views/v1_depth.png";
-  writeDepthViews(folder / "views", viewsOf(test::wall(0)), depthViewsFormats()[1]);
+  writeDepthViews(folder / "views", test::cornerViews(test::wall(0), 4), depthViewsFormats()[1]);
   writeLevelPng(broken, Image<uint16_t>(kWidth, kHeight / 2, 7));
   EXPECT_THAT(readingError(folder / "views"), AllOf(HasSubstr("v1_depth.png"), HasSubstr("90x30"), HasSubstr("90x60")));
   writePng(broken, Image<Rgb8>(kWidth, kHeight, Rgb8(9)));
@@ -123,11 +114,11 @@ TEST(DepthViewsFolder, otherCamerasAndBrokenDepthsAreRefused) {
   writeReferenceImages(folder / "a.exr",
                        buildReferenceImages(cameraChoice("ldi-2"), test::smallCamera(), test::tiltedPlane(0.5f)));
   EXPECT_EQ(readingError(folder.path()), "");  // of one layer, it is a depth image
-  ReferenceImages images{viewsOf(test::wall(0))[0].image};
+  ReferenceImages images{test::cornerViews(test::wall(0), 4)[0].image};
   images[0].displacement(45, 30) = {1, 0};
   writeReferenceImages(folder / "a.exr", images);
   EXPECT_THAT(readingError(folder.path()), AllOf(HasSubstr("a.exr"), HasSubstr("no view with depth")));
-  images = {viewsOf(test::wall(0))[0].image};
+  images = {test::cornerViews(test::wall(0), 4)[0].image};
   images[0].t(45, 30) = std::numeric_limits<float>::quiet_NaN();
   writeReferenceImages(folder / "a.exr", images);
   EXPECT_THAT(readingError(folder.path()), AllOf(HasSubstr("a.exr"), HasSubstr("(45, 30)")));
@@ -135,7 +126,7 @@ TEST(DepthViewsFolder, otherCamerasAndBrokenDepthsAreRefused) {
 
 TEST(DepthViewsFolder, twoViewsOfOnePlaceAreRefused) {
   const TemporaryFolder folder;
-  const ReferenceImage image = viewsOf(test::wall(0))[0].image;
+  const ReferenceImage image = test::cornerViews(test::wall(0), 4)[0].image;
   writeReferenceImages(folder / "a.exr", {image});
   writeReferenceImages(folder / "b.exr", {image});
   EXPECT_THAT(readingError(folder.path()), HasSubstr("views \"a\" and \"b\" have the same place and direction"));
@@ -143,7 +134,7 @@ TEST(DepthViewsFolder, twoViewsOfOnePlaceAreRefused) {
 
 TEST(DepthViewsFolder, aFolderWithViewsIsNotWrittenTo) {
   const TemporaryFolder folder;
-  const std::vector<DepthView> views = viewsOf(test::wall(0));
+  const std::vector<DepthView> views = test::cornerViews(test::wall(0), 4);
   writeDepthViews(folder / "views", views, depthViewsFormats()[0]);
   EXPECT_THROW(writeDepthViews(folder / "views", views, depthViewsFormats()[1]), InputError);
   folder.write("file", "");

@@ -2,19 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "oc_core/ocri/corner_depth_images.h"
-#include "tests/ocri/test_scenes.h"
+#include <algorithm>
+
+#include "tests/depth_views/test_views.h"
 
 namespace ocelli {
 namespace {
-
-std::vector<DepthView> viewsOf(const Mesh& scene) {
-  std::vector<DepthView> views;
-  for (ReferenceImage& image : buildCornerDepthImages(test::smallCamera(), scene, ViewCell{}, 4)) {
-    views.push_back({"v" + std::to_string(views.size()), std::move(image)});
-  }
-  return views;
-}
 
 Mesh boardBeforeWall(const glm::vec3& wallColor) {
   Mesh scene;
@@ -25,31 +18,42 @@ Mesh boardBeforeWall(const glm::vec3& wallColor) {
 
 // All of it is in the first view: nothing is left of the others, but for what rims let through of 2 pixels' erosion.
 TEST(PrunedViews, whatAnEarlierViewShowsGoes) {
-  const std::vector<DepthView> views = viewsOf(test::wall(0, 0.7f));
+  const std::vector<DepthView> views = test::cornerViews(test::wall(0, 0.7f), 4);
   const PrunedViews pruned = pruneViews(views);
   EXPECT_EQ(pruned.samples, views[0].image.sampleCount());
   EXPECT_EQ(pruned.images[3].sampleCount(), 0u);
 }
 
+// Large enough that what the board hides is wider than the 4 pixels that erosion takes.
 TEST(PrunedViews, whatWasHiddenStays) {
-  const std::vector<DepthView> views = viewsOf(boardBeforeWall({0.1f, 0.1f, 0.1f}));
+  const std::vector<DepthView> views =
+      test::cornerViews(boardBeforeWall({0.1f, 0.1f, 0.1f}), 4, PinholeCamera(View{}, 360, 240));
   const PrunedViews pruned = pruneViews(views);
   EXPECT_GT(pruned.samples, views[0].image.sampleCount());
   EXPECT_LT(pruned.samples, 3 * views[0].image.sampleCount());
 }
 
-// The wall is within 10 % of the depth of the board: a rule that does not look at colours takes one for the other.
-TEST(PrunedViews, nearDepthsNeedTheirLuma) {
-  const std::vector<DepthView> views = viewsOf(boardBeforeWall({0.1f, 0.1f, 0.1f}));
-  PruningRule loose;
-  loose.depthTolerance = 0.2f;
-  PruningRule blind = loose;
-  blind.lumaTolerance = 1;
-  EXPECT_GT(pruneViews(views, loose).samples, pruneViews(views, blind).samples);
+TEST(PrunedViews, anotherLumaOrDepthStays) {
+  std::vector<DepthView> views = test::cornerViews(test::wall(0, 0.7f), 4);
+  views.resize(2);
+  const auto keptOfSecond = [&](const PruningRule& rule) { return pruneViews(views, rule).images[1].sampleCount(); };
+  ReferenceImage& second = views[1].image;
+  const size_t samples = second.sampleCount();
+  EXPECT_EQ(keptOfSecond({}), 0u);
+  const Image<glm::vec3> colors = second.color;
+  std::fill(second.color.begin(), second.color.end(), glm::vec3(0.9f));
+  EXPECT_EQ(keptOfSecond({}), samples);
+  EXPECT_EQ(keptOfSecond({.lumaTolerance = 1}), 0u);
+  second.color = colors;
+  for (float& t : second.t) {
+    t *= 1.2f;
+  }
+  EXPECT_EQ(keptOfSecond({}), samples);
+  EXPECT_EQ(keptOfSecond({.depthTolerance = 0.3f}), 0u);
 }
 
 TEST(PrunedViews, whatIsPackedIsAtLeastWhatIsKept) {
-  const PrunedViews pruned = pruneViews(viewsOf(boardBeforeWall({0.1f, 0.1f, 0.1f})));
+  const PrunedViews pruned = pruneViews(test::cornerViews(boardBeforeWall({0.1f, 0.1f, 0.1f}), 4));
   EXPECT_GE(pruned.packedPixels, pruned.samples);
 }
 

@@ -8,21 +8,12 @@
 #include "oc_core/depth_views/views_scene.h"
 #include "oc_core/evaluation/evaluation.h"
 #include "oc_core/ocri/camera_choice.h"
-#include "oc_core/ocri/corner_depth_images.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/worlds/scene_source.h"
-#include "tests/ocri/test_scenes.h"
+#include "tests/depth_views/test_views.h"
 
 namespace ocelli {
 namespace {
-
-std::vector<DepthView> viewsOf(const Mesh& scene, const PinholeCamera& reference, int corners = 8) {
-  std::vector<DepthView> views;
-  for (ReferenceImage& image : buildCornerDepthImages(reference, scene, ViewCell{}, corners)) {
-    views.push_back({"v" + std::to_string(views.size()), std::move(image)});
-  }
-  return views;
-}
 
 /// Samples of the views that lie farther from the surface than `footprints` of their own.
 size_t lostSamples(const std::vector<DepthView>& views, const Mesh& surface, float footprints) {
@@ -52,7 +43,7 @@ Mesh occluders() {
 // grazing surface has spaces of several footprints, these scenes of less than two.
 TEST(ViewsSurface, nothingThatAViewShowsIsLost) {
   for (const Mesh& scene : {test::tiltedPlane(0.5f), occluders()}) {
-    const std::vector<DepthView> views = viewsOf(scene, test::smallCamera());
+    const std::vector<DepthView> views = test::cornerViews(scene, 8);
     const ViewsSurface surface = surfaceOfViews(views);
     EXPECT_EQ(surface.samples, sampleCount(views));
     EXPECT_EQ(lostSamples(views, surface.mesh, 2), 0u);
@@ -60,14 +51,14 @@ TEST(ViewsSurface, nothingThatAViewShowsIsLost) {
 }
 
 TEST(ViewsSurface, aViewThatIsLeftOutIsMissed) {
-  const std::vector<DepthView> views = viewsOf(occluders(), test::smallCamera());
+  const std::vector<DepthView> views = test::cornerViews(occluders(), 8);
   const ViewsSurface middle = surfaceOfViews({views[0]});
   EXPECT_GT(lostSamples(views, middle.mesh, 2), 100u);
 }
 
 TEST(ViewsSurface, samplesOfOnePlaceStayOnce) {
   const Mesh scene = test::tiltedPlane(0.3f);
-  const std::vector<DepthView> views = viewsOf(scene, test::smallCamera());
+  const std::vector<DepthView> views = test::cornerViews(scene, 8);
   const ViewsSurface all = surfaceOfViews(views, {.keepsAll = true});
   EXPECT_EQ(all.keptSamples(), sampleCount(views));
   const ViewsSurface once = surfaceOfViews(views);
@@ -99,7 +90,7 @@ TEST(ViewsSurface, theViewThatSeesMostSharplyStays) {
 }
 
 TEST(ViewsSurface, isTheSameWithAnyNumberOfThreads) {
-  const std::vector<DepthView> views = viewsOf(occluders(), test::smallCamera());
+  const std::vector<DepthView> views = test::cornerViews(occluders(), 8);
   setThreadCount(1);
   const ViewsSurface one = surfaceOfViews(views);
   setThreadCount(4);
@@ -115,7 +106,7 @@ TEST(ViewsSurface, isTheSameWithAnyNumberOfThreads) {
 TEST(ViewsSurface, imagesOfViewsAreThoseOfTheScene) {
   const Mesh scene = occluders();
   const PinholeCamera reference = test::smallCamera();
-  const std::vector<DepthView> views = viewsOf(scene, reference);
+  const std::vector<DepthView> views = test::cornerViews(scene, 8, reference);
   const ViewsSurface surface = surfaceOfViews(views);
   const ReferenceImage truth = buildDepthImage(reference, scene);
   const auto differing = [&](const Mesh& mesh) {
@@ -130,13 +121,13 @@ TEST(ViewsSurface, imagesOfViewsAreThoseOfTheScene) {
   const size_t samples = truth.sampleCount();
   EXPECT_LE(differing(surface.mesh), samples / 100);
   // Views of another scene give another image.
-  EXPECT_GT(differing(surfaceOfViews(viewsOf(test::wall(-0.6f), reference)).mesh), samples / 50);
+  EXPECT_GT(differing(surfaceOfViews(test::cornerViews(test::wall(-0.6f), 8, reference)).mesh), samples / 50);
 }
 
 TEST(ViewsSurface, camerasSeeAroundThingsAsOfTheScene) {
   const Mesh scene = occluders();
   const PinholeCamera reference = test::smallCamera();
-  const ViewsSurface surface = surfaceOfViews(viewsOf(scene, reference));
+  const ViewsSurface surface = surfaceOfViews(test::cornerViews(scene, 8, reference));
   for (const char* name : {"ddoc", "ldi-2", "eoc-hv"}) {
     const auto samples = [&](const Mesh& mesh) {
       size_t count = 0;
@@ -153,7 +144,7 @@ TEST(ViewsSurface, camerasSeeAroundThingsAsOfTheScene) {
 TEST(ViewsSurface, overlapsAreNoLayers) {
   const PinholeCamera reference = test::smallCamera();
   const Mesh scene = test::tiltedPlane(0.3f);
-  ViewsSurface surface = surfaceOfViews(viewsOf(scene, reference), {.keepsAll = true});
+  ViewsSurface surface = surfaceOfViews(test::cornerViews(scene, 8, reference), {.keepsAll = true});
   const auto layers = [&] { return buildReferenceImages(cameraChoice("ldi-4"), reference, surface.mesh); };
   EXPECT_EQ(layers().size(), 1u);
   surface.mesh.isSampled = false;
@@ -174,7 +165,7 @@ TEST(ViewsScene, isMeasuredAgainstTheSceneItself) {
     const ViewsScene measured(scene, surface);
     return Evaluator(measured, options).measure(cameraChoice("ldi-2")).edges.strictRatio();
   };
-  const std::vector<DepthView> views = viewsOf(scene, reference);
+  const std::vector<DepthView> views = test::cornerViews(scene, 8, reference);
   const double ofAll = missing(surfaceOfViews(views).mesh);
   EXPECT_LT(ofAll, 0.02);
   EXPECT_GT(missing(surfaceOfViews({views[0]}).mesh), 2 * ofAll + 0.01);
