@@ -43,7 +43,7 @@ TEST(DepthViewsCommands, imagesOfViewsAreMeasuredAgainstTheScene) {
       "evaluate builtin:statues --size 90x60 --profile test --interior 1 --directions 0 --runs 1 --cameras di,ldi-4 "
       "--json - ";
   const auto missing = [](const ProgramResult& result) {
-    return nlohmann::json::parse(result.output)["representations"][1]["edges"]["missing_strict"].get<double>();
+    return nlohmann::json::parse(result.output)["representations"][1]["missing_strict"]["edges"].get<double>();
   };
   const ProgramResult ofViews = runProgram(command + "--from " + views);
   ASSERT_EQ(ofViews.exitCode, 0) << ofViews.error;
