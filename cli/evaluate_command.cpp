@@ -6,6 +6,7 @@
 #include <system_error>
 
 #include "cli/command.h"
+#include "cli/depth_views_option.h"
 #include "cli/interrupt.h"
 #include "cli/output_option.h"
 #include "cli/scene_options.h"
@@ -16,6 +17,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
+#include "oc_core/depth_views/views_scene.h"
 #include "oc_core/evaluation/evaluation_csv.h"
 #include "oc_core/evaluation/evaluation_json.h"
 #include "oc_core/evaluation/evaluation_page.h"
@@ -38,6 +40,7 @@ struct EvaluateChoice {
   std::string cellShape = "cube";
   std::string segmentDirection = "1,0,0";
   std::string view;
+  std::string from;
   std::string size = "720x480";
   std::string profile = "perspecta";
   int interiorViews = 12;
@@ -100,15 +103,20 @@ EvaluationOptions evaluationOptions(const EvaluateChoice& choice) {
 /// What is measured against.
 struct EvaluateTruth {
   Mesh mesh;
+  Mesh surface;  ///< of views with depth that representations are made from; empty: from the scene
   std::unique_ptr<const VolumeFirstHits> volume;
   std::unique_ptr<const EvaluatedScene> scene;
   std::string parts;  ///< of a volume
   std::string key;    ///< tells it from any other scene, with options and `more`
 };
 
-EvaluateTruth truthOf(const EvaluateChoice& choice, const EvaluationOptions& options, const std::string& more,
-                      const Progress& progress, const CommandContext& context) {
-  EvaluateTruth truth;
+/// `truth` stays where it is: what is measured refers to it.
+void findTruth(EvaluateTruth& truth, const EvaluateChoice& choice, const EvaluationOptions& options,
+               const std::string& more, const Progress& progress, const CommandContext& context) {
+  if (!choice.from.empty() && takesVolume(choice.scene)) {
+    throw InputError("views with depth are measured against scenes of triangles", "--from " + choice.from,
+                     "leave --from out, or take a surface of the volume with --iso VALUE");
+  }
   if (takesVolume(choice.scene)) {
     truth.volume = std::make_unique<const VolumeFirstHits>(
         loadVolume(choice.scene, choice.volume, context),
@@ -116,13 +124,18 @@ EvaluateTruth truthOf(const EvaluateChoice& choice, const EvaluationOptions& opt
     truth.scene = std::make_unique<const TargetScene>(truth.volume->evaluated());
     truth.parts = truth.volume->description();
     truth.key = evaluationKey(truth.volume->identity(), options, more);
-    return truth;
+    return;
   }
   refuseVolumeOptions(choice.volume);
   refuseVolumeOption(choice.opacity.has_value(), "--opacity");
   truth.mesh = loadScene(choice.scene.source, choice.scene.options, progress);
-  truth.key = evaluationKey(truth.mesh, options, more);
-  return truth;
+  if (choice.from.empty()) {
+    truth.key = evaluationKey(truth.mesh, options, more);
+    return;
+  }
+  truth.surface = surfaceFrom(choice.from, context);
+  truth.scene = std::make_unique<const ViewsScene>(truth.mesh, truth.surface);
+  truth.key = evaluationKey(truth.mesh, options, more + " " + evaluationKey(truth.surface, options, "views"));
 }
 
 /// Where the results of `ocelli evaluate` go. Each place is checked before the work begins, where this `writes`.
@@ -257,8 +270,9 @@ void runEvaluate(const EvaluateChoice& choice, const CommandContext& context) {
   EvaluatePage page;  // what it says of the scene
   std::optional<EvaluationWork> work;
   try {
-    const EvaluateTruth truth = truthOf(
-        choice, options, fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp()), progress, context);
+    EvaluateTruth truth;
+    findTruth(truth, choice, options, fmt::format("{} {} {}", choice.scene.source, profile.name, programStamp()),
+              progress, context);
     page.sceneTriangles = truth.mesh.triangles.size();
     page.sceneParts = truth.parts;
     if (const auto file = outputs.workFile(); file && ranks.isFirst()) {
@@ -338,6 +352,10 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
                   "Direction of a segment: right, up and backward in the view")
       ->type_name("X,Y,Z");
   addViewOption(command, choice->view);
+  addFromOption(
+      command, choice->from,
+      "Make the representations of the views with depth in this folder, and measure them against SCENE, which "
+      "these are views of (ocelli ocri views)");
   addSizeOption(command, choice->size);
   command.add_option("--profile", choice->profile, "Display whose slicing is timed")->type_name("NAME|FILE.json");
   command
@@ -375,6 +393,7 @@ void addEvaluateCommand(CLI::App& program, const CommandContext& context) {
                        "  ocelli evaluate builtin:statues\n"
                        "  ocelli evaluate bunny.obj --cameras di,ddoc,ddoc-constant --cell 4in --json bunny.json\n"
                        "  ocelli evaluate builtin:volume,name=skull --opacity 0.5 --cameras di,ddoc,ldi-3\n"
+                       "  ocelli evaluate builtin:room --from views --cameras ddoc,ldi-2 --cell 4in\n"
                        "  ocelli evaluate builtin:fence --cell-shape segment --page fence",
                        [choice, context] { runEvaluate(*choice, context); });
 }

@@ -6,7 +6,9 @@
 #include <numeric>
 
 #include "cli/command.h"
+#include "cli/depth_views_option.h"
 #include "cli/gl_drawing.h"
+#include "cli/ocri_views_command.h"
 #include "cli/output_option.h"
 #include "cli/scene_notes.h"
 #include "cli/scene_options.h"
@@ -39,6 +41,7 @@ constexpr ImageSize kBuildSize{720, 480};
 
 struct BuildChoice {
   SceneChoice scene;
+  std::string from;
   VolumeChoice volume;
   std::optional<double> opacity;
   std::string camera = "ddoc";
@@ -82,7 +85,7 @@ Json figuresOf(const ReferenceImages& images) {
 void give(const BuildChoice& choice, const ReferenceImages& images, const CommandContext& context) {
   writeReferenceImages(choice.output, images);
   context.note("wrote " + choice.output + ": " + describe(images));
-  const Json figures{{"scene", choice.scene.source},
+  const Json figures{{choice.from.empty() ? "scene" : "from", choice.from.empty() ? choice.scene.source : choice.from},
                      {"camera", choice.camera},
                      {"samples", samplesOf(images)},
                      {"images", figuresOf(images)}};
@@ -150,7 +153,7 @@ bool drawnInOneRank(const CameraChoice& camera) {
   return camera.kind->castsRays || *camera.kind->needsCpu != 0;
 }
 
-/// Of every other camera, for each viewer.
+/// Of every other camera, for each viewer: of a scene, or of the views of a folder.
 ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& views, const ImageSize& size,
                             const CommandContext& context) {
   const bool onGpu = choice.construction == "gl";
@@ -163,7 +166,8 @@ ReferenceImages builtImages(const BuildChoice& choice, const std::vector<View>& 
       return {};
     }
   }
-  ViewedScene scene(choice.scene, context);
+  ViewedScene scene =
+      choice.from.empty() ? ViewedScene(choice.scene, context) : ViewedScene(surfaceFrom(choice.from, context));
   ConstructionReport report;
   std::vector<ReferenceImages> viewers;
   for (const View& view : views) {
@@ -220,6 +224,11 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
   CLI::App& command = *ocri.add_subcommand("build", "Build the reference image of a scene");
   const auto choice = std::make_shared<BuildChoice>();
   addSceneOptions(command, choice->scene, context);
+  command.get_option("SCENE")->required(false);
+  addFromOption(
+      command, choice->from,
+      "Build it of the views with depth in this folder, in place of a SCENE: EXR files of depth images, or PNG "
+      "files that views.json lists");
   addVolumeOptions(command, choice->volume);
   addOpacityOption(command, choice->opacity);
   addMotionOptions(command, choice->scene);
@@ -249,10 +258,12 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
       "  ocelli ocri build builtin:statues -o statues.exr\n"
       "  ocelli ocri build bunny.obj --camera di --size 180x120 -o bunny.exr\n"
       "  ocelli ocri build builtin:statues --viewers 4 -o around.exr\n"
+      "  ocelli ocri build --from views --camera ldi-2 -o views.exr\n"
       "  ocelli ocri build builtin:volume,name=skull --camera ldi-3 --opacity 0.5 -o skull.exr\n"
       "  ocelli ocri build builtin:town --camera panorama --size 1440x720 --view street.json -o town.exr\n"
       "  ocelli ocri build builtin:maze --camera comprehensive --size 1920x1200 -o maze.exr",
-      [choice, context] {
+      [choice, context, &command] {
+        requireSceneOrViews(command, choice->scene.source, choice->from);
         const bool writes = context.ranks().isFirst();
         if (writes) {
           checkWritable(choice->output);
@@ -261,7 +272,7 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         requireGlUsed(choice->gl, choice->construction == "gl", "--construction gl");
         const ImageSize size = cameraImageSize(choice->camera, choice->size, kBuildSize);
         const std::vector<View> views = viewsFor(choice->camera, choice->viewers);
-        if (takesVolume(choice->scene)) {
+        if (choice->from.empty() && takesVolume(choice->scene)) {
           const ReferenceImages images = imagesOfVolume(*choice, views, size, context);
           if (writes) {
             give(*choice, images, context);
@@ -271,6 +282,10 @@ void addBuild(CLI::App& ocri, const CommandContext& context) {
         refuseVolumeOptions(choice->volume);
         refuseVolumeOption(choice->opacity.has_value(), "--opacity");
         const bool constructed = namesConstructor(choice->camera);
+        if (constructed && !choice->from.empty()) {
+          throw InputError("graph and curved ray cameras are made for a scene that one walks through",
+                           "--camera " + choice->camera, "give a SCENE, or choose another camera");
+        }
         if (constructed && views.size() != 1) {
           throw InputError("graph and curved ray cameras are made for one viewer", "--viewers",
                            "leave it out, or choose another camera");
@@ -316,6 +331,7 @@ void addOcriCommand(CLI::App& program, const CommandContext& context) {
   ocri.require_subcommand(1);
   addBuild(ocri, context);
   addMesh(ocri, context);
+  addOcriViews(ocri, context);
 }
 
 }  // namespace ocelli

@@ -32,6 +32,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addCameraCommand(program, context);
   addOcriCommand(program, context);
   addResampleCommand(program, context);
+  addSeaCommand(program, context);
   addRemoteCommand(program, context);
   addQuiltCommand(program, context);
   addSliceCommand(program, context);

@@ -3,13 +3,16 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "cli/scene_options.h"
 #include "cli/sea_command.h"
+#include "cli/sea_miv_export.h"
 #include "oc_core/base/error.h"
 #include "oc_core/sea/sea_folder.h"
 #include "oc_core/sea_page/sea_page.h"
@@ -22,6 +25,8 @@ struct SeaExportChoice {
   std::string folder;
   std::string page;
   int every = 1;
+  std::string miv;
+  std::optional<double> metre;
 };
 
 /// A box around the proxy, where it holds all places: what a page warps by.
@@ -61,12 +66,21 @@ void writePage(const SeaFile& sea, const SeaExportChoice& choice, const CommandC
 }
 
 void runExport(const SeaExportChoice& choice, const CommandContext& context) {
-  if (choice.folder.empty() == choice.page.empty()) {
+  const auto ways =
+      std::ranges::count(std::array{choice.folder.empty(), choice.page.empty(), choice.miv.empty()}, false);
+  if (ways != 1) {
     throw InputError("it is not said as what the sea is written, or said twice", "sea export",
-                     "give either --folder or --page");
+                     "give one of --folder, --page and --miv");
   }
   if (choice.every != 1 && choice.page.empty()) {
     throw InputError("only pages leave images out", "--every", "leave it out, or give --page");
+  }
+  if (choice.metre && choice.miv.empty()) {
+    throw InputError("only --miv asks for metres", "--metre", "leave it out, or give --miv");
+  }
+  if (!choice.miv.empty()) {
+    exportMiv(choice.file, choice.miv, choice.metre.value_or(1), context);
+    return;
   }
   const SeaFile sea(choice.file);
   if (!choice.page.empty()) {
@@ -83,7 +97,9 @@ void runExport(const SeaExportChoice& choice, const CommandContext& context) {
 void addSeaExportCommand(CLI::App& sea, const CommandContext& context) {
   CLI::App& command = *sea.add_subcommand("export", "Write a sea as files of other programs");
   const auto choice = std::make_shared<SeaExportChoice>();
-  command.add_option("SEA", choice->file, "The sea")->required()->type_name("FILE.sea");
+  command.add_option("SEA", choice->file, "The sea; of --miv a folder of views with depth")
+      ->required()
+      ->type_name("FILE.sea|FOLDER");
   command
       .add_option("--folder", choice->folder,
                   "Its images as PNG, a table of their places and the proxy, in a folder that is made")
@@ -96,9 +112,17 @@ void addSeaExportCommand(CLI::App& sea, const CommandContext& context) {
       ->check(CLI::Range(1, 1000000))
       ->capture_default_str()
       ->type_name("N");
+  command
+      .add_option("--miv", choice->miv,
+                  "Raw video and a JSON file of cameras, which MPEG's test model of immersive video reads")
+      ->type_name("FOLDER");
+  addMetreOption(command, choice->metre);
+  command.get_option("--metre")->description(
+      "Of --miv: how many units of the views a metre has; 1 where it is not given");
   context.finish(command,
                  "  ocelli sea export museum.sea --folder museum/\n"
-                 "  ocelli sea export museum.sea --page walk --every 4",
+                 "  ocelli sea export museum.sea --page walk --every 4\n"
+                 "  ocelli sea export views --miv content",
                  [choice, context] { runExport(*choice, context); });
 }
 

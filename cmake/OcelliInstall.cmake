@@ -46,6 +46,7 @@ foreach(schema IN ITEMS
     oc_core/constructor/constructor.schema.json
     oc_core/constructor/curved_ray_camera.schema.json
     oc_core/constructor/graph_camera.schema.json
+    oc_core/depth_views/views.schema.json
     oc_core/explore/explore_script.schema.json
     oc_core/frustum_editor/editor_script.schema.json
     oc_core/ocri/camera.schema.json

@@ -34,6 +34,7 @@ wire display_driver_wire/corpus $((2 * seconds))
 svol display_sim_frames/corpus $seconds
 kv6 display_sim_exports/kv6_corpus $seconds
 opack pack/corpus $seconds
+views_file depth_views/corpus $seconds
 maze worlds/maze_corpus $seconds
 walk_map walkable/corpus $seconds
 transfer volume/transfer_corpus $seconds

@@ -42,6 +42,47 @@ bool isSeen(const PinholeCamera& camera, const Image<float>& depths, const glm::
   return false;
 }
 
+/// Where surfaces lie on each other, as many as are peeled beyond what is asked for.
+constexpr int kRepeatedLayers = 6;
+/// Samples that are so close behind one that stays are of its surface: squares at rims stand out by two footprints
+/// (union_mesh.cpp), and a third is for how unevenly images sample a surface.
+constexpr float kRepeatedFootprints = 3;
+
+void moveSample(ReferenceImage& to, ReferenceImage& from, size_t pixel) {
+  to.t[pixel] = from.t[pixel];
+  to.color[pixel] = from.color[pixel];
+  to.held[pixel] = 1;
+  from.clear(pixel);
+}
+
+/// Drops what repeats the sample before it; those behind move forward. No more than `most` layers stay.
+void dropRepeatedSamples(ReferenceImages& layers, size_t most) {
+  const float footprint = 1 / layers.front().reference().focalPixels();
+  parallelFor(layers.front().t.size(), 1 << 13, [&](size_t begin, size_t end) {
+    for (size_t pixel = begin; pixel < end; ++pixel) {
+      size_t kept = 0;
+      for (ReferenceImage& layer : layers) {
+        if (!layer.holds(pixel)) {
+          continue;
+        }
+        const bool repeats =
+            kept > 0 && layer.t[pixel] <= layers[kept - 1].t[pixel] * (1 + kRepeatedFootprints * footprint);
+        if (repeats) {
+          layer.clear(pixel);
+        } else if (&layer != &layers[kept]) {
+          moveSample(layers[kept++], layer, pixel);
+        } else {
+          ++kept;
+        }
+      }
+    }
+  });
+  layers.resize(std::min(layers.size(), most));
+  while (layers.size() > 1 && layers.back().sampleCount() == 0) {
+    layers.pop_back();
+  }
+}
+
 }  // namespace
 
 std::vector<DrawnSides> visibleSides(const Mesh& mesh) {
@@ -60,7 +101,8 @@ ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mes
   std::optional<std::vector<FragmentImage>> drawn =
       renderer != nullptr ? renderer->drawLayers(reference, layers) : std::nullopt;
   if (!drawn) {
-    drawn = rasterizeLayers(reference, mesh, layers, visibleSides(mesh));
+    const int peeled = mesh.isSampled ? std::min(kMaxLayers, layers + kRepeatedLayers) : layers;
+    drawn = rasterizeLayers(reference, mesh, peeled, visibleSides(mesh));
   }
   ReferenceImages images;
   for (const FragmentImage& fragments : *drawn) {
@@ -71,6 +113,9 @@ ReferenceImages buildLayeredDepthImage(const PinholeCamera& reference, const Mes
       break;
     }
     images.push_back(std::move(image));
+  }
+  if (mesh.isSampled) {
+    dropRepeatedSamples(images, static_cast<size_t>(layers));
   }
   return images;
 }

@@ -20,6 +20,7 @@ namespace ocelli {
 /// The sides of each triangle that an eye outside of all solids can see.
 std::vector<DrawnSides> visibleSides(const Mesh& mesh);
 
+/// Of a mesh that is made of samples (Mesh::isSampled), surfaces that lie on each other are one layer.
 /// One image a layer, all of the same view, the closest first; trailing layers without a sample are left out, except
 /// the first. Layers are those of `renderer`, where there is one that draws them. Throws InputError where `layers` is
 /// not in 1 to kMaxLayers.

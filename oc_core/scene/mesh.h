@@ -18,6 +18,8 @@ struct Mesh {
   /// Only what some viewpoints need of a scene: its surfaces end anywhere, so that it does not tell what is inside of
   /// objects.
   bool isPart = false;
+  /// Made of samples of several images: where these overlap, surfaces lie on each other that are one and the same.
+  bool isSampled = false;
 
   bool empty() const { return triangles.empty(); }
   glm::vec3 color(uint32_t vertex) const { return colors.empty() ? glm::vec3(1) : colors[vertex]; }
