@@ -4,7 +4,7 @@
 // The text takes Powell's method; here it is NLopt's BOBYQA, a later one of Powell's that takes bounds, and NLopt's
 // Subplex for those who want to compare. As in the text, images of 256 pixels a side are compared.
 //
-// Recipe for a new one: a row of the table in pose_refinement.cpp.
+// Recipe for a new one: a row of the table in oc_core/sea/pose_refinement.cpp.
 #pragma once
 
 #include <glm/vec3.hpp>

@@ -1,6 +1,6 @@
 // Images in files of other programs, as seas take them: PNG and JPEG.
 //
-// Recipe for a new format: a row of the table in image_file.cpp.
+// Recipe for a new format: a row of the table in oc_core/sea_input/image_file.cpp.
 #pragma once
 
 #include <filesystem>

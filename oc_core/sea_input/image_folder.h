@@ -1,6 +1,7 @@
 // Folders of images with known poses: which kinds of folders there are, and the images as a source of seas.
 //
-// Recipe for a new kind: NAME_folder.h and .cpp with its function, and a row of the table in image_folder.cpp.
+// Recipe for a new kind: oc_core/sea_input/NAME_folder.h and .cpp with its function, and a row of the table in
+// oc_core/sea_input/image_folder.cpp.
 #pragma once
 
 #include <filesystem>

@@ -1,6 +1,6 @@
 // What can stand for the geometry of a sea, by name.
 //
-// Recipe for a new one: a row of the table in sea_proxies.cpp.
+// Recipe for a new one: a row of the table in oc_core/sea_input/sea_proxies.cpp.
 #pragma once
 
 #include <cstddef>

@@ -48,9 +48,9 @@ struct SeaMeasureResult {
 };
 
 struct SeaMeasureOptions {
-  size_t images = 24;              ///< that are compared, evenly chosen
-  size_t timed = 64;               ///< that are had at random
-  size_t run = 120;                ///< in a row, for video
+  size_t images = 24;                ///< that are compared, evenly chosen
+  size_t timed = 64;                 ///< that are had at random
+  size_t run = 120;                  ///< in a row, for video
   std::vector<std::string> peers{};  ///< names of rows of seaPeers()
 };
 
@@ -63,7 +63,7 @@ struct SeaPeerInput {
   Progress progress;
 };
 
-/// Recipe for a new one: a row of the table in sea_peers.cpp.
+/// Recipe for a new one: a row of the table in oc_core/sea_measure/sea_peers.cpp.
 struct SeaPeer {
   std::string_view name;
   std::string_view meaning;
