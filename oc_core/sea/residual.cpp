@@ -1,6 +1,5 @@
 #include "oc_core/sea/residual.h"
 
-#include <algorithm>
 #include <cmath>
 #include <cstdlib>
 
@@ -30,17 +29,6 @@ Image<Rgb8> residualOf(const Image<Rgb8>& image, const Image<Rgb8>& predicted) {
     to[i] = static_cast<uint8_t>(kZero + (int{whole[i]} - int{known[i]}) / 2);
   }
   return residual;
-}
-
-void addResidual(Image<Rgb8>& predicted, const Image<Rgb8>& residual) {
-  OC_CHECK(residual.width() == predicted.width() && residual.height() == predicted.height(), "images of one size");
-  const uint8_t* more = bytesOf(residual);
-  uint8_t* to = bytesOf(predicted);
-  for (size_t i = 0; i < 3 * residual.size(); ++i) {
-    // By value, as std::clamp() is not: so that it becomes vector instructions.
-    const int sum = to[i] + 2 * (more[i] - kZero);
-    to[i] = static_cast<uint8_t>(sum < 0 ? 0 : sum > 255 ? 255 : sum);
-  }
 }
 
 double residualEnergy(const Image<Rgb8>& image, const Image<Rgb8>& predicted) {

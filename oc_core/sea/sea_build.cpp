@@ -111,9 +111,9 @@ class Builder {
   EnergyRange energies_;
 };
 
-/// Of some P-nodes, evenly chosen, against what they hang on as it was taken.
-EnergyRange sampledEnergies(const Builder& builder, const SeaSource& source, const SeaTree& tree,
-                            const Progress& progress) {
+/// Of some P-nodes, evenly chosen, against what they hang on, coded as I-nodes are.
+EnergyRange sampledEnergies(const Builder& builder, const SeaDecoder& decoder, const SeaSource& source,
+                            const SeaTree& tree, const Progress& progress) {
   std::vector<uint32_t> residuals;
   for (const uint32_t image : tree.order) {
     if (tree.nodes[image].reference != SeaNode::kNone) {
@@ -125,7 +125,10 @@ EnergyRange sampledEnergies(const Builder& builder, const SeaSource& source, con
   parallelFor(count, 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       const uint32_t image = residuals[i * residuals.size() / count];
-      const WarpReference reference(source.image(tree.nodes[image].reference), source.projection());
+      const Coded coded = builder.inner(tree.nodes[image].reference);
+      const WarpReference reference(
+          decoder.inner({reinterpret_cast<const uint8_t*>(coded.bytes.data()), coded.bytes.size()}),
+          source.projection());
       const Builder::Difference difference = builder.difference(image, reference);
       energies[i] = residualEnergy(difference.image, difference.predicted);
     }
@@ -215,7 +218,7 @@ SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSet
                     static_cast<uint64_t>(settings.projection.height);
   Builder builder(source, decoder, tree);
   if (settings.adaptive > 0 && writer.count() < poses.size()) {
-    builder.setEnergies(sampledEnergies(builder, source, tree, progress));
+    builder.setEnergies(sampledEnergies(builder, decoder, source, tree, progress));
   }
   ReferenceStore references(writer, decoder, poses);
   for (std::vector<uint32_t>& group : buildGroups(tree)) {

@@ -6,15 +6,17 @@
 
 namespace ocelli {
 
-SeaProxy::SeaProxy(Mesh mesh)
-    : mesh_(std::make_unique<Mesh>(std::move(mesh))),
-      rays_(std::make_unique<RayScene>(*mesh_)),
-      blocked_(std::make_unique<BlockedRays>(*mesh_)) {
+SeaProxy::SeaProxy(Mesh mesh) : mesh_(std::make_unique<Mesh>(std::move(mesh))) {
   if (!mesh_->empty()) {
     const Box box = boundsOf(*mesh_);
     constexpr float kExtents = 100;
     far_ = std::max(kExtents * glm::distance(box.lower, box.upper), 1e-3f);
   }
+}
+
+const SeaProxy::Structures& SeaProxy::structures() const {
+  std::call_once(isMade_, [&] { structures_ = std::make_unique<Structures>(*mesh_); });
+  return *structures_;
 }
 
 }  // namespace ocelli

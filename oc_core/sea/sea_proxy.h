@@ -4,6 +4,7 @@
 
 #include <glm/vec3.hpp>
 #include <memory>
+#include <mutex>
 
 #include "oc_core/render/blocked_rays.h"
 #include "oc_core/render/raycast.h"
@@ -17,15 +18,24 @@ class SeaProxy {
   explicit SeaProxy(Mesh mesh);
 
   const Mesh& mesh() const { return *mesh_; }
-  const RayScene& rays() const { return *rays_; }
-  const BlockedRays& blocked() const { return *blocked_; }
+  /// These are made when the first of them is asked for; any thread may ask.
+  const RayScene& rays() const { return structures().rays; }
+  const BlockedRays& blocked() const { return structures().blocked; }
   /// Rays that meet nothing are taken to see something at this distance.
   float far() const { return far_; }
 
  private:
-  std::unique_ptr<Mesh> mesh_;  ///< it stays where it is: the others point to it
-  std::unique_ptr<RayScene> rays_;
-  std::unique_ptr<BlockedRays> blocked_;
+  struct Structures {
+    explicit Structures(const Mesh& mesh) : rays(mesh), blocked(mesh) {}
+
+    RayScene rays;
+    BlockedRays blocked;
+  };
+  const Structures& structures() const;
+
+  std::unique_ptr<Mesh> mesh_;  ///< it stays where it is: the structures point to it
+  mutable std::once_flag isMade_;
+  mutable std::unique_ptr<Structures> structures_;
   float far_ = 1000;
 };
 

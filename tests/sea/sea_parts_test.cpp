@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <glm/geometric.hpp>
 
@@ -37,6 +38,22 @@ TEST(Residual, GivesTheImageBackToWithinOne) {
     }
   }
   EXPECT_EQ(residualOf(image, image), Image<Rgb8>(40, 30, Rgb8(128)));
+}
+
+TEST(Residual, EverySumIsWhatItShouldBe) {
+  // All pairs of bytes, and a rest that fills no vector.
+  Image<Rgb8> predicted(256, 86);
+  Image<Rgb8> residual(256, 86);
+  uint8_t* known = &predicted.data()->r;
+  uint8_t* more = &residual.data()->r;
+  for (int i = 0; i < 3 * 256 * 86; ++i) {
+    known[i] = static_cast<uint8_t>(i);
+    more[i] = static_cast<uint8_t>(i >> 8);
+  }
+  addResidual(predicted, residual);
+  for (int i = 0; i < 3 * 256 * 86; ++i) {
+    ASSERT_EQ(known[i], std::clamp((i & 255) + 2 * ((i >> 8 & 255) - 128), 0, 255)) << i;
+  }
 }
 
 TEST(Residual, EnergyIsTheMeanDifferenceOfLuminance) {
