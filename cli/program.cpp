@@ -43,7 +43,6 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addDeviceCommand(program, context);
   addEvaluateCommand(program, context);
   addExploreCommand(program, context);
-  addSeaCommand(program, context);
   addShadeCommand(program, context);
   addSolidityCommand(program, context);
   addViewersCommand(program, context);

@@ -12,6 +12,7 @@ void addSeaCommand(CLI::App& program, const CommandContext& context) {
   addSeaBuildCommand(sea, context);
   addSeaInfoCommand(sea, context);
   addSeaGetCommand(sea, context);
+  addSeaViewCommand(sea, context);
   addSeaEvaluateCommand(sea, context);
   addSeaVerifyCommand(sea, context);
   addSeaExportCommand(sea, context);

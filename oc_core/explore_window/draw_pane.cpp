@@ -18,7 +18,7 @@
 #include "oc_core/explore_window/explore_drawing_painter.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_pane_choice.h"
-#include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/window/image_texture.h"
 #include "oc_core/frustum_editor/editor_drawing.h"
 #include "oc_core/frustum_editor/editor_input.h"
 #include "oc_core/frustum_editor/editor_preview.h"
@@ -85,7 +85,7 @@ class DrawBackdrop {
   std::future<PlanBackdrop> coming_;
   std::optional<PlanBackdrop> backdrop_;
   Image<Rgb8> ground_;
-  ExploreTexture texture_;
+  ImageTexture texture_;
 };
 
 class DrawPane : public ExplorePane {

@@ -25,7 +25,7 @@
 
 namespace ocelli {
 
-class ExploreTexture;
+class ImageTexture;
 
 /// What a pane has to do with in a frame.
 struct ExplorePaneFrame {
@@ -40,7 +40,7 @@ struct ExplorePaneFrame {
   /// Of `rect`, at least 1.
   glm::ivec2 pixels() const;
   /// Into the pane, as large as it can be. Hold a GlScope.
-  void copy(const ExploreTexture& image, GlContext& context, const GlObject& framebuffer) const;
+  void copy(const ImageTexture& image, GlContext& context, const GlObject& framebuffer) const;
 };
 
 /// A line of the help while a pane has the keyboard.

@@ -5,7 +5,7 @@
 #include "oc_core/explore_window/draw_pane.h"
 #include "oc_core/explore_window/explore_image_fit.h"
 #include "oc_core/explore_window/explore_pane.h"
-#include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/window/image_texture.h"
 #include "oc_core/explore_window/pinhole_pane.h"
 #include "oc_core/explore_window/plan_pane.h"
 #include "oc_core/explore_window/view_pane.h"
@@ -19,7 +19,7 @@ glm::ivec2 ExplorePaneFrame::pixels() const {
   return {rounded(rect.width), rounded(rect.height)};
 }
 
-void ExplorePaneFrame::copy(const ExploreTexture& image, GlContext& context, const GlObject& framebuffer) const {
+void ExplorePaneFrame::copy(const ImageTexture& image, GlContext& context, const GlObject& framebuffer) const {
   const ExploreImageFit fit = exploreImageFit(rect, image.size());
   const glm::ivec2 corner(glm::round(fit.corner * pixelsPerUnit));
   const glm::ivec2 size(glm::round(glm::vec2(image.size()) * fit.scale * pixelsPerUnit));

@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "oc_core/explore_window/explore_image_fit.h"
-#include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/window/image_texture.h"
 
 namespace ocelli {
 namespace {
@@ -25,7 +25,7 @@ class PinholePane : public ExplorePane {
   void draw(const ExplorePaneFrame&) override {}
 
  private:
-  ExploreTexture image_;
+  ImageTexture image_;
 };
 
 }  // namespace

@@ -11,7 +11,7 @@
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_plan_sight.h"
-#include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/window/image_texture.h"
 #include "oc_core/explore_window/explore_tints.h"
 #include "oc_core/window/gui_layer.h"
 
@@ -250,7 +250,7 @@ class PlanPane : public ExplorePane {
   }
 
   std::shared_ptr<const WindowGround> ground_;
-  ExploreTexture texture_;
+  ImageTexture texture_;
   bool hasZoom_ = false;
   std::vector<ImVec2> points_;
 };

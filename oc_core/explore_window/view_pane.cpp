@@ -10,7 +10,7 @@
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_image_fit.h"
-#include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/window/image_texture.h"
 #include "oc_core/explore_window/explore_tints.h"
 
 namespace ocelli {
@@ -150,7 +150,7 @@ class ViewPane : public ExplorePane {
     frame.state.turnedDegrees += glm::vec2(degrees.x, -degrees.y);
   }
 
-  ExploreTexture image_;
+  ImageTexture image_;
   std::optional<glm::vec2> pressed_;
   glm::vec2 last_{0};
   bool dragged_ = false;

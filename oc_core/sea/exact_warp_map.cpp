@@ -9,12 +9,13 @@
 namespace ocelli {
 namespace {
 
-glm::vec2 exactPlace(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                     const SeaPose& reference, const glm::vec2& pixel) {
+glm::vec2 exactPlace(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference,
+                     const glm::vec2& pixel) {
   constexpr glm::vec2 kUnseen(std::numeric_limits<float>::quiet_NaN());
-  const glm::vec3 eye(target.position);
-  const glm::vec3 referenceEye(reference.position);
-  const glm::vec3 direction = glm::quat(target.worldFromCamera) * projection.direction(pixel);
+  const glm::vec3 eye(target.pose.position);
+  const glm::vec3 referenceEye(reference.pose.position);
+  const SeaProjection& projection = reference.projection;
+  const glm::vec3 direction = glm::quat(target.pose.worldFromCamera) * target.projection.direction(pixel);
   const SightLine ray{eye, eye + direction * proxy.far()};
   float share = 0;
   proxy.rays().meet({&ray, 1}, {&share, 1});
@@ -22,7 +23,7 @@ glm::vec2 exactPlace(const SeaProxy& proxy, const SeaProjection& projection, con
   const SightLine back{referenceEye, glm::mix(point, referenceEye, kSightMargin)};
   uint8_t isBlocked = 0;
   proxy.blocked().find({&back, 1}, {&isBlocked, 1});
-  const auto place = projection.pixel(glm::inverse(glm::quat(reference.worldFromCamera)) * (point - referenceEye));
+  const auto place = projection.pixel(glm::inverse(glm::quat(reference.pose.worldFromCamera)) * (point - referenceEye));
   if (isBlocked != 0 || !place) {
     return kUnseen;
   }
@@ -33,12 +34,11 @@ glm::vec2 exactPlace(const SeaProxy& proxy, const SeaProjection& projection, con
 
 }  // namespace
 
-WarpMap exactWarpMap(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                     const SeaPose& reference) {
-  WarpMap map(projection.width, projection.height);
-  for (int y = 0; y < projection.height; ++y) {
-    for (int x = 0; x < projection.width; ++x) {
-      map(x, y) = exactPlace(proxy, projection, target, reference, glm::vec2(x, y) + 0.5f);
+WarpMap exactWarpMap(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference) {
+  WarpMap map(target.projection.width, target.projection.height);
+  for (int y = 0; y < map.height(); ++y) {
+    for (int x = 0; x < map.width(); ++x) {
+      map(x, y) = exactPlace(proxy, target, reference, glm::vec2(x, y) + 0.5f);
     }
   }
   return map;

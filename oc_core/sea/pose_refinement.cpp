@@ -49,7 +49,8 @@ const PoseRefinementMethod& requirePoseRefinement(const std::string& name, const
 
 double comparisonEnergy(const PoseComparison& comparison, const PoseOffset& offset) {
   const SeaPose moved = movedBy(comparison.targetPose, offset.translation, offset.rotation);
-  const WarpMap map = makeWarpMap(comparison.proxy, comparison.projection, moved, comparison.referencePose);
+  const WarpMap map =
+      makeWarpMap(comparison.proxy, {comparison.projection, moved}, {comparison.projection, comparison.referencePose});
   const Image<Rgb8> warped = warpedImage(comparison.reference, map);
   double sum = 0;
   size_t seen = 0;

@@ -49,12 +49,12 @@ std::vector<SeaNeighbor> nearestNeighbors(std::span<const glm::dvec3> positions,
   return neighbors;
 }
 
-Image<Rgb8> blendedView(const SeaDecoder& decoder, std::span<const BlendedImage> images, const SeaPose& target) {
-  const SeaSettings& settings = decoder.settings();
-  const SeaProjection& projection = settings.projection;
+Image<Rgb8> blendedView(const SeaDecoder& decoder, std::span<const BlendedImage> images, const SeaCamera& target) {
+  const SeaProjection& projection = target.projection;
   Image<glm::vec4> sums(projection.width, projection.height, glm::vec4(0));
   for (const BlendedImage& each : images) {
-    const PartialImage warped = warpedOver(decoder.proxy(), *each.image, each.pose, target, settings.warpCell);
+    const PartialImage warped =
+        warpedOver(decoder.proxy(), *each.image, each.pose, target, decoder.settings().warpCell);
     const auto weight = static_cast<float>(each.weight);
     for (size_t i = 0; i < sums.size(); ++i) {
       if (warped.isKnown[i] != 0) {

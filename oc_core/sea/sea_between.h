@@ -33,6 +33,6 @@ struct BlendedImage {
 
 /// Each pixel the mean of what those images show that see it, by their weights; filled smoothly where none does. On the
 /// calling thread alone.
-Image<Rgb8> blendedView(const SeaDecoder& decoder, std::span<const BlendedImage> images, const SeaPose& target);
+Image<Rgb8> blendedView(const SeaDecoder& decoder, std::span<const BlendedImage> images, const SeaCamera& target);
 
 }  // namespace ocelli

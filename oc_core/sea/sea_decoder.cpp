@@ -28,7 +28,8 @@ Image<Rgb8> SeaDecoder::inner(std::span<const uint8_t> bytes) const {
 
 Image<Rgb8> SeaDecoder::predicted(const WarpReference& reference, const SeaPose& referencePose,
                                   const SeaPose& target) const {
-  PartialImage partial = warpedOver(proxy_, reference, referencePose, target, settings_.warpCell);
+  PartialImage partial =
+      warpedOver(proxy_, reference, referencePose, {settings_.projection, target}, settings_.warpCell);
   fillUnknown(partial);
   return std::move(partial.image);
 }

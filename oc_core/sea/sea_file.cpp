@@ -244,7 +244,7 @@ Image<Rgb8> SeaFile::view(const SeaPose& pose) const {
     references.emplace_back(image(neighbor.image), settings().projection);
     blended.push_back({&references.back(), this->pose(neighbor.image), neighbor.weight});
   }
-  return blendedView(*decoder_, blended, pose);
+  return blendedView(*decoder_, blended, {settings().projection, pose});
 }
 
 uint64_t SeaFile::bytesToRead(uint32_t image) const {

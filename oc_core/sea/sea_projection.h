@@ -51,6 +51,12 @@ struct SeaPose {
   bool operator==(const SeaPose&) const = default;
 };
 
+/// How an image was taken, and where.
+struct SeaCamera {
+  SeaProjection projection;
+  SeaPose pose;
+};
+
 /// The pose whose offsets in the axes of `pose` are these: a translation, and a rotation as axis times angle.
 SeaPose movedBy(const SeaPose& pose, const glm::dvec3& translation, const glm::dvec3& rotation);
 

@@ -9,10 +9,9 @@
 #include "oc_core/sea/sea_graph.h"
 
 namespace ocelli {
-namespace {
 
-/// The nearest position is a neighbour in the triangulation.
 double medianSpacing(const std::vector<glm::dvec3>& positions) {
+  // The nearest position is a neighbour in the triangulation.
   std::vector<double> nearest(positions.size(), std::numeric_limits<double>::infinity());
   for (const auto& [a, b] : delaunayEdges(planePositions(positions))) {
     const double length = glm::distance(positions[a], positions[b]);
@@ -23,8 +22,6 @@ double medianSpacing(const std::vector<glm::dvec3>& positions) {
   std::nth_element(nearest.begin(), middle, nearest.end());
   return positions.size() > 1 ? *middle : 0;
 }
-
-}  // namespace
 
 SeaSummary summaryOf(const SeaFile& sea) {
   SeaSummary summary;

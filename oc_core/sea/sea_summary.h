@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <glm/vec3.hpp>
+#include <vector>
 
 #include "oc_core/sea/sea_file.h"
 
@@ -21,6 +22,9 @@ struct SeaSummary {
 
   double ratio() const { return static_cast<double>(rawBytes) / static_cast<double>(fileBytes); }
 };
+
+/// The median distance of a position from the nearest other one; 0 of one alone. At least one.
+double medianSpacing(const std::vector<glm::dvec3>& positions);
 
 /// Reads the index and the images' bytes once. Throws InputError as SeaFile does.
 SeaSummary summaryOf(const SeaFile& sea);

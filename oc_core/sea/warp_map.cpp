@@ -73,26 +73,27 @@ class WarpProjection {
            place.y > static_cast<float>(projection_.height);
   }
 
-  const SeaProjection& projection_;
+  SeaProjection projection_;
   std::vector<glm::vec2> longitudes_;  ///< of a panorama: x and z of level directions
   std::vector<glm::vec2> latitudes_;   ///< how long their level part is, and their y
 };
 
 class WarpRays {
  public:
-  WarpRays(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target, const SeaPose& reference)
+  WarpRays(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference)
       : proxy_(proxy),
-        projection_(projection),
-        eye_(target.position),
-        worldFromTarget_(glm::mat3_cast(target.worldFromCamera)),
-        referenceEye_(reference.position),
-        referenceFromWorld_(glm::mat3_cast(glm::inverse(reference.worldFromCamera))) {}
+        target_(target.projection),
+        reference_(reference.projection),
+        eye_(target.pose.position),
+        worldFromTarget_(glm::mat3_cast(target.pose.worldFromCamera)),
+        referenceEye_(reference.pose.position),
+        referenceFromWorld_(glm::mat3_cast(glm::inverse(reference.pose.worldFromCamera))) {}
 
-  glm::vec3 direction(const glm::vec2& pixel) const { return worldFromTarget_ * projection_.direction(pixel); }
+  glm::vec3 direction(const glm::vec2& pixel) const { return worldFromTarget_ * target_.direction(pixel); }
 
   /// Where the reference has a point, whether it sees it or not; NaN beyond its borders.
   glm::vec2 placeOf(const glm::vec3& point) const {
-    return projection_.pixel(referenceFromWorld_ * (point - referenceEye_));
+    return reference_.pixel(referenceFromWorld_ * (point - referenceEye_));
   }
 
   /// One meeting a pixel.
@@ -123,7 +124,8 @@ class WarpRays {
 
  private:
   const SeaProxy& proxy_;
-  WarpProjection projection_;
+  WarpProjection target_;
+  WarpProjection reference_;
   glm::vec3 eye_;
   glm::mat3 worldFromTarget_;
   glm::vec3 referenceEye_;
@@ -158,9 +160,9 @@ struct WarpCell {
 };
 
 /// Whether corners tell all of a cell; then they are made to lie on one side of a panorama's seam.
-bool isSmooth(WarpCell& cell, const SeaProjection& projection) {
+bool isSmooth(WarpCell& cell, const SeaProjection& target, const SeaProjection& reference) {
   // All columns meet at the poles of a panorama: corners there have no column.
-  const bool touchesPole = projection.wraps() && (cell.low.y == 0 || cell.high.y == projection.height);
+  const bool touchesPole = target.wraps() && (cell.low.y == 0 || cell.high.y == target.height);
   if (!isSeen(cell.middle) || touchesPole) {
     return false;
   }
@@ -170,14 +172,15 @@ bool isSmooth(WarpCell& cell, const SeaProjection& projection) {
     if (!isSeen(corner)) {
       return false;
     }
-    corner = unwrapped(corner, cell.middle, projection);
+    corner = unwrapped(corner, cell.middle, reference);
     mean += corner * 0.25f;
     farthest = std::max(farthest, std::abs(corner.x - cell.middle.x));
   }
   const glm::vec2 bend = glm::abs(mean - cell.middle);
   // Around a pole of the reference corners lie in all directions of their middle, which may be where that is by chance.
   constexpr float kFarthest = 1.0f / 16;
-  return std::max(bend.x, bend.y) <= kMostBend && farthest <= kFarthest * static_cast<float>(projection.width);
+  return std::max(bend.x, bend.y) <= kMostBend &&
+         (!reference.wraps() || farthest <= kFarthest * static_cast<float>(reference.width));
 }
 
 /// `strip` begins at row `top`.
@@ -200,10 +203,9 @@ void fillCell(WarpMap& strip, int top, const WarpCell& cell) {
 /// Makes warp maps strip by strip: a row of cells, each of which is split where the proxy bends or ends within it.
 class WarpStrips {
  public:
-  WarpStrips(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target, const SeaPose& reference,
-             int cell)
-      : projection_(projection), rays_(proxy, projection, target, reference), cell_(cell) {
-    columns_ = (projection.width + cell - 1) / cell;
+  WarpStrips(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference, int cell)
+      : target_(target.projection), reference_(reference.projection), rays_(proxy, target, reference), cell_(cell) {
+    columns_ = (target_.width + cell - 1) / cell;
     follow(rowOfCorners(0), below_);
   }
 
@@ -216,7 +218,7 @@ class WarpStrips {
     while (!cells_.empty()) {
       split_.clear();
       for (WarpCell& cell : cells_) {
-        if (isSmooth(cell, projection_)) {
+        if (isSmooth(cell, target_, reference_)) {
           fillCell(strip, top, cell);
         } else if (cell.canSplit()) {
           split_.push_back(cell);
@@ -230,7 +232,7 @@ class WarpStrips {
   }
 
  private:
-  int columnAt(int column) const { return std::min(column * cell_, projection_.width); }
+  int columnAt(int column) const { return std::min(column * cell_, target_.width); }
 
   std::vector<glm::vec2> rowOfCorners(int y) const {
     std::vector<glm::vec2> pixels;
@@ -246,7 +248,7 @@ class WarpStrips {
   }
 
   void addRow(int top) {
-    const int bottom = std::min(top + cell_, projection_.height);
+    const int bottom = std::min(top + cell_, target_.height);
     above_.swap(below_);
     follow(rowOfCorners(bottom), below_);
     pixels_.clear();
@@ -325,7 +327,8 @@ class WarpStrips {
     }
   }
 
-  const SeaProjection& projection_;
+  SeaProjection target_;
+  SeaProjection reference_;
   WarpRays rays_;
   int cell_;
   int columns_ = 0;
@@ -343,24 +346,23 @@ class WarpStrips {
 
 }  // namespace
 
-void forEachWarpStrip(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                      const SeaPose& reference, int cell,
+void forEachWarpStrip(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference, int cell,
                       const std::function<void(int top, const WarpMap& strip)>& visit) {
-  WarpStrips strips(proxy, projection, target, reference, cell);
-  WarpMap strip(projection.width, std::min(cell, projection.height));
-  for (int top = 0; top < projection.height; top += cell) {
-    if (top + cell > projection.height) {
-      strip = WarpMap(projection.width, projection.height - top);
+  WarpStrips strips(proxy, target, reference, cell);
+  const int height = target.projection.height;
+  WarpMap strip(target.projection.width, std::min(cell, height));
+  for (int top = 0; top < height; top += cell) {
+    if (top + cell > height) {
+      strip = WarpMap(target.projection.width, height - top);
     }
     strips.draw(top, strip);
     visit(top, strip);
   }
 }
 
-WarpMap makeWarpMap(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                    const SeaPose& reference, int cell) {
-  WarpMap map(projection.width, projection.height);
-  forEachWarpStrip(proxy, projection, target, reference, cell, [&](int top, const WarpMap& strip) {
+WarpMap makeWarpMap(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference, int cell) {
+  WarpMap map(target.projection.width, target.projection.height);
+  forEachWarpStrip(proxy, target, reference, cell, [&](int top, const WarpMap& strip) {
     std::copy(strip.begin(), strip.end(), map.begin() + static_cast<ptrdiff_t>(map.index(0, top)));
   });
   return map;

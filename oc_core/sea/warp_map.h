@@ -30,18 +30,15 @@ inline constexpr float kSightMargin = 2e-3f;
 /// The pixels between the rays that are cast first. More makes maps faster, and misses thin things.
 inline constexpr int kWarpCell = 16;
 
-/// On the calling thread alone. Both images have the projection.
-WarpMap makeWarpMap(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                    const SeaPose& reference, int cell = kWarpCell);
+/// On the calling thread alone.
+WarpMap makeWarpMap(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference, int cell = kWarpCell);
 
 /// The same strip by strip, from the top down: what is drawn of one strip need not wait for the memory of the others.
 /// `strip` has the rows from `top` on, as many as the cell has pixels, but for the last one.
-void forEachWarpStrip(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                      const SeaPose& reference, int cell,
+void forEachWarpStrip(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference, int cell,
                       const std::function<void(int top, const WarpMap& strip)>& visit);
 
 /// The same with rays for every pixel: slow, and what the one above is compared with.
-WarpMap exactWarpMap(const SeaProxy& proxy, const SeaProjection& projection, const SeaPose& target,
-                     const SeaPose& reference);
+WarpMap exactWarpMap(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference);
 
 }  // namespace ocelli

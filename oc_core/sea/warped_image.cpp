@@ -119,11 +119,12 @@ Image<Rgb8> warpedImage(const WarpReference& reference, const WarpMap& map) {
 }
 
 PartialImage warpedOver(const SeaProxy& proxy, const WarpReference& reference, const SeaPose& referencePose,
-                        const SeaPose& target, int cell) {
-  PartialImage partial{Image<Rgb8>(reference.width(), reference.height()),
-                       Image<uint8_t>(reference.width(), reference.height())};
+                        const SeaCamera& target, int cell) {
+  PartialImage partial{Image<Rgb8>(target.projection.width, target.projection.height),
+                       Image<uint8_t>(target.projection.width, target.projection.height)};
   const auto warp = HWY_DYNAMIC_DISPATCH(warpRow);
-  forEachWarpStrip(proxy, reference.projection(), target, referencePose, cell, [&](int top, const WarpMap& strip) {
+  const SeaCamera from{reference.projection(), referencePose};
+  forEachWarpStrip(proxy, target, from, cell, [&](int top, const WarpMap& strip) {
     for (int y = 0; y < strip.height(); ++y) {
       warp(reference, &strip(0, y), strip.width(), &partial.image(0, top + y));
       for (int x = 0; x < strip.width(); ++x) {

@@ -59,7 +59,7 @@ struct PartialImage {
 
 /// What warpedImage() gives with makeWarpMap().
 PartialImage warpedOver(const SeaProxy& proxy, const WarpReference& reference, const SeaPose& referencePose,
-                        const SeaPose& target, int cell);
+                        const SeaCamera& target, int cell);
 
 /// Fills what is not known with what is around it, smoothly: by means of blocks, of larger blocks where whole blocks
 /// are not known.

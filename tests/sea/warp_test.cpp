@@ -74,7 +74,7 @@ TEST(NearAtan2, IsNearTheAngle) {
 TEST(WarpMap, FromItsOwnPlaceEveryPixelStaysWhereItIs) {
   const SeaProxy room(test::roomProxy());
   for (const SeaProjection& projection : {kPanorama, kPinhole}) {
-    const WarpMap map = makeWarpMap(room, projection, poseAt(0.1, 0.2, 0.3), poseAt(0.1, 0.2, 0.3));
+    const WarpMap map = makeWarpMap(room, {projection, poseAt(0.1, 0.2, 0.3)}, {projection, poseAt(0.1, 0.2, 0.3)});
     for (int y = 0; y < map.height(); ++y) {
       for (int x = 0; x < map.width(); ++x) {
         ASSERT_TRUE(isSeen(map(x, y))) << x << " " << y;
@@ -93,20 +93,31 @@ TEST(WarpMap, IsCloseToTheExactOne) {
   for (const SeaProjection& projection : {kPanorama, kPinhole}) {
     const SeaPose target = poseAt(0.1, 0.6, 0.2);
     const SeaPose reference = poseAt(-0.3, 0.3, 0.1);
-    const WarpMap exact = exactWarpMap(room, projection, target, reference);
-    const MapDifference fine = differenceOf(makeWarpMap(room, projection, target, reference), exact, projection);
+    const WarpMap exact = exactWarpMap(room, {projection, target}, {projection, reference});
+    const MapDifference fine =
+        differenceOf(makeWarpMap(room, {projection, target}, {projection, reference}), exact, projection);
     EXPECT_LT(fine.seenByOne, 0.01);
     EXPECT_LT(fine.far, 0.01);
     // A reference that stands two centimetres elsewhere is told from it.
     const MapDifference other =
-        differenceOf(makeWarpMap(room, projection, target, poseAt(-0.28, 0.3, 0.1)), exact, projection);
+        differenceOf(makeWarpMap(room, {projection, target}, {projection, poseAt(-0.28, 0.3, 0.1)}), exact, projection);
     EXPECT_GT(other.far, 0.05);
   }
 }
 
+TEST(WarpMap, APinholeLooksIntoAPanorama) {
+  const SeaProxy room(test::roomProxy());
+  const SeaCamera target{kPinhole, poseAt(0.1, 0.6, 0.2)};
+  const SeaCamera reference{kPanorama, poseAt(-0.3, 0.3, 0.1)};
+  const MapDifference difference =
+      differenceOf(makeWarpMap(room, target, reference), exactWarpMap(room, target, reference), kPanorama);
+  EXPECT_LT(difference.seenByOne, 0.01);
+  EXPECT_LT(difference.far, 0.01);
+}
+
 TEST(WarpMap, TellsWhatTheReferenceDoesNotSee) {
   const SeaProxy room(test::roomProxy());
-  const WarpMap map = exactWarpMap(room, kPanorama, poseAt(0.1, 1.5), poseAt(0.1, -1.5));
+  const WarpMap map = exactWarpMap(room, {kPanorama, poseAt(0.1, 1.5)}, {kPanorama, poseAt(0.1, -1.5)});
   size_t unseen = 0;
   for (const glm::vec2& place : map) {
     unseen += isSeen(place) ? 0 : 1;
@@ -118,14 +129,14 @@ TEST(WarpMap, TellsWhatTheReferenceDoesNotSee) {
 
 TEST(WarpMap, WithoutAProxyOnlyTurnsMatter) {
   const SeaProxy none{Mesh{}};
-  const WarpMap map = makeWarpMap(none, kPanorama, poseAt(5, 5, 0), poseAt(0, 0, 3.14159265358979 / 2));
+  const WarpMap map = makeWarpMap(none, {kPanorama, poseAt(5, 5, 0)}, {kPanorama, poseAt(0, 0, 3.14159265358979 / 2)});
   // What lies straight ahead is a quarter of a turn to the right of who looks to the left.
   EXPECT_LT(distanceOf(map(128, 64), {128.5f + 64, 64.5f}, kPanorama), 0.5f);
 }
 
 TEST(WarpMap, APinholeSeesNothingBeyondItsBorders) {
   const SeaProxy room(test::roomProxy());
-  const WarpMap map = makeWarpMap(room, kPinhole, poseAt(0, 0, 0.5), poseAt(0, 0, 0));
+  const WarpMap map = makeWarpMap(room, {kPinhole, poseAt(0, 0, 0.5)}, {kPinhole, poseAt(0, 0, 0)});
   EXPECT_FALSE(isSeen(map(0, 60))) << "far to the left of what the reference looks at";
   EXPECT_TRUE(isSeen(map(199, 60)));
 }
@@ -134,8 +145,9 @@ TEST(WarpedImage, IsWhatIsSeenFromThere) {
   const RoomImages images({poseAt(-0.2, 0.3), poseAt(0.1, 0.4, 0.7)}, {.width = 256, .height = 256});
   const SeaProxy room(test::roomProxy());
   const WarpReference reference(images.image(0), images.projection());
-  PartialImage warped = warpedOver(room, reference, images.poses()[0], images.poses()[1], 8);
-  const WarpMap map = makeWarpMap(room, images.projection(), images.poses()[1], images.poses()[0], 8);
+  PartialImage warped = warpedOver(room, reference, images.poses()[0], {images.projection(), images.poses()[1]}, 8);
+  const WarpMap map =
+      makeWarpMap(room, {images.projection(), images.poses()[1]}, {images.projection(), images.poses()[0]}, 8);
   EXPECT_EQ(warped.image, warpedImage(reference, map));
   for (size_t i = 0; i < map.size(); ++i) {
     ASSERT_EQ(warped.isKnown[i] != 0, isSeen(map[i]));

@@ -8,7 +8,7 @@
 
 namespace ocelli {
 
-class ExploreTexture {
+class ImageTexture {
  public:
   /// Hold a GlScope, here and below.
   void upload(GlContext& context, const Image<Rgb8>& image);

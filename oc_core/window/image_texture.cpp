@@ -1,4 +1,4 @@
-#include "oc_core/explore_window/explore_texture.h"
+#include "oc_core/window/image_texture.h"
 
 #include <array>
 
@@ -6,7 +6,7 @@
 
 namespace ocelli {
 
-void ExploreTexture::upload(GlContext& context, const Image<Rgb8>& image) {
+void ImageTexture::upload(GlContext& context, const Image<Rgb8>& image) {
   const GladGLContext& gl = context.gl();
   const glm::ivec2 size(image.width(), image.height());
   if (size != size_ || !framebuffer_) {
@@ -23,7 +23,7 @@ void ExploreTexture::upload(GlContext& context, const Image<Rgb8>& image) {
   context.check("uploading an image");
 }
 
-void ExploreTexture::copyTo(GlContext& context, const GlObject& framebuffer, const glm::ivec2& corner,
+void ImageTexture::copyTo(GlContext& context, const GlObject& framebuffer, const glm::ivec2& corner,
                             const glm::ivec2& size) const {
   const GladGLContext& gl = context.gl();
   gl.Disable(GL_SCISSOR_TEST);

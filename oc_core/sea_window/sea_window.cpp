@@ -1,0 +1,273 @@
+#include "oc_core/sea_window/sea_window.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "oc_core/base/conventions.h"
+#include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/gl_image.h"
+#include "oc_core/sea_window/sea_keys.h"
+
+namespace ocelli {
+namespace {
+
+/// Pictures are drawn on the CPU: not more pixels than that many.
+constexpr double kMostPicturePixels = 640.0 * 400.0;
+constexpr double kTurnPerWindow = radiansFromDegrees(90);  ///< of a drag across its height
+constexpr double kFast = 4;                                ///< with Shift
+constexpr float kMapSide = 240;                            ///< screen coordinates at 96 dots an inch
+constexpr float kMapRim = 12;
+
+ImVec2 mapPoint(const glm::vec2& p) {
+  return {p.x, p.y};
+}
+
+}  // namespace
+
+/// Where the places stand in the window: x to the right, z downwards.
+struct SeaWindow::MapSight {
+  MapSight(const std::vector<glm::dvec3>& positions, const glm::vec2& corner, float side) {
+    glm::dvec2 lower(positions[0].x, positions[0].z);
+    glm::dvec2 upper = lower;
+    for (const glm::dvec3& position : positions) {
+      lower = glm::min(lower, glm::dvec2(position.x, position.z));
+      upper = glm::max(upper, glm::dvec2(position.x, position.z));
+    }
+    const glm::dvec2 extent = upper - lower;
+    perMetre = (side - 2 * kMapRim) / std::max({extent.x, extent.y, 1e-9});
+    middle = (lower + upper) * 0.5;
+    center = glm::dvec2(corner) + static_cast<double>(side) / 2;
+  }
+
+  glm::vec2 at(const glm::dvec3& place) const {
+    return glm::vec2(center + (glm::dvec2(place.x, place.z) - middle) * perMetre);
+  }
+  glm::dvec3 placeAt(const glm::dvec2& point, double height) const {
+    const glm::dvec2 place = (point - center) / perMetre + middle;
+    return {place.x, height, place.y};
+  }
+
+  glm::dvec2 middle{0};
+  glm::dvec2 center{0};
+  double perMetre = 1;
+};
+
+SeaWindow::SeaWindow(GlContext& context, const SeaFile& sea, std::function<void()> woken, bool waits)
+    : context_(context), sea_(sea), visit_(sea, std::move(woken)), waits_(waits), gui_(context, 1) {}
+
+SeaWindow::~SeaWindow() {
+  const GlScope scope(context_);
+  picture_ = ImageTexture();
+  framebuffer_ = GlObject();
+  color_ = GlObject();
+}
+
+void SeaWindow::press(const KeyEvent& event) {
+  if (!event.pressed) {
+    held_.erase(event.key);
+    return;
+  }
+  for (const SeaHeldKey& row : seaHeldKeys()) {
+    if (std::ranges::find(row.keys, event.key) != row.keys.end()) {
+      held_.insert(event.key);
+    }
+  }
+  for (const SeaKeyAction& row : seaKeyActions()) {
+    if (std::ranges::find(row.keys, event.key) != row.keys.end()) {
+      row.act(visit_, {&help_, &map_, &wantsClose_, &wantsFullscreen_});
+    }
+  }
+}
+
+void SeaWindow::handle(const InputEvent& event) {
+  isChanged_ = true;
+  gui_.handle(event);
+  if (const auto* resized = std::get_if<ResizeEvent>(&event)) {
+    size_ = {resized->width, resized->height};
+    pixels_ = {static_cast<int>(std::lround(resized->width * resized->pixelsPerUnit)),
+               static_cast<int>(std::lround(resized->height * resized->pixelsPerUnit))};
+  } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    if (key->modifiers.shift) {
+      held_.insert(Key::kTab);  // no key of ours: it stands for Shift
+    } else {
+      held_.erase(Key::kTab);
+    }
+    press(*key);
+  } else if (const auto* button = std::get_if<PointerButtonEvent>(&event)) {
+    if (button->button == PointerButton::kLeft && !button->pressed) {
+      dragged_.reset();
+    } else if (button->button == PointerButton::kLeft && !gui_.wantsPointer()) {
+      dragged_ = pointer_;
+    }
+  } else if (const auto* moved = std::get_if<PointerMoveEvent>(&event)) {
+    pointer_ = {moved->x, moved->y};
+    if (dragged_) {
+      const glm::dvec2 way = (pointer_ - *dragged_) / static_cast<double>(std::max(1, size_.y));
+      visit_.turn(way.x * kTurnPerWindow, way.y * kTurnPerWindow);
+      dragged_ = pointer_;
+    }
+  } else if (const auto* scrolled = std::get_if<ScrollEvent>(&event)) {
+    visit_.zoom(scrolled->up);
+  } else if (std::holds_alternative<CloseEvent>(event)) {
+    wantsClose_ = true;
+  }
+}
+
+void SeaWindow::update(double seconds) {
+  sinceDrawn_ += seconds;
+  const double amount = seconds * (held_.contains(Key::kTab) ? kFast : 1);
+  for (const SeaHeldKey& row : seaHeldKeys()) {
+    if (std::ranges::any_of(row.keys, [&](Key key) { return held_.contains(key); })) {
+      row.move(visit_, amount);
+      isChanged_ = true;
+    }
+  }
+}
+
+bool SeaWindow::takeFullscreenWish() {
+  return std::exchange(wantsFullscreen_, false);
+}
+
+void SeaWindow::draw() {
+  if (pixels_.x <= 0 || pixels_.y <= 0) {
+    return;
+  }
+  isChanged_ = false;
+  const double share = std::min(1.0, std::sqrt(kMostPicturePixels / (static_cast<double>(pixels_.x) * pixels_.y)));
+  const auto side = [&](int pixels) { return std::max(16, static_cast<int>(std::lround(pixels * share))); };
+  const Image<Rgb8> picture = visit_.picture(side(pixels_.x), side(pixels_.y), waits_);
+  const GlScope scope(context_);
+  const GladGLContext& gl = context_.gl();
+  if (!framebuffer_ || drawn_ != pixels_) {
+    framebuffer_ = GlObject();
+    color_ = makeTexture(context_, GL_RGBA8, pixels_.x, pixels_.y);
+    framebuffer_ = makeFramebuffer(context_, std::array{color_.id()}, 0);
+    drawn_ = pixels_;
+  }
+  picture_.upload(context_, picture);
+  picture_.copyTo(context_, framebuffer_, {0, 0}, pixels_);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.Viewport(0, 0, pixels_.x, pixels_.y);
+  gui_.beginFrame(std::exchange(sinceDrawn_, 0));
+  drawPanels();
+  gui_.endFrame();
+}
+
+void SeaWindow::drawPanels() {
+  if (map_) {
+    drawMap();
+  }
+  drawStatus();
+  if (help_) {
+    drawHelp();
+  }
+}
+
+void SeaWindow::drawMap() {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  const float side = kMapSide * scale;
+  const glm::vec2 corner(static_cast<float>(size_.x) - side - kMapRim * scale, kMapRim * scale);
+  ImGui::SetNextWindowPos(mapPoint(corner));
+  ImGui::SetNextWindowSize({side, side});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::Begin("map", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav);
+  const MapSight sight(visit_.positions(), corner, side);
+  ImDrawList& list = *ImGui::GetWindowDrawList();
+  const float dot = std::clamp(static_cast<float>(0.3 * visit_.spacing() * sight.perMetre), 0.5f * scale, 2.5f * scale);
+  for (const glm::dvec3& position : visit_.positions()) {
+    const glm::vec2 at = sight.at(position);
+    list.AddRectFilled(mapPoint(at - dot), mapPoint(at + dot), kGuiTextDim.packed(160));
+  }
+  for (const SeaNeighbor& neighbor : visit_.neighbors()) {
+    const glm::vec2 at = sight.at(visit_.positions()[neighbor.image]);
+    list.AddRect(mapPoint(at - 4.0f * scale), mapPoint(at + 4.0f * scale), kOkabeItoOrange.packed(), 0, 0,
+                 1.5f * scale);
+  }
+  const glm::vec2 here = sight.at(visit_.place());
+  const double half = 0.5 * visit_.fovVertical() * size_.x / std::max(1, size_.y);
+  const auto edge = [&](double turn) {
+    const double angle = visit_.yaw() + turn;
+    return here + glm::vec2(-std::sin(angle), -std::cos(angle)) * (34 * scale);
+  };
+  list.AddTriangleFilled(mapPoint(here), mapPoint(edge(half)), mapPoint(edge(-half)), kGuiAccent.packed(110));
+  list.AddCircleFilled(mapPoint(here), 4 * scale, kGuiText.packed());
+  if (ImGui::IsWindowHovered() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    visit_.goTo(sight.placeAt({mouse.x, mouse.y}, visit_.place().y));
+    isChanged_ = true;
+  }
+  ImGui::End();
+}
+
+void SeaWindow::drawStatus() {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  ImGui::SetNextWindowPos({kMapRim * scale, static_cast<float>(size_.y) - kMapRim * scale}, 0, {0, 1});
+  ImGui::SetNextWindowBgAlpha(0.85f);
+  ImGui::Begin("status", nullptr,
+               ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
+                   ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
+  const glm::dvec3& place = visit_.place();
+  ImGui::TextUnformatted(fmt::format("image {} of {}   {:.2f}, {:.2f}, {:.2f}   H: help{}", visit_.nearest() + 1,
+                                     sea_.count(), place.x, place.y, place.z,
+                                     visit_.isComplete() ? "" : "   decoding ...")
+                             .c_str());
+  ImGui::End();
+}
+
+void SeaWindow::drawHelp() {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  ImGui::SetNextWindowPos({static_cast<float>(size_.x) / 2, static_cast<float>(size_.y) / 2}, 0, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({520 * scale, 0});
+  ImGui::SetNextWindowBgAlpha(0.95f);
+  ImGui::Begin("help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  ImGui::TextUnformatted("A sea of images: walk between them");
+  ImGui::Separator();
+  if (ImGui::BeginTable("keys", 2)) {
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 150 * scale);
+    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
+    const auto line = [](const auto& row) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoYellow.packed());
+      ImGui::TextUnformatted(row.shown);
+      ImGui::PopStyleColor();
+      ImGui::TableNextColumn();
+      ImGui::TextUnformatted(row.meaning);
+    };
+    std::ranges::for_each(seaPointerLines(), line);
+    std::ranges::for_each(seaHeldKeys(), line);
+    std::ranges::for_each(seaKeyActions(), line);
+    ImGui::EndTable();
+  }
+  ImGui::PushStyleColor(ImGuiCol_Text, kGuiTextDim.packed());
+  ImGui::TextWrapped(
+      "On the map a disc is where you are, its wedge what you see, and squares are the images that are blended.");
+  ImGui::PopStyleColor();
+  ImGui::End();
+}
+
+Image<Rgb8> SeaWindow::screenshot() const {
+  const GlScope scope(context_);
+  return readRgb8(context_, color_, pixels_.x, pixels_.y);
+}
+
+Image<Rgb8> pictureOfSeaWindow(GlContext& context, const SeaFile& sea, const glm::ivec2& size,
+                               const std::optional<glm::dvec3>& place, double yaw, bool help) {
+  SeaWindow window(context, sea, {}, true);
+  window.handle(ResizeEvent{size.x, size.y, 1, 1});
+  if (place) {
+    window.visit().goTo(*place);
+  }
+  window.visit().turn(yaw - window.visit().yaw(), 0);
+  window.showHelp(help);
+  window.draw();
+  window.draw();  // Dear ImGui knows the sizes of its windows from the frame before
+  return window.screenshot();
+}
+
+}  // namespace ocelli
