@@ -14,11 +14,12 @@ struct SeaSettings {
   SeaProjection projection;
   SeaWay way = SeaWay::kDirect;
   int spacing = 4;  ///< levels of the tree below an I-node, as in the text
-  /// Codecs of oc_core/image_codecs by name, and their qualities; the text has 75 and 65.
+  /// Codecs of oc_core/image_codecs by name, and their qualities. The text has JPEG at 75 and 65; images that are coded
+  /// well predict so much better that fewer bytes are left for the same error (docs/sea_of_images.md).
   std::string iCodec = "jpeg_baseline";
   std::string pCodec = "jpeg_baseline";
-  double iQuality = 75;
-  double pQuality = 65;
+  double iQuality = 92;
+  double pQuality = 30;
   /// Residuals of little energy get a quality that is lower by up to this share (text: 0.3).
   double adaptive = 0.3;
   std::string refinement = "none";  ///< of poses: a name of pose_refinement.h
