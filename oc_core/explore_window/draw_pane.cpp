@@ -18,12 +18,12 @@
 #include "oc_core/explore_window/explore_drawing_painter.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_pane_choice.h"
-#include "oc_core/window/image_texture.h"
 #include "oc_core/frustum_editor/editor_drawing.h"
 #include "oc_core/frustum_editor/editor_input.h"
 #include "oc_core/frustum_editor/editor_preview.h"
 #include "oc_core/page/page_colors.h"
 #include "oc_core/window/gui_layer.h"
+#include "oc_core/window/image_texture.h"
 
 namespace ocelli {
 namespace {

@@ -5,10 +5,10 @@
 #include "oc_core/explore_window/draw_pane.h"
 #include "oc_core/explore_window/explore_image_fit.h"
 #include "oc_core/explore_window/explore_pane.h"
-#include "oc_core/window/image_texture.h"
 #include "oc_core/explore_window/pinhole_pane.h"
 #include "oc_core/explore_window/plan_pane.h"
 #include "oc_core/explore_window/view_pane.h"
+#include "oc_core/window/image_texture.h"
 
 namespace ocelli {
 

@@ -11,9 +11,9 @@
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_plan_sight.h"
-#include "oc_core/window/image_texture.h"
 #include "oc_core/explore_window/explore_tints.h"
 #include "oc_core/window/gui_layer.h"
+#include "oc_core/window/image_texture.h"
 
 namespace ocelli {
 namespace {

@@ -10,8 +10,8 @@
 #include "oc_core/explore_window/explore_colors.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_image_fit.h"
-#include "oc_core/window/image_texture.h"
 #include "oc_core/explore_window/explore_tints.h"
+#include "oc_core/window/image_texture.h"
 
 namespace ocelli {
 namespace {

@@ -24,7 +24,7 @@ void ImageTexture::upload(GlContext& context, const Image<Rgb8>& image) {
 }
 
 void ImageTexture::copyTo(GlContext& context, const GlObject& framebuffer, const glm::ivec2& corner,
-                            const glm::ivec2& size) const {
+                          const glm::ivec2& size) const {
   const GladGLContext& gl = context.gl();
   gl.Disable(GL_SCISSOR_TEST);
   gl.Disable(GL_FRAMEBUFFER_SRGB);
