@@ -18,7 +18,7 @@ namespace {
 /// Images that are built together. It does not depend on the threads, so that the file does not.
 constexpr size_t kMostInGroup = 16;
 /// P-nodes whose energies are looked at before any is coded.
-constexpr size_t kSampledEnergies = 48;
+constexpr size_t kSampledEnergies = 24;
 
 struct Coded {
   sea::ImagePrefix prefix;
