@@ -4,7 +4,7 @@
 #include <cstring>
 
 #include "oc_core/base/check.h"
-#include "oc_core/base/crc32c.h"
+#include "oc_core/checksum/crc32c.h"
 
 namespace ocelli::wire {
 namespace {

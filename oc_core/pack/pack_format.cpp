@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cstring>
 
-#include "oc_core/base/crc32c.h"
+#include "oc_core/checksum/crc32c.h"
 
 namespace ocelli::opack {
 namespace {

@@ -8,7 +8,7 @@
 #include <span>
 #include <type_traits>
 
-#include "oc_core/base/crc32c.h"
+#include "oc_core/checksum/crc32c.h"
 #include "oc_core/sea/sea_projection.h"
 
 namespace ocelli::sea {

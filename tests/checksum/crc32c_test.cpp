@@ -1,4 +1,4 @@
-#include "oc_core/base/crc32c.h"
+#include "oc_core/checksum/crc32c.h"
 
 #include <gtest/gtest.h>
 
