@@ -1,5 +1,7 @@
 // libFuzzer target: any bytes as views.json. What is read is written, and read again as the same.
+#include <cstdint>
 #include <cstdlib>
+#include <initializer_list>
 #include <string>
 
 #include "oc_core/base/error.h"
@@ -14,7 +16,7 @@ extern "C" int LLVMFuzzerTestOneInput(const uint8_t* data, size_t size) {
           listed.colorFile.find('/') != std::string::npos) {
         std::abort();
       }
-      for (const uint16_t level : {0, 1, 32768, 65535}) {
+      for (const uint16_t level : std::initializer_list<uint16_t>{0, 1, 32768, 65535}) {
         const float z = listed.levels.zOf(level);
         if (level > 0 && !(z >= listed.levels.near && z <= listed.levels.far)) {
           std::abort();
