@@ -33,8 +33,8 @@ void read(const std::vector<uint8_t>& bytes) {
     attempt([&] { ocelli::summaryOf(sea); });
     attempt([&] { sea.verify(false); });
     const ocelli::SeaProjection& projection = sea.settings().projection;
-    constexpr int kMostPixels = 1 << 12;  // others take their time, and nothing more
-    for (uint32_t i = 0; i < sea.count() && i < 8 && projection.width * projection.height <= kMostPixels; ++i) {
+    constexpr int kMaxPixels = 1 << 12;  // others take their time, and nothing more
+    for (uint32_t i = 0; i < sea.count() && i < 8 && projection.width * projection.height <= kMaxPixels; ++i) {
       attempt([&] { sea.image(i); });
       attempt([&] { sea.view(sea.pose(i)); });
     }

@@ -12,8 +12,8 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-constexpr double kLeastDepth = 1e-6;
-constexpr double kMostDepth = 1e6;
+constexpr double kMinDepth = 1e-6;
+constexpr double kMaxDepth = 1e6;
 
 Json objectOf(const std::vector<ViewsField>& fields) {
   Json object{{"type", "object"}, {"additionalProperties", false}};
@@ -47,9 +47,9 @@ const std::vector<ViewsField>& viewsFileFields() {
   static const std::vector<ViewsField> fields{
       {"format", "integer", "", "Version of this format", true, kViewsFormat, kViewsFormat},
       {"near", "number", "units of the views", "Smallest z that levels stand for, of views that say no other", false,
-       kLeastDepth, kMostDepth},
-      {"far", "number", "units of the views", "Largest z that levels stand for; more than near", false, kLeastDepth,
-       kMostDepth},
+       kMinDepth, kMaxDepth},
+      {"far", "number", "units of the views", "Largest z that levels stand for; more than near", false, kMinDepth,
+       kMaxDepth},
   };
   return fields;
 }
@@ -61,8 +61,8 @@ const std::vector<ViewsField>& depthViewFields() {
       {"color", "string", "", "PNG file of its colours (sRGB), in the folder", true},
       {"depth", "string", "",
        "PNG file of its depths: grey, 16 bits, of the same size, in the folder; level 0 where nothing is seen", true},
-      {"near", "number", "units of the views", "Of this view alone", false, kLeastDepth, kMostDepth},
-      {"far", "number", "units of the views", "Of this view alone", false, kLeastDepth, kMostDepth},
+      {"near", "number", "units of the views", "Of this view alone", false, kMinDepth, kMaxDepth},
+      {"far", "number", "units of the views", "Of this view alone", false, kMinDepth, kMaxDepth},
   };
   return fields;
 }

@@ -22,9 +22,9 @@ constexpr std::array kMethods{
     PoseRefinementMethod{"bobyqa", "Powell's quadratic models within bounds", nlopt::LN_BOBYQA},
     PoseRefinementMethod{"subplex", "Rowan's Subplex", nlopt::LN_SBPLX}};
 
-constexpr double kMostTurn = radiansFromDegrees(5);
-constexpr int kMostEvaluations = 120;
-constexpr double kLeastSeen = 0.1;
+constexpr double kMaxTurn = radiansFromDegrees(5);
+constexpr int kMaxEvaluations = 120;
+constexpr double kMinSeen = 0.1;
 
 double lumaDifference(const Rgb8& a, const Rgb8& b) {
   return std::abs(0.299 * (int{a.r} - int{b.r}) + 0.587 * (int{a.g} - int{b.g}) + 0.114 * (int{a.b} - int{b.b}));
@@ -60,7 +60,7 @@ double comparisonEnergy(const PoseComparison& comparison, const PoseOffset& offs
       ++seen;
     }
   }
-  const bool isEnough = static_cast<double>(seen) >= kLeastSeen * static_cast<double>(map.size());
+  const bool isEnough = static_cast<double>(seen) >= kMinSeen * static_cast<double>(map.size());
   return isEnough ? sum / static_cast<double>(seen) : std::numeric_limits<double>::infinity();
 }
 
@@ -72,7 +72,7 @@ PoseOffset refinedPose(const PoseComparison& comparison, const PoseRefinementMet
   double least = comparisonEnergy(comparison, best);
   // The first three in shares of the reach, the others of the turn.
   const auto offsetOf = [&](const std::vector<double>& x) {
-    return PoseOffset{glm::dvec3(x[0], x[1], x[2]) * reach, glm::dvec3(x[3], x[4], x[5]) * kMostTurn};
+    return PoseOffset{glm::dvec3(x[0], x[1], x[2]) * reach, glm::dvec3(x[3], x[4], x[5]) * kMaxTurn};
   };
   auto energy = [&](const std::vector<double>& x) {
     const PoseOffset offset = offsetOf(x);
@@ -91,7 +91,7 @@ PoseOffset refinedPose(const PoseComparison& comparison, const PoseRefinementMet
   search.set_initial_step(0.1);
   search.set_xtol_rel(1e-3);
   search.set_xtol_abs(1e-4);
-  search.set_maxeval(kMostEvaluations);
+  search.set_maxeval(kMaxEvaluations);
   using Energy = decltype(energy);
   search.set_min_objective([](const std::vector<double>& x, std::vector<double>& /*gradient*/,
                               void* data) { return (*static_cast<Energy*>(data))(x); },

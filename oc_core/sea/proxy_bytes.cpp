@@ -41,9 +41,9 @@ std::vector<uint8_t> proxyBytes(const Mesh& mesh, const std::string& where) {
     return bytes;
   }
   validate(mesh, where);
-  if (mesh.positions.size() > kMostProxyVertices || mesh.triangles.size() > kMostProxyTriangles) {
+  if (mesh.positions.size() > kMaxProxyVertices || mesh.triangles.size() > kMaxProxyTriangles) {
     throw InputError(fmt::format("a proxy has at most {} triangles and {} vertices, this one {} and {}",
-                                 kMostProxyTriangles, kMostProxyVertices, mesh.triangles.size(), mesh.positions.size()),
+                                 kMaxProxyTriangles, kMaxProxyVertices, mesh.triangles.size(), mesh.positions.size()),
                      where, "simplify it: a dozen polygons do, some thousand are better");
   }
   const Box box = boundsOf(mesh);
@@ -82,7 +82,7 @@ Mesh proxyFromBytes(std::span<const uint8_t> bytes, const std::string& where) {
   }
   std::memcpy(&head, bytes.data(), sizeof(head));
   bytes = bytes.subspan(sizeof(head));
-  if (head.vertices > kMostProxyVertices || head.triangles > kMostProxyTriangles ||
+  if (head.vertices > kMaxProxyVertices || head.triangles > kMaxProxyTriangles ||
       uint64_t{head.vertexBytes} + head.indexBytes != bytes.size() || (head.vertices == 0) != (head.triangles == 0) ||
       !std::isfinite(head.step) || std::abs(head.step) > 1e12f ||
       !std::all_of(head.lower.begin(), head.lower.end(), [](float x) { return std::abs(x) < 1e17f; })) {

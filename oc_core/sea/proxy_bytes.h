@@ -10,8 +10,8 @@
 
 namespace ocelli {
 
-inline constexpr uint32_t kMostProxyVertices = 1u << 22;
-inline constexpr uint32_t kMostProxyTriangles = 1u << 23;
+inline constexpr uint32_t kMaxProxyVertices = 1u << 22;
+inline constexpr uint32_t kMaxProxyTriangles = 1u << 23;
 
 /// Positions and triangles alone. Throws InputError, naming `where`, for a mesh with more than these, or with
 /// coordinates that are not finite. No triangles: no proxy.

@@ -8,7 +8,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostKept = 48;  ///< 4 MB each for a million pixels
+constexpr size_t kMaxKept = 48;  ///< 4 MB each for a million pixels
 
 }  // namespace
 
@@ -32,7 +32,7 @@ void ReferenceStore::prepare(const std::vector<uint32_t>& images) {
   for (size_t i = 0; i < missing.size(); ++i) {
     kept_[missing[i]] = {made[i], uses_};
   }
-  while (kept_.size() > kMostKept) {
+  while (kept_.size() > kMaxKept) {
     const auto oldest = std::min_element(
         kept_.begin(), kept_.end(), [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; });
     if (oldest->second.lastUse == uses_) {

@@ -16,7 +16,7 @@ namespace ocelli {
 namespace {
 
 /// Images that are built together. It does not depend on the threads, so that the file does not.
-constexpr size_t kMostInGroup = 16;
+constexpr size_t kMaxInGroup = 16;
 /// P-nodes whose energies are looked at before any is coded.
 constexpr size_t kSampledEnergies = 24;
 
@@ -157,7 +157,7 @@ double adaptedQuality(double quality, double adaptive, double energy, const Ener
 
 std::vector<std::vector<uint32_t>> buildGroups(const SeaTree& tree) {
   std::vector<std::vector<uint32_t>> groups;
-  const auto full = [&] { return groups.empty() || groups.back().size() == kMostInGroup; };
+  const auto full = [&] { return groups.empty() || groups.back().size() == kMaxInGroup; };
   for (const uint32_t image : tree.order) {
     if (tree.nodes[image].reference == SeaNode::kNone) {
       if (full()) {
@@ -181,7 +181,7 @@ std::vector<std::vector<uint32_t>> buildGroups(const SeaTree& tree) {
     }
     // The first group from there on that has room and stands behind its reference.
     size_t group = std::max(first, groupOf[reference] + 1);
-    while (group < groups.size() && groups[group].size() == kMostInGroup) {
+    while (group < groups.size() && groups[group].size() == kMaxInGroup) {
       ++group;
     }
     if (group == groups.size()) {
@@ -189,7 +189,7 @@ std::vector<std::vector<uint32_t>> buildGroups(const SeaTree& tree) {
     }
     groups[group].push_back(image);
     groupOf[image] = group;
-    while (first < groups.size() && groups[first].size() == kMostInGroup) {
+    while (first < groups.size() && groups[first].size() == kMaxInGroup) {
       ++first;
     }
   }

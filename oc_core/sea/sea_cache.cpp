@@ -6,7 +6,7 @@
 namespace ocelli {
 namespace {
 
-constexpr size_t kMostCached = 64;  ///< 3 MB each for a million pixels
+constexpr size_t kMaxCached = 64;  ///< 3 MB each for a million pixels
 
 }  // namespace
 
@@ -63,7 +63,7 @@ void SeaCache::rethrow() {
 
 void SeaCache::keep(uint32_t image, std::shared_ptr<const WarpReference> decoded) {
   kept_[image] = {std::move(decoded), ++uses_};
-  if (kept_.size() > kMostCached) {
+  if (kept_.size() > kMaxCached) {
     kept_.erase(std::min_element(kept_.begin(), kept_.end(),
                                  [](const auto& a, const auto& b) { return a.second.lastUse < b.second.lastUse; }));
   }

@@ -51,7 +51,7 @@ SeaFile::SeaFile(const std::filesystem::path& path) : path_(path), file_(path) {
   if (header_.isComplete == 0) {
     throw InputError("this sea is not complete", path_.string(), "run the command that builds it again: it goes on");
   }
-  if (header_.fileBytes != bytes.size() || header_.images == 0 || header_.images > sea::kMostImages) {
+  if (header_.fileBytes != bytes.size() || header_.images == 0 || header_.images > sea::kMaxImages) {
     refuse(fmt::format("it has {} bytes, and should have {}", bytes.size(), header_.fileBytes));
   }
   const auto fits = [&](uint64_t offset, size_t entryBytes) {
@@ -108,7 +108,7 @@ SeaFile::Record SeaFile::record(uint64_t at) const {
   record.header = valueAt<RecordHeader>(bytes, at);
   record.at = at + sizeof(RecordHeader);
   if (record.header.mark != RecordHeader{}.mark || record.header.check != sea::checkOf(record.header) ||
-      record.header.payloadBytes > sea::kMostPayload ||
+      record.header.payloadBytes > sea::kMaxPayload ||
       sea::paddedBytes(record.header.payloadBytes) > bytes.size() - record.at) {
     refuse(fmt::format("the record at byte {}", at));
   }

@@ -19,8 +19,8 @@ inline constexpr std::array<uint8_t, 8> kMagic = {0x89, 'O', 'S', 'E', 'A', '\r'
 inline constexpr uint32_t kVersion = 1;
 inline constexpr uint32_t kNoReference = 0xffffffffu;
 inline constexpr size_t kAlignment = 8;  ///< of records
-inline constexpr uint32_t kMostImages = 1u << 24;
-inline constexpr uint64_t kMostPayload = uint64_t{1} << 31;
+inline constexpr uint32_t kMaxImages = 1u << 24;
+inline constexpr uint64_t kMaxPayload = uint64_t{1} << 31;
 
 /// The file begins with it.
 struct Header {

@@ -11,8 +11,8 @@
 namespace ocelli {
 namespace {
 
-constexpr int kMostSpacing = 64;
-constexpr int kMostCell = 64;
+constexpr int kMaxSpacing = 64;
+constexpr int kMaxCell = 64;
 
 constexpr std::array<std::pair<SeaProjectionKind, const char*>, 2> kProjectionNames{
     {{SeaProjectionKind::kPanorama, "panorama"}, {SeaProjectionKind::kPinhole, "pinhole"}}};
@@ -73,11 +73,11 @@ void validate(const SeaSettings& settings, const std::string& where) {
   if (!(settings.adaptive >= 0 && settings.adaptive < 1)) {
     throw InputError("the share by which quality is lowered is from 0 to less than 1", where, "the text takes 0.3");
   }
-  if (settings.spacing < 0 || settings.spacing > kMostSpacing) {
-    throw InputError(fmt::format("I-nodes are 0 to {} levels apart", kMostSpacing), where, "the text takes 4");
+  if (settings.spacing < 0 || settings.spacing > kMaxSpacing) {
+    throw InputError(fmt::format("I-nodes are 0 to {} levels apart", kMaxSpacing), where, "the text takes 4");
   }
-  if (settings.warpCell < 2 || settings.warpCell > kMostCell) {
-    throw InputError(fmt::format("rays of warps are 2 to {} pixels apart", kMostCell), where,
+  if (settings.warpCell < 2 || settings.warpCell > kMaxCell) {
+    throw InputError(fmt::format("rays of warps are 2 to {} pixels apart", kMaxCell), where,
                      fmt::format("leave it out for {}", kWarpCell));
   }
 }
@@ -100,14 +100,14 @@ SeaSettings seaSettingsFromJson(const std::string& text, const std::string& wher
     settings.source = fields.text("source");
     settings.projection = readProjection(fields.inner("projection"));
     settings.way = fields.choiceOf("way", allSeaWays());
-    settings.spacing = fields.integer("i_spacing", 0, kMostSpacing);
+    settings.spacing = fields.integer("i_spacing", 0, kMaxSpacing);
     settings.iCodec = fields.text("i_codec");
     settings.pCodec = fields.text("p_codec");
     settings.iQuality = fields.number("i_quality", 1, 100);
     settings.pQuality = fields.number("p_quality", 1, 100);
     settings.adaptive = fields.number("adaptive", 0, 1);
     settings.refinement = fields.text("refinement");
-    settings.warpCell = fields.integer("warp_cell", 2, kMostCell);
+    settings.warpCell = fields.integer("warp_cell", 2, kMaxCell);
     fields.rejectUnknown();
     validate(settings, where);
     return settings;

@@ -19,8 +19,8 @@ void validatePoses(const std::vector<SeaPose>& poses, const std::vector<std::str
   if (poses.empty()) {
     throw InputError("there are no images", where, "a sea takes at least one");
   }
-  if (poses.size() > sea::kMostImages) {
-    throw InputError(fmt::format("there are {} images; a sea has at most {}", poses.size(), sea::kMostImages), where,
+  if (poses.size() > sea::kMaxImages) {
+    throw InputError(fmt::format("there are {} images; a sea has at most {}", poses.size(), sea::kMaxImages), where,
                      "part them into several seas");
   }
   constexpr double kMost = 1e9;

@@ -12,9 +12,9 @@ namespace ocelli {
 namespace {
 
 constexpr double kFirstFov = radiansFromDegrees(60);
-constexpr double kLeastFov = radiansFromDegrees(15);
-constexpr double kMostFov = radiansFromDegrees(100);
-constexpr double kMostPitch = radiansFromDegrees(85);
+constexpr double kMinFov = radiansFromDegrees(15);
+constexpr double kMaxFov = radiansFromDegrees(100);
+constexpr double kMaxPitch = radiansFromDegrees(85);
 constexpr double kZoomPerStep = 1.1;
 constexpr double kReach = 3;  ///< spacings from the nearest image
 
@@ -32,7 +32,7 @@ SeaVisit::SeaVisit(const SeaFile& sea, std::function<void()> woken)
   }
   const glm::dvec3 ahead = poses_[0].worldFromCamera * glm::dvec3(0, 0, -1);
   yaw_ = std::atan2(-ahead.x, -ahead.z);
-  pitch_ = std::clamp(std::asin(std::clamp(ahead.y, -1.0, 1.0)), -kMostPitch, kMostPitch);
+  pitch_ = std::clamp(std::asin(std::clamp(ahead.y, -1.0, 1.0)), -kMaxPitch, kMaxPitch);
   goToImage(0);
 }
 
@@ -46,7 +46,6 @@ void SeaVisit::goTo(const glm::dvec3& place) {
     place_ = nearest + (place_ - nearest) * (reach / distance);
     neighbors_ = nearestNeighbors(positions_, place_);
   }
-  // Those around are decoded next, so that a step meets images that are there.
   std::vector<uint32_t> wanted;
   for (const SeaNeighbor& neighbor : neighbors_) {
     wanted.push_back(neighbor.image);
@@ -63,12 +62,12 @@ void SeaVisit::walk(double ahead, double right) {
 
 void SeaVisit::turn(double left, double up) {
   yaw_ = std::remainder(yaw_ + left, 2 * kPi);
-  pitch_ = std::clamp(pitch_ + up, -kMostPitch, kMostPitch);
+  pitch_ = std::clamp(pitch_ + up, -kMaxPitch, kMaxPitch);
   isComplete_ = false;
 }
 
 void SeaVisit::zoom(double steps) {
-  fovVertical_ = std::clamp(fovVertical_ * std::pow(kZoomPerStep, -steps), kLeastFov, kMostFov);
+  fovVertical_ = std::clamp(fovVertical_ * std::pow(kZoomPerStep, -steps), kMinFov, kMaxFov);
   isComplete_ = false;
 }
 

@@ -48,7 +48,7 @@ RecordHeader headerOf(RecordKind kind, uint32_t number, std::span<const uint8_t>
 
 SeaWriter::SeaWriter(const fs::path& path, const SeaPreamble& preamble, bool startOver)
     : path_(path), partial_(path.string() + ".partial"), entries_(preamble.poses.size()) {
-  OC_CHECK(!preamble.poses.empty() && preamble.poses.size() <= sea::kMostImages, "a sea has images");
+  OC_CHECK(!preamble.poses.empty() && preamble.poses.size() <= sea::kMaxImages, "a sea has images");
   open(startOver);
   try {
     lock();
@@ -192,7 +192,7 @@ void SeaWriter::resume(const SeaPreamble& preamble) {
     read(end_, {reinterpret_cast<uint8_t*>(&header), sizeof(header)});
     if (header.check != sea::checkOf(header) || header.kind != RecordKind::kImage || header.number >= entries_.size() ||
         has(header.number) || header.payloadBytes < sizeof(sea::ImagePrefix) ||
-        header.payloadBytes > sea::kMostPayload ||
+        header.payloadBytes > sea::kMaxPayload ||
         end_ + sizeof(header) + sea::paddedBytes(header.payloadBytes) > fileBytes) {
       break;
     }
@@ -218,7 +218,7 @@ void SeaWriter::resume(const SeaPreamble& preamble) {
 
 void SeaWriter::add(uint32_t image, const sea::ImagePrefix& prefix, std::span<const uint8_t> coded) {
   OC_CHECK(image < entries_.size() && !has(image), "each image is added once");
-  OC_CHECK(sizeof(prefix) + coded.size() <= sea::kMostPayload, "a coded image is no longer than that");
+  OC_CHECK(sizeof(prefix) + coded.size() <= sea::kMaxPayload, "a coded image is no longer than that");
   sea::IndexEntry& entry = entries_[image];
   entry.offset = append(RecordKind::kImage, image, sea::bytesOf(prefix), coded);
   entry.payloadBytes = static_cast<uint32_t>(sizeof(prefix) + coded.size());

@@ -16,7 +16,7 @@ namespace {
 
 constexpr float kNaN = std::numeric_limits<float>::quiet_NaN();
 /// A cell is drawn by its corners where its middle lies within so many pixels of where they say.
-constexpr float kMostBend = 0.125f;
+constexpr float kMaxBend = 0.125f;
 constexpr int kFinest = 2;  ///< pixels that share a ray where cells are refined
 
 /// What a ray of the target meets.
@@ -179,7 +179,7 @@ bool isSmooth(WarpCell& cell, const SeaProjection& target, const SeaProjection& 
   const glm::vec2 bend = glm::abs(mean - cell.middle);
   // Around a pole of the reference corners lie in all directions of their middle, which may be where that is by chance.
   constexpr float kFarthest = 1.0f / 16;
-  return std::max(bend.x, bend.y) <= kMostBend &&
+  return std::max(bend.x, bend.y) <= kMaxBend &&
          (!reference.wraps() || farthest <= kFarthest * static_cast<float>(reference.width));
 }
 

@@ -17,7 +17,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr size_t kMostFileBytes = size_t{1} << 28;
+constexpr size_t kMaxFileBytes = size_t{1} << 28;
 
 std::span<const uint8_t> bytesOfText(const std::string& text) {
   return {reinterpret_cast<const uint8_t*>(text.data()), text.size()};
@@ -66,7 +66,7 @@ Image<Rgb8> readJpegOfSize(const fs::path& path, const glm::ivec2& size) {
   if (codec == nullptr) {
     throw InputError("this program was built without libjpeg", path.string(), "convert the images to PNG");
   }
-  const std::string bytes = readFile(path, kMostFileBytes);
+  const std::string bytes = readFile(path, kMaxFileBytes);
   return codec->decode(std::as_bytes(std::span(bytes)), size);
 }
 
@@ -105,7 +105,7 @@ bool isImageFile(const fs::path& path) {
 
 glm::ivec2 imageFileSize(const fs::path& path) {
   const ImageFileFormat& format = requireFormat(path);
-  const std::string bytes = readFile(path, kMostFileBytes);
+  const std::string bytes = readFile(path, kMaxFileBytes);
   const std::optional<glm::ivec2> size = format.size(bytesOfText(bytes));
   if (!size || size->x <= 0 || size->y <= 0) {
     throw InputError(fmt::format("this is no {} image", format.ending + 1), path.string(), "convert it anew");

@@ -17,7 +17,7 @@ namespace ocelli {
 namespace {
 
 /// Pictures are drawn on the CPU: not more pixels than that many.
-constexpr double kMostPicturePixels = 640.0 * 400.0;
+constexpr double kMaxPicturePixels = 640.0 * 400.0;
 constexpr double kTurnPerWindow = radiansFromDegrees(90);  ///< of a drag across its height
 constexpr double kFast = 4;                                ///< with Shift
 constexpr float kMapSide = 240;                            ///< screen coordinates at 96 dots an inch
@@ -92,11 +92,7 @@ void SeaWindow::handle(const InputEvent& event) {
     pixels_ = {static_cast<int>(std::lround(resized->width * resized->pixelsPerUnit)),
                static_cast<int>(std::lround(resized->height * resized->pixelsPerUnit))};
   } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    if (key->modifiers.shift) {
-      held_.insert(Key::kTab);  // no key of ours: it stands for Shift
-    } else {
-      held_.erase(Key::kTab);
-    }
+    isFast_ = key->modifiers.shift;
     press(*key);
   } else if (const auto* button = std::get_if<PointerButtonEvent>(&event)) {
     if (button->button == PointerButton::kLeft && !button->pressed) {
@@ -120,7 +116,7 @@ void SeaWindow::handle(const InputEvent& event) {
 
 void SeaWindow::update(double seconds) {
   sinceDrawn_ += seconds;
-  const double amount = seconds * (held_.contains(Key::kTab) ? kFast : 1);
+  const double amount = seconds * (isFast_ ? kFast : 1);
   for (const SeaHeldKey& row : seaHeldKeys()) {
     if (std::ranges::any_of(row.keys, [&](Key key) { return held_.contains(key); })) {
       row.move(visit_, amount);
@@ -138,7 +134,7 @@ void SeaWindow::draw() {
     return;
   }
   isChanged_ = false;
-  const double share = std::min(1.0, std::sqrt(kMostPicturePixels / (static_cast<double>(pixels_.x) * pixels_.y)));
+  const double share = std::min(1.0, std::sqrt(kMaxPicturePixels / (static_cast<double>(pixels_.x) * pixels_.y)));
   const auto side = [&](int pixels) { return std::max(16, static_cast<int>(std::lround(pixels * share))); };
   const Image<Rgb8> picture = visit_.picture(side(pixels_.x), side(pixels_.y), waits_);
   const GlScope scope(context_);

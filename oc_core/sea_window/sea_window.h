@@ -64,6 +64,7 @@ class SeaWindow {
   glm::ivec2 drawn_{0};  ///< the size of the framebuffer
   glm::ivec2 size_{0};   ///< screen coordinates
   std::set<Key> held_;
+  bool isFast_ = false;  ///< Shift is held
   glm::dvec2 pointer_{0};
   std::optional<glm::dvec2> dragged_;  ///< where the pointer was, while it turns the view
   bool help_ = false;

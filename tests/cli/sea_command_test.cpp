@@ -130,7 +130,7 @@ TEST_F(SeaCommand, goesOnWhereItWasStopped) {
   ASSERT_EQ(build().exitCode, 0);
   const std::string whole = fileBytes(folder_ / "house.sea");
   std::filesystem::rename(folder_ / "house.sea", folder_ / "other.sea");
-  // A header of an unfinished sea: its version, and nothing else.
+  // What is left there is of another build.
   ASSERT_EQ(build("--count 6").exitCode, 0);
   std::filesystem::rename(folder_ / "house.sea", folder_ / "house.sea.partial");
   const ProgramResult refused = build();
