@@ -46,10 +46,12 @@ if [ -n "$measure" ]; then
     tests/gl_rays/gl_reflection_test tests/gl_rays/gl_refraction_test tests/gl_rays/gl_stepped_image_test \
     tests/volume_gl/gl_volume_test tests/window/gui_test tests/viewer/viewer_test tests/study_screen/study_screen_test \
     tests/display_sim_gl/display_sim_gl_volume_test tests/display_sim_gl/display_sim_gl_slicer_test \
-    tests/display_sim_gl/display_sim_gl_slicer_scan_test tests/display_sim_gl/display_sim_gl_observer_test; do
+    tests/display_sim_gl/display_sim_gl_slicer_scan_test tests/display_sim_gl/display_sim_gl_observer_test tests/explore_window/explore_window_test \
+    tests/sea_window/sea_window_test; do
     pack bin "$program"
   done
   cp scripts/portable/measure "$packed/"
+  cp oc_core/explore_window/examples/tour.json "$packed/explore_tour.json"
 fi
 
 # The machine's own libraries stay there; those that its driver may bring in a newer version, and EGL's dispatcher, which comes with

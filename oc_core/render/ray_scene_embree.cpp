@@ -54,6 +54,35 @@ void searchNear(RTCScene scene, NearSearch& search, Visit) {
   rtcPointQuery(scene, &query, &context, callback, &search);
 }
 
+/// Calls `put(line, packet, lane)` with what each line meets.
+template <class Put>
+void meetInPackets(RTCScene scene, std::span<const SightLine> lines, const Put& put) {
+  RTCIntersectContext context = coherentContext();
+  for (size_t first = 0; first < lines.size(); first += kLanes) {
+    const size_t count = std::min<size_t>(lines.size() - first, kLanes);
+    RTC_ALIGN(32) int valid[kLanes];
+    RTCRayHit8 packet{};
+    for (size_t lane = 0; lane < kLanes; ++lane) {
+      const SightLine& line = lines[first + std::min(lane, count - 1)];
+      const glm::vec3 step = line.to - line.from;
+      valid[lane] = lane < count && castable(line.from, step) ? -1 : 0;
+      packet.ray.org_x[lane] = line.from.x;
+      packet.ray.org_y[lane] = line.from.y;
+      packet.ray.org_z[lane] = line.from.z;
+      packet.ray.dir_x[lane] = step.x;
+      packet.ray.dir_y[lane] = step.y;
+      packet.ray.dir_z[lane] = step.z;
+      packet.ray.tfar[lane] = 1;
+      packet.ray.mask[lane] = 0xffffffffu;
+      packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
+    }
+    rtcIntersect8(valid, scene, &context, &packet);
+    for (size_t lane = 0; lane < count; ++lane) {
+      put(first + lane, packet, lane);
+    }
+  }
+}
+
 }  // namespace
 
 struct RayScene::Impl {
@@ -220,31 +249,20 @@ void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fra
 
 void RayScene::meet(std::span<const SightLine> lines, std::span<float> shares) const {
   OC_CHECK(lines.size() == shares.size(), "one share a line");
-  RTCIntersectContext context = coherentContext();
-  for (size_t first = 0; first < lines.size(); first += kLanes) {
-    const size_t count = std::min<size_t>(lines.size() - first, kLanes);
-    RTC_ALIGN(32) int valid[kLanes];
-    RTCRayHit8 packet{};
-    for (size_t lane = 0; lane < kLanes; ++lane) {
-      const SightLine& line = lines[first + std::min(lane, count - 1)];
-      const glm::vec3 step = line.to - line.from;
-      valid[lane] = lane < count && castable(line.from, step) ? -1 : 0;
-      packet.ray.org_x[lane] = line.from.x;
-      packet.ray.org_y[lane] = line.from.y;
-      packet.ray.org_z[lane] = line.from.z;
-      packet.ray.dir_x[lane] = step.x;
-      packet.ray.dir_y[lane] = step.y;
-      packet.ray.dir_z[lane] = step.z;
-      packet.ray.tfar[lane] = 1;
-      packet.ray.mask[lane] = 0xffffffffu;
-      packet.hit.geomID[lane] = RTC_INVALID_GEOMETRY_ID;
-    }
-    rtcIntersect8(valid, impl_->scene, &context, &packet);
-    for (size_t lane = 0; lane < count; ++lane) {
-      const bool isMet = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
-      shares[first + lane] = isMet ? std::min(packet.ray.tfar[lane], 1.0f) : std::numeric_limits<float>::infinity();
-    }
-  }
+  meetInPackets(impl_->scene, lines, [&](size_t line, const RTCRayHit8& packet, size_t lane) {
+    const bool isMet = packet.hit.geomID[lane] != RTC_INVALID_GEOMETRY_ID;
+    shares[line] = isMet ? std::min(packet.ray.tfar[lane], 1.0f) : std::numeric_limits<float>::infinity();
+  });
+}
+
+void RayScene::meet(std::span<const SightLine> lines, std::span<Fragment> fragments) const {
+  OC_CHECK(lines.size() == fragments.size(), "one fragment a line");
+  meetInPackets(impl_->scene, lines, [&](size_t line, const RTCRayHit8& packet, size_t lane) {
+    fragments[line] = packet.hit.geomID[lane] == RTC_INVALID_GEOMETRY_ID
+                          ? Fragment{}
+                          : Fragment{std::min(packet.ray.tfar[lane], 1.0f), packet.hit.primID[lane], packet.hit.u[lane],
+                                     packet.hit.v[lane]};
+  });
 }
 
 const Mesh& RayScene::mesh() const {

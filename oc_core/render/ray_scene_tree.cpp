@@ -17,6 +17,14 @@ struct RayScene::Impl {
     }
   }
 
+  Fragment met(const SightLine& line) const {
+    const glm::vec3 step = line.to - line.from;
+    const auto meeting = castable(line.from, step) ? tree.meet(line.from, step, 1) : std::nullopt;
+    return meeting ? Fragment{std::min(static_cast<float>(meeting->share), 1.0f), meeting->triangle, meeting->b1,
+                              meeting->b2}
+                   : Fragment{};
+  }
+
   const Mesh& mesh;
   TriangleTree tree;
   std::optional<RefitQuality> quality;  ///< of a scene that moves
@@ -59,10 +67,15 @@ void RayScene::intersect(std::span<const RayPath> paths, std::span<Fragment> fra
 void RayScene::meet(std::span<const SightLine> lines, std::span<float> shares) const {
   OC_CHECK(lines.size() == shares.size(), "one share a line");
   std::transform(lines.begin(), lines.end(), shares.begin(), [&](const SightLine& line) {
-    const glm::vec3 step = line.to - line.from;
-    const auto meeting = castable(line.from, step) ? impl_->tree.meet(line.from, step, 1) : std::nullopt;
-    return meeting ? std::min(static_cast<float>(meeting->share), 1.0f) : std::numeric_limits<float>::infinity();
+    const Fragment met = impl_->met(line);
+    return met.covered() ? met.t : std::numeric_limits<float>::infinity();
   });
+}
+
+void RayScene::meet(std::span<const SightLine> lines, std::span<Fragment> fragments) const {
+  OC_CHECK(lines.size() == fragments.size(), "one fragment a line");
+  std::transform(lines.begin(), lines.end(), fragments.begin(),
+                 [&](const SightLine& line) { return impl_->met(line); });
 }
 
 const Mesh& RayScene::mesh() const {

@@ -53,6 +53,8 @@ class RayScene final : public RayTarget {
   /// How far along each line a triangle is first met, as a share of its way; infinity where none is. In packets:
   /// neighbours should run alike. Lines whose coordinates are not finite meet nothing.
   void meet(std::span<const SightLine> lines, std::span<float> shares) const;
+  /// The same with what is met there: t is the share.
+  void meet(std::span<const SightLine> lines, std::span<Fragment> fragments) const;
   /// Around all triangles; empty as boundsOf() of an empty mesh.
   Box bounds() const override;
   /// Whether a point of the surface lies within `reach` of `point`.

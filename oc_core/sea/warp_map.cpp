@@ -9,6 +9,7 @@
 #include <span>
 #include <vector>
 
+#include "oc_core/sea/direction_table.h"
 #include "oc_core/sea/near_atan.h"
 
 namespace ocelli {
@@ -25,37 +26,14 @@ struct Meeting {
   float distance = 0;           ///< from the target
 };
 
-/// What SeaProjection does, for many pixels: by tables, and by angles that are near enough.
-class WarpProjection {
+/// What SeaProjection::pixel() does, by angles that are near enough.
+class WarpPlaces {
  public:
-  explicit WarpProjection(const SeaProjection& projection) : projection_(projection) {
-    if (projection.kind == SeaProjectionKind::kPanorama) {
-      // Pixels of warps stand at halves of pixels.
-      for (int i = 0; i <= 2 * projection.width; ++i) {
-        const glm::vec3 level =
-            projection.direction({0.5f * static_cast<float>(i), 0.5f * static_cast<float>(projection.height)});
-        longitudes_.emplace_back(level.x, level.z);
-      }
-      for (int i = 0; i <= 2 * projection.height; ++i) {
-        const glm::vec3 ahead =
-            projection.direction({0.5f * static_cast<float>(projection.width), 0.5f * static_cast<float>(i)});
-        latitudes_.emplace_back(-ahead.z, ahead.y);
-      }
-    }
-  }
-
-  glm::vec3 direction(const glm::vec2& pixel) const {
-    if (longitudes_.empty()) {
-      return projection_.direction(pixel);
-    }
-    const glm::vec2& longitude = longitudes_[static_cast<size_t>(2 * pixel.x)];
-    const glm::vec2& latitude = latitudes_[static_cast<size_t>(2 * pixel.y)];
-    return {longitude.x * latitude.x, latitude.y, longitude.y * latitude.x};
-  }
+  explicit WarpPlaces(const SeaProjection& projection) : projection_(projection) {}
 
   /// NaN where it is not seen.
-  glm::vec2 pixel(const glm::vec3& direction) const {
-    if (longitudes_.empty()) {
+  glm::vec2 operator()(const glm::vec3& direction) const {
+    if (!projection_.wraps()) {
       const auto found = projection_.pixel(direction);
       return found && !isOutside(*found) ? *found : glm::vec2(kNaN);
     }
@@ -74,27 +52,30 @@ class WarpProjection {
   }
 
   SeaProjection projection_;
-  std::vector<glm::vec2> longitudes_;  ///< of a panorama: x and z of level directions
-  std::vector<glm::vec2> latitudes_;   ///< how long their level part is, and their y
 };
+
+/// Of what pixels of warps are: whole ones and halves.
+DirectionTable halfPixelDirections(const SeaProjection& projection) {
+  return {projection, {2 * projection.width + 1, 2 * projection.height + 1, 0, 0.5f}};
+}
 
 class WarpRays {
  public:
   WarpRays(const SeaProxy& proxy, const SeaCamera& target, const SeaCamera& reference)
       : proxy_(proxy),
-        target_(target.projection),
+        target_(halfPixelDirections(target.projection)),
         reference_(reference.projection),
         eye_(target.pose.position),
         worldFromTarget_(glm::mat3_cast(target.pose.worldFromCamera)),
         referenceEye_(reference.pose.position),
         referenceFromWorld_(glm::mat3_cast(glm::inverse(reference.pose.worldFromCamera))) {}
 
-  glm::vec3 direction(const glm::vec2& pixel) const { return worldFromTarget_ * target_.direction(pixel); }
+  glm::vec3 direction(const glm::vec2& pixel) const {
+    return worldFromTarget_ * target_(static_cast<int>(2 * pixel.x), static_cast<int>(2 * pixel.y));
+  }
 
   /// Where the reference has a point, whether it sees it or not; NaN beyond its borders.
-  glm::vec2 placeOf(const glm::vec3& point) const {
-    return reference_.pixel(referenceFromWorld_ * (point - referenceEye_));
-  }
+  glm::vec2 placeOf(const glm::vec3& point) const { return reference_(referenceFromWorld_ * (point - referenceEye_)); }
 
   /// One meeting a pixel.
   void follow(std::span<const glm::vec2> pixels, std::span<Meeting> meetings) {
@@ -124,8 +105,8 @@ class WarpRays {
 
  private:
   const SeaProxy& proxy_;
-  WarpProjection target_;
-  WarpProjection reference_;
+  DirectionTable target_;
+  WarpPlaces reference_;
   glm::vec3 eye_;
   glm::mat3 worldFromTarget_;
   glm::vec3 referenceEye_;

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "oc_core/image/srgb_encoder.h"
 #include "oc_core/render/raycast.h"
 #include "oc_core/scene/mesh.h"
+#include "oc_core/sea/direction_table.h"
 #include "oc_core/sea/sea_source.h"
 
 namespace ocelli {
@@ -34,6 +36,8 @@ class RenderedImages final : public SeaSource {
   std::vector<SeaPose> poses_;
   std::vector<std::string> names_;  ///< none
   Options options_;
+  DirectionTable directions_;
+  SrgbEncoder encoder_;
 };
 
 }  // namespace ocelli

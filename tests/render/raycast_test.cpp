@@ -63,19 +63,28 @@ TEST(RayScene, linesMeetWhatTheirPathsHit) {
   lines.push_back({{0, 0, 0}, {0, 0, std::nanf("")}});
   std::vector<float> shares(lines.size(), 7);
   rays.meet(lines, shares);
+  std::vector<Fragment> fragments(lines.size(), {7, 7, 7, 7});
+  rays.meet(lines, fragments);
   size_t met = 0;
+  size_t sameTriangle = 0;
   for (size_t i = 0; i + 1 < lines.size(); ++i) {
     const Fragment expected = rays.intersect(RayPath{lines[i].from, lines[i].to});
     const float length = glm::distance(lines[i].from, lines[i].to);
+    ASSERT_EQ(fragments[i].covered(), expected.covered()) << i;
     if (expected.covered()) {
       EXPECT_NEAR(shares[i] * length, expected.t, 1e-5f) << i;
+      EXPECT_EQ(fragments[i].t, shares[i]) << i;
+      EXPECT_LT(glm::distance(positionOf(fragments[i], mesh), positionOf(expected, mesh)), 1e-5f) << i;
+      sameTriangle += fragments[i].triangle == expected.triangle ? 1 : 0;
       ++met;
     } else {
       EXPECT_TRUE(std::isinf(shares[i])) << i;
     }
   }
   EXPECT_TRUE(std::isinf(shares.back()));
+  EXPECT_FALSE(fragments.back().covered());
   EXPECT_GT(met, 50u);
+  EXPECT_GE(sameTriangle + 2, met) << "at an edge either is right";
 }
 
 TEST(RayScene, whatLiesBeyondTheLastPointIsNotHit) {

@@ -1,4 +1,4 @@
-// Parts of seas: residuals, proxies as bytes, settings, neighbours, refined poses.
+// Parts of seas: directions, residuals, proxies as bytes, settings, neighbours, refined poses.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -8,6 +8,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/random.h"
+#include "oc_core/sea/direction_table.h"
 #include "oc_core/sea/pose_refinement.h"
 #include "oc_core/sea/proxy_bytes.h"
 #include "oc_core/sea/residual.h"
@@ -21,6 +22,20 @@ namespace {
 using test::RoomImages;
 using testing::HasSubstr;
 using testing::ThrowsMessage;
+
+TEST(DirectionTable, HasTheDirectionsOfTheProjection) {
+  const SeaProjection panorama{.width = 48, .height = 24};
+  const SeaProjection pinhole{SeaProjectionKind::kPinhole, 40, 30, {35, 33}, {19, 16}};
+  for (const SeaProjection& projection : {panorama, pinhole}) {
+    const DirectionTable table(projection, {2 * projection.width, 2 * projection.height, 0.25f, 0.5f});
+    for (int row = 0; row < 2 * projection.height; ++row) {
+      for (int column = 0; column < 2 * projection.width; ++column) {
+        const glm::vec3 expected = projection.direction(glm::vec2(column, row) * 0.5f + 0.25f);
+        ASSERT_LT(glm::distance(table(column, row), expected), 1e-6f) << column << " " << row;
+      }
+    }
+  }
+}
 
 TEST(Residual, GivesTheImageBackToWithinOne) {
   Random random(1);
