@@ -23,5 +23,6 @@ void bindStudies(pybind11::module_& module);
 void bindAnalysis(pybind11::module_& module);
 void bindEffects(pybind11::module_& module);
 void bindDevices(pybind11::module_& module);
+void bindSeas(pybind11::module_& module);
 
 }  // namespace ocelli

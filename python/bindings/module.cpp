@@ -18,4 +18,5 @@ PYBIND11_MODULE(_ocelli, module) {
   ocelli::bindAnalysis(module);
   ocelli::bindEffects(module);
   ocelli::bindDevices(module);
+  ocelli::bindSeas(module);
 }

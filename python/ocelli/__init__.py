@@ -8,6 +8,7 @@
     rows = ocelli.evaluate(statues, ["di", "ddoc"])      # figures: pandas.DataFrame(rows)
     skull = ocelli.volume("builtin:volume,name=skull")   # or a file, or an array
     ocelli.render(skull).before((1, 1, 1))               # along the rays of any camera
+    ocelli.sea.read("museum.sea")[1200]                  # one of thousands of views of a place
 
 Conventions: right-handed, y up; arrays of images have their first row at the top; colours are linear RGB (`ocelli.srgb()`
 turns them into bytes that a PNG takes); angles in degrees. A scene is fitted into the unit sphere unless `fit=False`.
@@ -18,7 +19,7 @@ Whatever takes a scene takes a `Scene`, a `Mesh`, a file name, or "builtin:NAME[
 unless `progress=False`; give a function `progress(stage, fraction)` to show it yourself. Ctrl-C ends it.
 """
 
-from ocelli import camera, devices, effects, ocri, scene, study
+from ocelli import camera, devices, effects, ocri, scene, sea, study
 from ocelli._analysing import Analysis, analyse, column_maps
 from ocelli._drawing import render, resample, srgb
 from ocelli._evaluating import evaluate
@@ -30,6 +31,7 @@ from ocelli._ocelli import (
     ReferenceImages,
     ResampledView,
     Scene,
+    Sea,
     View,
     Volume,
     VolumeImage,
@@ -51,6 +53,7 @@ __all__ = [
     "ReferenceImages",
     "ResampledView",
     "Scene",
+    "Sea",
     "Table",
     "View",
     "Volume",
@@ -71,6 +74,7 @@ __all__ = [
     "render",
     "resample",
     "scene",
+    "sea",
     "slice",
     "srgb",
     "study",

@@ -10,7 +10,7 @@ import ocelli
 from ocelli import _ocelli
 
 STUB = ast.parse((pathlib.Path(ocelli.__file__).parent / "_ocelli.pyi").read_text(encoding="utf-8"))
-PUBLIC_MODULES = (ocelli, ocelli.camera, ocelli.devices, ocelli.effects, ocelli.ocri, ocelli.scene, ocelli.study)
+PUBLIC_MODULES = (ocelli, ocelli.camera, ocelli.devices, ocelli.effects, ocelli.ocri, ocelli.scene, ocelli.sea, ocelli.study)
 
 
 def stub_functions(body):
