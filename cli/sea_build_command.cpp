@@ -13,6 +13,7 @@
 #include "oc_core/base/json_document.h"
 #include "oc_core/sea/pose_refinement.h"
 #include "oc_core/sea/sea_build.h"
+#include "oc_core/sea_input/hidden_points.h"
 #include "oc_core/sea_input/sea_input.h"
 
 namespace ocelli {
@@ -47,8 +48,11 @@ void runBuild(SeaBuildChoice& choice, const CommandContext& context) {
   choice.settings.source = input.source->description();
   choice.settings.projection = input.source->projection();
   validate(choice.settings, "the options");
-  const SeaBuildReport built =
-      buildSea(*input.source, input.proxy, choice.settings, choice.output, choice.startOver, context.progress());
+  const HiddenPoints hidden = choice.settings.hasHidden()
+                                  ? hiddenPointsOf(choice.settings.hidden, faceSideFor(choice.settings.projection))
+                                  : HiddenPoints{};
+  const SeaBuildReport built = buildSea(*input.source, input.proxy, choice.settings, choice.output, choice.startOver,
+                                        context.progress(), hidden);
   context.clearProgress();
   const double ratio = static_cast<double>(built.rawBytes) / static_cast<double>(built.fileBytes);
   const size_t made = built.images - built.resumed;
@@ -132,6 +136,18 @@ void addSeaBuildCommand(CLI::App& sea, const CommandContext& context) {
                   "How poses are refined: none, bobyqa or subplex; by default bobyqa for photographs, none for scenes")
       ->type_name("NAME");
   command.add_option("--warp-cell", settings.warpCell, "Pixels between the rays that are cast at the proxy first")
+      ->capture_default_str()
+      ->type_name("N");
+  command
+      .add_option("--hidden", settings.hidden,
+                  "Store with each I-node what it does not see and images that hang on it do: samples that a kind of "
+                  "reference image has of the proxy, such as ddoc, cell or ldi-2; or none")
+      ->capture_default_str()
+      ->type_name("KIND");
+  command.add_option("--hidden-quality", settings.hiddenQuality, "Of hidden samples, as the codec of I-nodes has it")
+      ->capture_default_str()
+      ->type_name("1..100");
+  command.add_option("--hidden-views", settings.hiddenViews, "Store hidden samples that at least so many images see")
       ->capture_default_str()
       ->type_name("N");
   command.add_flag("--start-over", choice->startOver,

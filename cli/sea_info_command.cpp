@@ -39,6 +39,7 @@ void runInfo(const SeaInfoChoice& choice, const CommandContext& context) {
                      {"bytes", sea.fileBytes()},
                      {"i_bytes", summary.innerBytes},
                      {"p_bytes", summary.residualBytes},
+                     {"hidden_bytes", summary.hiddenBytes},
                      {"raw_bytes", summary.rawBytes},
                      {"ratio", summary.ratio()},
                      {"proxy_triangles", sea.proxy().mesh().triangles.size()},
@@ -46,10 +47,17 @@ void runInfo(const SeaInfoChoice& choice, const CommandContext& context) {
                      {"upper", listOf(summary.upper)},
                      {"spacing", summary.spacing}};
   const uint64_t residuals = sea.count() - summary.inner;
+  const std::string hidden =
+      settings.hasHidden()
+          ? fmt::format("  hidden       {} samples, {:.1f} kB an I-node, {:.2f} % of the file\n", settings.hidden,
+                        static_cast<double>(summary.hiddenBytes) / 1e3 /
+                            static_cast<double>(std::max<uint64_t>(1, summary.inner)),
+                        100 * static_cast<double>(summary.hiddenBytes) / static_cast<double>(sea.fileBytes()))
+          : "";
   const std::string table = fmt::format(
       "{}\n  source       {}\n  images       {} of {}x{}, taken {:.3g} apart (median to the nearest)\n"
       "  positions    {:.4g} to {:.4g}, {:.4g} to {:.4g}, {:.4g} to {:.4g}\n"
-      "  I-nodes      {}, {}, {:.1f} kB each\n  P-nodes      {}, {}, {:.1f} kB each; {} way, at most {} additions\n"
+      "  I-nodes      {}, {}, {:.1f} kB each\n  P-nodes      {}, {}, {:.1f} kB each; {} way, at most {} additions\n{}"
       "  proxy        {} triangles\n  size         {:.2f} MB, {:.1f} : 1, {:.3f} bits a pixel\n",
       choice.file, printableText(settings.source), sea.count(), settings.projection.width, settings.projection.height,
       summary.spacing, summary.lower.x, summary.upper.x, summary.lower.y, summary.upper.y, summary.lower.z,
@@ -57,7 +65,7 @@ void runInfo(const SeaInfoChoice& choice, const CommandContext& context) {
       static_cast<double>(summary.innerBytes) / 1e3 / static_cast<double>(std::max<uint64_t>(1, summary.inner)),
       residuals, settings.pCodec,
       static_cast<double>(summary.residualBytes) / 1e3 / static_cast<double>(std::max<uint64_t>(1, residuals)),
-      nameOf(settings.way), summary.mostAdditions, sea.proxy().mesh().triangles.size(),
+      nameOf(settings.way), summary.mostAdditions, hidden, sea.proxy().mesh().triangles.size(),
       static_cast<double>(sea.fileBytes()) / 1e6, summary.ratio(), 24 / summary.ratio());
   giveFigures(choice.json, textOfJson(figures, 2) + "\n", table, context);
 }

@@ -61,7 +61,7 @@ std::shared_ptr<const WarpReference> ReferenceStore::decoded(uint32_t image) con
   for (size_t i = chain.size(); i-- > 0;) {
     const SeaWriter::StoredImage stored = writer_.read(chain[i]);
     if (stored.prefix.reference == sea::kNoReference) {
-      reference = std::make_shared<const WarpReference>(decoder_.inner(stored.coded), projection);
+      reference = std::make_shared<const WarpReference>(decoder_.innerReference(stored.coded, stored.hidden));
       continue;
     }
     const auto vector = [](const std::array<float, 3>& values) { return glm::dvec3(values[0], values[1], values[2]); };

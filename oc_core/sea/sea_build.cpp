@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "oc_core/base/parallel.h"
+#include "oc_core/sea/hidden_bytes.h"
 #include "oc_core/sea/pose_refinement.h"
 #include "oc_core/sea/proxy_bytes.h"
 #include "oc_core/sea/reference_store.h"
@@ -23,6 +24,7 @@ constexpr size_t kSampledEnergies = 24;
 struct Coded {
   sea::ImagePrefix prefix;
   std::vector<std::byte> bytes;
+  std::vector<uint8_t> hidden;
 };
 
 std::string nameLines(const std::vector<std::string>& names) {
@@ -35,10 +37,11 @@ std::string nameLines(const std::vector<std::string>& names) {
 
 class Builder {
  public:
-  Builder(const SeaSource& source, const SeaDecoder& decoder, const SeaTree& tree)
+  Builder(const SeaSource& source, const SeaDecoder& decoder, const SeaTree& tree, const HiddenPoints& hiddenPoints)
       : source_(source),
         decoder_(decoder),
         tree_(tree),
+        hiddenPoints_(hiddenPoints),
         refinement_(requirePoseRefinement(decoder.settings().refinement, "refinement")) {
     const SeaProjection& whole = source.projection();
     const double share = std::min(1.0, static_cast<double>(kRefinementSide) / std::max(whole.width, whole.height));
@@ -53,6 +56,37 @@ class Builder {
     coded.prefix.quality = static_cast<float>(settings.iQuality);
     coded.bytes = encoded(decoder_.iCodec(), source_.image(image), settings.iQuality);
     return coded;
+  }
+
+  /// hiddenBytes() of an I-node, for the images that hang on it.
+  std::vector<uint8_t> hidden(uint32_t image) const {
+    const SeaSettings& settings = decoder_.settings();
+    const std::vector<SeaPose>& poses = source_.poses();
+    const glm::dvec3& eye = poses[image].position;
+    std::vector<std::pair<double, uint32_t>> hanging;
+    for (uint32_t i = 0; i < tree_.nodes.size(); ++i) {
+      if (tree_.nodes[i].reference == image) {
+        hanging.emplace_back(glm::distance(poses[i].position, eye), i);
+      }
+    }
+    if (hanging.empty()) {
+      return {};
+    }
+    std::sort(hanging.begin(), hanging.end());
+    HiddenViews views;
+    for (const auto& [distance, number] : hanging) {
+      views.poses.push_back(poses[number]);
+    }
+    views.image = [&](size_t view) { return source_.image(hanging[view].second); };
+    views.fewest = static_cast<size_t>(settings.hiddenViews);
+    std::vector<uint8_t> bytes;
+    runAlone([&] {
+      const std::vector<glm::vec3> points = hiddenPoints_(decoder_.proxy().mesh(), poses[image], hanging.back().first);
+      const HiddenSamples samples =
+          gatherHiddenSamples(decoder_.proxy(), {settings.projection, poses[image]}, points, views);
+      bytes = hiddenBytes(samples, settings.projection, decoder_.iCodec(), settings.hiddenQuality);
+    });
+    return bytes;
   }
 
   /// What the reference does not tell of the image.
@@ -106,6 +140,7 @@ class Builder {
   const SeaSource& source_;
   const SeaDecoder& decoder_;
   const SeaTree& tree_;
+  const HiddenPoints& hiddenPoints_;
   const PoseRefinementMethod& refinement_;
   SeaProjection small_;
   EnergyRange energies_;
@@ -197,8 +232,10 @@ std::vector<std::vector<uint32_t>> buildGroups(const SeaTree& tree) {
 }
 
 SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSettings& settings,
-                        const std::filesystem::path& path, bool startOver, const Progress& progress) {
+                        const std::filesystem::path& path, bool startOver, const Progress& progress,
+                        const HiddenPoints& hiddenPoints) {
   const auto start = std::chrono::steady_clock::now();
+  OC_CHECK(!settings.hasHidden() || hiddenPoints, "someone chooses the hidden samples");
   OC_CHECK(settings.projection == source.projection(), "the settings are those of the images");
   const std::vector<SeaPose>& poses = source.poses();
   const SeaPreamble preamble{jsonText(settings), nameLines(source.names()), poses, proxyBytes(proxy, "the proxy")};
@@ -216,7 +253,7 @@ SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSet
   result.resumed = writer.count();
   result.rawBytes = uint64_t{3} * poses.size() * static_cast<uint64_t>(settings.projection.width) *
                     static_cast<uint64_t>(settings.projection.height);
-  Builder builder(source, decoder, tree);
+  Builder builder(source, decoder, tree, hiddenPoints);
   if (settings.adaptive > 0 && writer.count() < poses.size()) {
     builder.setEnergies(sampledEnergies(builder, decoder, source, tree, progress));
   }
@@ -236,6 +273,9 @@ SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSet
         const uint32_t reference = tree.nodes[group[i]].reference;
         if (reference == SeaNode::kNone) {
           coded[i] = builder.inner(group[i]);
+          if (settings.hasHidden()) {
+            coded[i].hidden = builder.hidden(group[i]);
+          }
         } else {
           coded[i] = builder.residual(group[i], builder.difference(group[i], references.at(reference)));
         }
@@ -243,7 +283,7 @@ SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSet
     });
     for (size_t i = 0; i < group.size(); ++i) {
       writer.add(group[i], coded[i].prefix,
-                 {reinterpret_cast<const uint8_t*>(coded[i].bytes.data()), coded[i].bytes.size()});
+                 {reinterpret_cast<const uint8_t*>(coded[i].bytes.data()), coded[i].bytes.size()}, coded[i].hidden);
     }
     report(progress, "images", static_cast<double>(writer.count()) / static_cast<double>(poses.size()));
   }

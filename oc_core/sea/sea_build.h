@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "oc_core/base/progress.h"
+#include "oc_core/sea/hidden_gathering.h"
 #include "oc_core/sea/sea_proxy.h"
 #include "oc_core/sea/sea_settings.h"
 #include "oc_core/sea/sea_source.h"
@@ -25,9 +26,11 @@ struct SeaBuildReport {
 /// Writes `path`. `settings` are validated, their source and projection are those of `source`. The proxy is stored on a
 /// grid of 16 bits, and used as it is stored. `startOver` removes what an earlier build has left; otherwise this goes
 /// on with it. The same input gives the same bytes, whatever the number of threads, and whether a build was stopped in
-/// between or not. Memory does not grow with the number of images, but for some hundred bytes each.
+/// between or not. Memory does not grow with the number of images, but for some hundred bytes each. Where settings have
+/// hidden samples, `hiddenPoints` chooses them, on any thread; images that hang on I-nodes are then asked for twice.
 SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSettings& settings,
-                        const std::filesystem::path& path, bool startOver = false, const Progress& progress = {});
+                        const std::filesystem::path& path, bool startOver = false, const Progress& progress = {},
+                        const HiddenPoints& hiddenPoints = {});
 
 /// The images in groups, each of which hangs on images of the groups before it alone: what is built together.
 std::vector<std::vector<uint32_t>> buildGroups(const SeaTree& tree);

@@ -8,6 +8,7 @@
 #include "oc_core/image/image.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/image_codecs/image_codec.h"
+#include "oc_core/sea/hidden_samples.h"
 #include "oc_core/sea/sea_proxy.h"
 #include "oc_core/sea/sea_settings.h"
 #include "oc_core/sea/warped_image.h"
@@ -26,7 +27,12 @@ class SeaDecoder {
 
   /// These run on the calling thread alone, and any may call them. InputError for bytes that are no such image.
   Image<Rgb8> inner(std::span<const uint8_t> bytes) const;
-  /// What an image looks like from `target`, as far as `reference` tells; the rest is filled smoothly.
+  /// Of an I-node that has some.
+  HiddenSamples hidden(std::span<const uint8_t> bytes) const;
+  /// The image of an I-node, ready to be warped, with its hidden samples, unless there are no bytes of these.
+  WarpReference innerReference(std::span<const uint8_t> bytes, std::span<const uint8_t> hiddenBytes) const;
+  /// What an image looks like from `target`, as far as `reference` and its hidden samples tell; the rest is filled
+  /// smoothly.
   Image<Rgb8> predicted(const WarpReference& reference, const SeaPose& referencePose, const SeaPose& target) const;
   Image<Rgb8> residual(std::span<const uint8_t> bytes) const;
 

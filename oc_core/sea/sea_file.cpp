@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <optional>
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
@@ -149,7 +150,10 @@ sea::IndexEntry SeaFile::entry(uint32_t image) const {
                        found.offset <= bytes.size() && found.payloadBytes <= bytes.size() - found.offset;
   // A chain of references gets shorter by one each time: it ends.
   const bool isInner = found.reference == sea::kNoReference;
-  if (!isWhole || isInner != (found.additions == 0) ||
+  const bool hasRoom = found.hiddenBytes == 0 ||
+                       (isInner && found.offset >= imagesAt_ + 2 * sizeof(RecordHeader) &&
+                        sea::paddedBytes(found.hiddenBytes) <= found.offset - imagesAt_ - 2 * sizeof(RecordHeader));
+  if (!isWhole || !hasRoom || isInner != (found.additions == 0) ||
       (!isInner && (found.reference >= count() || at(found.reference).additions + 1 != found.additions))) {
     refuse(fmt::format("the index of image {}", image));
   }
@@ -169,12 +173,31 @@ SeaFile::Payload SeaFile::payload(uint32_t image, const sea::IndexEntry& entry) 
   return {prefix, all.subspan(sizeof(prefix))};
 }
 
+std::span<const uint8_t> SeaFile::hidden(uint32_t image, const sea::IndexEntry& entry) const {
+  if (entry.hiddenBytes == 0) {
+    return {};
+  }
+  // Its record ends where the image's begins.
+  const uint64_t at = sea::hiddenOffset(entry.offset, entry.hiddenBytes) - sizeof(RecordHeader);
+  const Record found = expect(at, RecordKind::kHidden);
+  if (found.header.number != image || found.payload.size() != entry.hiddenBytes) {
+    refuse(fmt::format("the hidden samples of image {}", image));
+  }
+  return found.payload;
+}
+
+WarpReference SeaFile::innerReference(uint32_t image) const {
+  const sea::IndexEntry found = entry(image);
+  return decoder_->innerReference(payload(image, found).coded, hidden(image, found));
+}
+
 SeaFile::Stored SeaFile::stored(uint32_t image) const {
   const sea::IndexEntry found = entry(image);
   const auto [prefix, coded] = payload(image, found);
   const auto vector = [](const std::array<float, 3>& values) { return glm::dvec3(values[0], values[1], values[2]); };
-  return {found.reference, found.additions, coded.size(), prefix.quality,
-          movedBy(pose(image), vector(prefix.translation), vector(prefix.rotation))};
+  return {found.reference, found.additions,
+          coded.size(),    found.hiddenBytes,
+          prefix.quality,  movedBy(pose(image), vector(prefix.translation), vector(prefix.rotation))};
 }
 
 std::vector<std::string> SeaFile::names() const {
@@ -207,16 +230,22 @@ Image<Rgb8> SeaFile::image(uint32_t image) const {
     chain.push_back(at.reference);
   }
   const uint32_t inner = chain.back();
-  Image<Rgb8> result = decoder_->inner(payload(inner, entry(inner)).coded);
-  for (size_t i = chain.size() - 1; i-- > 0;) {
-    result = withResidual(WarpReference(result, settings().projection), chain[i], entry(chain[i]));
+  if (inner == image) {
+    return decoder_->inner(payload(inner, entry(inner)).coded);
   }
-  return result;
+  WarpReference reference = innerReference(inner);
+  for (size_t i = chain.size() - 1; i-- > 1;) {
+    reference = {withResidual(reference, chain[i], entry(chain[i])), settings().projection};
+  }
+  return withResidual(reference, image, entry(image));
 }
 
 WarpReference SeaFile::reference(uint32_t image) const {
   const sea::IndexEntry found = entry(image);
   OC_CHECK(found.reference != sea::kNoReference, "an I-node hangs on nothing");
+  if (entry(found.reference).reference == sea::kNoReference) {
+    return innerReference(found.reference);
+  }
   return {this->image(found.reference), settings().projection};
 }
 
@@ -251,13 +280,15 @@ uint64_t SeaFile::bytesToRead(uint32_t image) const {
   uint64_t bytes = 0;
   for (uint32_t at = image; at != sea::kNoReference; at = entry(at).reference) {
     bytes += entry(at).payloadBytes + sizeof(sea::IndexEntry) + sizeof(sea::PoseEntry);
+    bytes += at != image ? entry(at).hiddenBytes : 0;
   }
   return bytes;
 }
 
-void SeaFile::verify(bool decode, const Progress& progress) const {
+std::vector<SeaFile::ImagePlace> SeaFile::checkedPlaces(const Progress& progress) const {
   const std::span<const uint8_t> bytes = file_.bytes();
-  std::vector<uint64_t> payloadOf(count(), 0);
+  std::vector<ImagePlace> places(count());
+  std::optional<RecordHeader> hidden;
   uint64_t at = sizeof(header_);
   uint64_t lastPayload = 0;
   while (at < bytes.size()) {
@@ -266,12 +297,16 @@ void SeaFile::verify(bool decode, const Progress& progress) const {
     if (found.header.reserved != 0 || !std::all_of(padding.begin(), padding.end(), [](uint8_t b) { return b == 0; })) {
       refuse(fmt::format("what lies behind the record at byte {}", at));
     }
+    if (hidden && (found.header.kind != RecordKind::kImage || found.header.number != hidden->number)) {
+      refuse(fmt::format("the hidden samples before byte {} are of another image", at));
+    }
     if (found.header.kind == RecordKind::kImage) {
-      if (found.header.number >= count() || payloadOf[found.header.number] != 0) {
+      if (found.header.number >= count() || places[found.header.number].offset != 0) {
         refuse(fmt::format("the record at byte {} is of no image, or of one that stands elsewhere", at));
       }
-      payloadOf[found.header.number] = found.at;
+      places[found.header.number] = {found.at, hidden ? hidden->payloadBytes : 0};
     }
+    hidden = found.header.kind == RecordKind::kHidden ? std::optional(found.header) : std::nullopt;
     lastPayload = found.at;
     at = endOf(found);
     report(progress, "checking", 0.5 * static_cast<double>(at) / static_cast<double>(bytes.size()));
@@ -279,16 +314,25 @@ void SeaFile::verify(bool decode, const Progress& progress) const {
   if (lastPayload != header_.indexOffset) {
     refuse("its index is not where it says");
   }
+  return places;
+}
+
+void SeaFile::verify(bool decode, const Progress& progress) const {
+  const std::vector<ImagePlace> places = checkedPlaces(progress);
   names();
   for (uint32_t i = 0; i < count(); ++i) {
     pose(i);
-    if (entry(i).offset != payloadOf[i]) {
+    const sea::IndexEntry found = entry(i);
+    if (found.offset != places[i].offset || found.hiddenBytes != places[i].hiddenBytes) {
       refuse(fmt::format("the index of image {}", i));
     }
     stored(i);
     if (decode) {
       try {
         image(i);
+        if (found.hiddenBytes > 0) {
+          innerReference(i);
+        }
       } catch (const InputError& error) {
         refuse(fmt::format("image {}: {}", i, error.parts().problem));
       }

@@ -41,7 +41,8 @@ class SeaFile {
   struct Stored {
     uint32_t reference = sea::kNoReference;
     uint32_t additions = 0;
-    uint64_t bytes = 0;  ///< of what its codec wrote
+    uint64_t bytes = 0;        ///< of what its codec wrote
+    uint64_t hiddenBytes = 0;  ///< of its hidden samples
     double quality = 0;
     SeaPose refinedPose;
   };
@@ -90,6 +91,15 @@ class SeaFile {
     std::span<const uint8_t> coded;
   };
   Payload payload(uint32_t image, const sea::IndexEntry& entry) const;
+  /// Of an I-node; none where it has none.
+  std::span<const uint8_t> hidden(uint32_t image, const sea::IndexEntry& entry) const;
+  WarpReference innerReference(uint32_t image) const;
+  /// What a record of an image and the one of its hidden samples before it say, as the index must too.
+  struct ImagePlace {
+    uint64_t offset = 0;
+    uint64_t hiddenBytes = 0;
+  };
+  std::vector<ImagePlace> checkedPlaces(const Progress& progress) const;
   Image<Rgb8> withResidual(const WarpReference& reference, uint32_t image, const sea::IndexEntry& entry) const;
   static uint64_t endOf(const Record& record);
 

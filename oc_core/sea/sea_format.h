@@ -41,8 +41,9 @@ enum class RecordKind : uint32_t {
   kNames = 2,     ///< of the images: UTF-8, each followed by a line feed
   kPoses = 3,     ///< a PoseEntry for each image
   kProxy = 4,
-  kImage = 5,  ///< an ImagePrefix, then the bytes of a codec
-  kIndex = 6,  ///< an IndexEntry for each image; the last record
+  kImage = 5,   ///< an ImagePrefix, then the bytes of a codec
+  kIndex = 6,   ///< an IndexEntry for each image; the last record
+  kHidden = 7,  ///< hidden samples of the I-node whose record comes next: a HiddenPrefix, then its layers
 };
 
 /// Before every record; zeros fill it up to a multiple of kAlignment.
@@ -78,11 +79,20 @@ struct IndexEntry {
   uint32_t payloadBytes = 0;
   uint32_t payloadCheck = 0;
   uint32_t reference = kNoReference;
-  uint32_t additions = 0;  ///< one more than that of its reference; 0 of an I-node
-  uint32_t reserved = 0;
+  uint32_t additions = 0;    ///< one more than that of its reference; 0 of an I-node
+  uint32_t hiddenBytes = 0;  ///< of an I-node: the payload of the record before its own; 0: it has no hidden samples
   uint32_t check = 0;
 };
 static_assert(sizeof(IndexEntry) == 32 && std::is_trivially_copyable_v<IndexEntry>);
+
+/// Then for each layer a bit for each block of the image, the colours of those that have samples, and their levels.
+struct HiddenPrefix {
+  uint32_t layers = 0;
+  float nearest = 0;  ///< the distance from the I-node's eye that level 1 stands for
+  uint32_t colorBytes = 0;
+  uint32_t levelBytes = 0;
+};
+static_assert(sizeof(HiddenPrefix) == 16 && std::is_trivially_copyable_v<HiddenPrefix>);
 
 template <class Record>
 std::span<const uint8_t> bytesOf(const Record& record) {
@@ -101,6 +111,11 @@ Record sealed(Record record) {
 
 constexpr uint64_t paddedBytes(uint64_t bytes) {
   return (bytes + kAlignment - 1) / kAlignment * kAlignment;
+}
+
+/// Of the payload of the record that an image's hidden samples stand in.
+constexpr uint64_t hiddenOffset(uint64_t imagePayload, uint32_t hiddenBytes) {
+  return imagePayload - sizeof(RecordHeader) - paddedBytes(hiddenBytes);
 }
 
 PoseEntry entryOf(const SeaPose& pose);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr int kMaxSpacing = 64;
 constexpr int kMaxCell = 64;
+constexpr int kMaxHiddenViews = 1000;
 
 constexpr std::array<std::pair<SeaProjectionKind, const char*>, 2> kProjectionNames{
     {{SeaProjectionKind::kPanorama, "panorama"}, {SeaProjectionKind::kPinhole, "pinhole"}}};
@@ -67,7 +68,7 @@ void validate(const SeaSettings& settings, const std::string& where) {
   requireCodec(settings.pCodec, where);
   requirePoseRefinement(settings.refinement, where);
   const auto isQuality = [](double quality) { return quality >= 1 && quality <= 100; };
-  if (!isQuality(settings.iQuality) || !isQuality(settings.pQuality)) {
+  if (!isQuality(settings.iQuality) || !isQuality(settings.pQuality) || !isQuality(settings.hiddenQuality)) {
     throw InputError("the quality of a codec is from 1 to 100", where, "the text takes 75 for I-nodes, 65 for P-nodes");
   }
   if (!(settings.adaptive >= 0 && settings.adaptive < 1)) {
@@ -80,15 +81,25 @@ void validate(const SeaSettings& settings, const std::string& where) {
     throw InputError(fmt::format("rays of warps are 2 to {} pixels apart", kMaxCell), where,
                      fmt::format("leave it out for {}", kWarpCell));
   }
+  if (settings.hiddenViews < 1 || settings.hiddenViews > kMaxHiddenViews) {
+    throw InputError(fmt::format("hidden samples are seen by at least 1 to {} images", kMaxHiddenViews), where,
+                     "leave it out for 3");
+  }
 }
 
 std::string jsonText(const SeaSettings& settings) {
-  const nlohmann::ordered_json json{{"source", settings.source},      {"projection", jsonOf(settings.projection)},
-                                    {"way", nameOf(settings.way)},    {"i_spacing", settings.spacing},
-                                    {"i_codec", settings.iCodec},     {"p_codec", settings.pCodec},
-                                    {"i_quality", settings.iQuality}, {"p_quality", settings.pQuality},
-                                    {"adaptive", settings.adaptive},  {"refinement", settings.refinement},
-                                    {"warp_cell", settings.warpCell}};
+  nlohmann::ordered_json json{{"source", settings.source},      {"projection", jsonOf(settings.projection)},
+                              {"way", nameOf(settings.way)},    {"i_spacing", settings.spacing},
+                              {"i_codec", settings.iCodec},     {"p_codec", settings.pCodec},
+                              {"i_quality", settings.iQuality}, {"p_quality", settings.pQuality},
+                              {"adaptive", settings.adaptive},  {"refinement", settings.refinement},
+                              {"warp_cell", settings.warpCell}};
+  // Seas without hidden samples are what they were before there were any.
+  if (settings.hasHidden()) {
+    json["hidden"] = settings.hidden;
+    json["hidden_quality"] = settings.hiddenQuality;
+    json["hidden_views"] = settings.hiddenViews;
+  }
   return textOfJson(json, 2) + "\n";
 }
 
@@ -108,6 +119,11 @@ SeaSettings seaSettingsFromJson(const std::string& text, const std::string& wher
     settings.adaptive = fields.number("adaptive", 0, 1);
     settings.refinement = fields.text("refinement");
     settings.warpCell = fields.integer("warp_cell", 2, kMaxCell);
+    if (fields.has("hidden")) {
+      settings.hidden = fields.text("hidden");
+      settings.hiddenQuality = fields.number("hidden_quality", 1, 100);
+      settings.hiddenViews = fields.integer("hidden_views", 1, kMaxHiddenViews);
+    }
     fields.rejectUnknown();
     validate(settings, where);
     return settings;

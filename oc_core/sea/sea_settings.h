@@ -24,6 +24,14 @@ struct SeaSettings {
   double adaptive = 0.3;
   std::string refinement = "none";  ///< of poses: a name of pose_refinement.h
   int warpCell = kWarpCell;
+  /// The kind of reference image (oc_core/ocri) that chose the hidden samples of I-nodes (hidden_samples.h), or
+  /// kNoHidden.
+  std::string hidden = kNoHidden;
+  double hiddenQuality = 30;  ///< of their colours, in the codec of I-nodes
+  int hiddenViews = 3;        ///< images that hang on an I-node and see a sample, at least, for it to be stored
+
+  static constexpr const char* kNoHidden = "none";
+  bool hasHidden() const { return hidden != kNoHidden; }
 
   bool operator==(const SeaSettings&) const = default;
 };

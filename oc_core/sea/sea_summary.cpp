@@ -32,6 +32,7 @@ SeaSummary summaryOf(const SeaFile& sea) {
     const bool isInner = stored.reference == sea::kNoReference;
     summary.inner += isInner ? 1 : 0;
     (isInner ? summary.innerBytes : summary.residualBytes) += stored.bytes;
+    summary.hiddenBytes += stored.hiddenBytes;
     summary.mostAdditions = std::max(summary.mostAdditions, stored.additions);
     summary.lower = glm::min(summary.lower, positions[i]);
     summary.upper = glm::max(summary.upper, positions[i]);

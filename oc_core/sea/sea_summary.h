@@ -13,6 +13,7 @@ struct SeaSummary {
   uint64_t inner = 0;          ///< I-nodes
   uint64_t innerBytes = 0;     ///< of what their codec wrote
   uint64_t residualBytes = 0;  ///< of the others
+  uint64_t hiddenBytes = 0;    ///< of the hidden samples of I-nodes
   uint32_t mostAdditions = 0;
   uint64_t rawBytes = 0;  ///< of all images, three bytes a pixel
   uint64_t fileBytes = 0;

@@ -186,40 +186,68 @@ void SeaWriter::resume(const SeaPreamble& preamble) {
     throw InputError("what an earlier build has left here is of other images or options", partial_.string(),
                      "give the same options to go on with it, or --start-over to remove it");
   }
-  std::vector<uint8_t> payload;
-  while (end_ + sizeof(RecordHeader) <= fileBytes) {
-    RecordHeader header;
-    read(end_, {reinterpret_cast<uint8_t*>(&header), sizeof(header)});
-    if (header.check != sea::checkOf(header) || header.kind != RecordKind::kImage || header.number >= entries_.size() ||
-        has(header.number) || header.payloadBytes < sizeof(sea::ImagePrefix) ||
-        header.payloadBytes > sea::kMaxPayload ||
-        end_ + sizeof(header) + sea::paddedBytes(header.payloadBytes) > fileBytes) {
-      break;
-    }
-    payload.resize(header.payloadBytes);
-    read(end_ + sizeof(header), payload);
-    if (crc32c(payload) != header.payloadCheck) {
-      break;
-    }
-    sea::ImagePrefix prefix;
-    std::copy_n(payload.begin(), sizeof(prefix), reinterpret_cast<uint8_t*>(&prefix));
-    sea::IndexEntry& entry = entries_[header.number];
-    entry.offset = end_ + sizeof(header);
-    entry.payloadBytes = static_cast<uint32_t>(header.payloadBytes);
-    entry.payloadCheck = header.payloadCheck;
-    entry.reference = prefix.reference;
-    end_ += sizeof(header) + sea::paddedBytes(header.payloadBytes);
-    ++count_;
-  }
+  resumeImages(fileBytes);
   if (::ftruncate(file_, static_cast<off_t>(end_)) != 0) {
     fail(errno);
   }
 }
 
-void SeaWriter::add(uint32_t image, const sea::ImagePrefix& prefix, std::span<const uint8_t> coded) {
+std::optional<SeaWriter::WholeRecord> SeaWriter::wholeRecord(uint64_t at, uint64_t fileBytes) const {
+  WholeRecord record;
+  RecordHeader& header = record.header;
+  if (at + sizeof(header) > fileBytes) {
+    return std::nullopt;
+  }
+  read(at, {reinterpret_cast<uint8_t*>(&header), sizeof(header)});
+  if (header.check != sea::checkOf(header) || header.payloadBytes > sea::kMaxPayload ||
+      at + sizeof(header) + sea::paddedBytes(header.payloadBytes) > fileBytes) {
+    return std::nullopt;
+  }
+  record.payload.resize(header.payloadBytes);
+  read(at + sizeof(header), record.payload);
+  return crc32c(record.payload) == header.payloadCheck ? std::optional(std::move(record)) : std::nullopt;
+}
+
+void SeaWriter::resumeImages(uint64_t fileBytes) {
+  while (true) {
+    uint64_t at = end_;
+    std::optional<WholeRecord> record = wholeRecord(at, fileBytes);
+    // Hidden samples whose image is missing are made again with it.
+    std::optional<RecordHeader> hidden;
+    if (record && record->header.kind == RecordKind::kHidden) {
+      hidden = record->header;
+      at += sizeof(RecordHeader) + sea::paddedBytes(hidden->payloadBytes);
+      record = wholeRecord(at, fileBytes);
+    }
+    if (!record || record->header.kind != RecordKind::kImage || record->header.number >= entries_.size() ||
+        has(record->header.number) || record->payload.size() < sizeof(sea::ImagePrefix) ||
+        (hidden && hidden->number != record->header.number)) {
+      return;
+    }
+    sea::ImagePrefix prefix;
+    std::copy_n(record->payload.begin(), sizeof(prefix), reinterpret_cast<uint8_t*>(&prefix));
+    sea::IndexEntry& entry = entries_[record->header.number];
+    entry.offset = at + sizeof(RecordHeader);
+    entry.payloadBytes = static_cast<uint32_t>(record->payload.size());
+    entry.payloadCheck = record->header.payloadCheck;
+    entry.reference = prefix.reference;
+    entry.hiddenBytes = hidden ? static_cast<uint32_t>(hidden->payloadBytes) : 0;
+    end_ = entry.offset + sea::paddedBytes(entry.payloadBytes);
+    ++count_;
+  }
+}
+
+void SeaWriter::add(uint32_t image, const sea::ImagePrefix& prefix, std::span<const uint8_t> coded,
+                    std::span<const uint8_t> hidden) {
   OC_CHECK(image < entries_.size() && !has(image), "each image is added once");
   OC_CHECK(sizeof(prefix) + coded.size() <= sea::kMaxPayload, "a coded image is no longer than that");
+  OC_CHECK(hidden.empty() || prefix.reference == sea::kNoReference, "hidden samples are of I-nodes");
+  OC_CHECK(hidden.size() <= sea::kMaxPayload, "hidden samples take no more bytes than that");
   sea::IndexEntry& entry = entries_[image];
+  if (!hidden.empty()) {
+    append(RecordKind::kHidden, image, hidden);
+  }
+  entry.hiddenBytes = static_cast<uint32_t>(hidden.size());
   entry.offset = append(RecordKind::kImage, image, sea::bytesOf(prefix), coded);
   entry.payloadBytes = static_cast<uint32_t>(sizeof(prefix) + coded.size());
   entry.payloadCheck = crc32c(coded, crc32c(sea::bytesOf(prefix)));
@@ -234,6 +262,8 @@ SeaWriter::StoredImage SeaWriter::read(uint32_t image) const {
   stored.coded.resize(entry.payloadBytes - sizeof(stored.prefix));
   read(entry.offset, {reinterpret_cast<uint8_t*>(&stored.prefix), sizeof(stored.prefix)});
   read(entry.offset + sizeof(stored.prefix), stored.coded);
+  stored.hidden.resize(entry.hiddenBytes);
+  read(sea::hiddenOffset(entry.offset, entry.hiddenBytes), stored.hidden);
   return stored;
 }
 

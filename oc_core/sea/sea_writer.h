@@ -36,10 +36,13 @@ class SeaWriter {
   uint64_t bytes() const { return end_; }
 
   /// Throws WorkError where the disk is full: what was written stays.
-  void add(uint32_t image, const sea::ImagePrefix& prefix, std::span<const uint8_t> coded);
+  /// `hidden`: hiddenBytes(), of an I-node that has hidden samples.
+  void add(uint32_t image, const sea::ImagePrefix& prefix, std::span<const uint8_t> coded,
+           std::span<const uint8_t> hidden = {});
   struct StoredImage {
     sea::ImagePrefix prefix;
     std::vector<uint8_t> coded;
+    std::vector<uint8_t> hidden;
   };
   /// Of one that is there. Any thread may call it while none adds.
   StoredImage read(uint32_t image) const;
@@ -53,6 +56,14 @@ class SeaWriter {
   void begin(const SeaPreamble& preamble);
   /// Where the records end that a file has, if it begins as this one does; nothing if it begins with something else.
   void resume(const SeaPreamble& preamble);
+  /// Takes the images on whose records are whole, from `end_` on.
+  void resumeImages(uint64_t fileBytes);
+  /// The record that begins there, with its payload; nothing where it is not whole.
+  struct WholeRecord {
+    sea::RecordHeader header;
+    std::vector<uint8_t> payload;
+  };
+  std::optional<WholeRecord> wholeRecord(uint64_t at, uint64_t fileBytes) const;
   uint64_t append(sea::RecordKind kind, uint32_t number, std::span<const uint8_t> first,
                   std::span<const uint8_t> second = {});
   void write(uint64_t at, std::span<const uint8_t> bytes) const;

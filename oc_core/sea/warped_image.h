@@ -3,6 +3,8 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <memory>
+#include <utility>
 #include <vector>
 
 #include "oc_core/image/image.h"
@@ -11,6 +13,8 @@
 #include "oc_core/sea/warp_map.h"
 
 namespace ocelli {
+
+struct HiddenSamples;
 
 /// An image of 8-bit sRGB prepared to be looked up between its pixels: a plane for each colour, with a rim on every
 /// side that goes on round a panorama, over its poles, and repeats the border of other images.
@@ -37,6 +41,10 @@ class WarpReference {
   size_t stride() const { return static_cast<size_t>(width_) + 2 * kRim; }
   const SeaProjection& projection() const { return projection_; }
 
+  /// Of an I-node, what it does not see itself (hidden_samples.h); none by default.
+  const HiddenSamples* hidden() const { return hidden_.get(); }
+  void setHidden(std::shared_ptr<const HiddenSamples> hidden) { hidden_ = std::move(hidden); }
+
  private:
   size_t planeBytes() const { return stride() * (static_cast<size_t>(height_) + 2 * kRim); }
 
@@ -44,6 +52,7 @@ class WarpReference {
   int height_ = 0;
   SeaProjection projection_;
   std::vector<uint8_t> pixels_;
+  std::shared_ptr<const HiddenSamples> hidden_;
 };
 
 /// Each pixel by cubic convolution (Catmull and Rom's) of the reference around its place; black where it is not seen.

@@ -82,6 +82,31 @@ std::vector<SeaPose> gridPoses(int columns, int rows, double spacing) {
   return poses;
 }
 
+std::vector<SeaPose> aroundThePillar() {
+  std::vector<SeaPose> poses;
+  for (const double z : {0.0, -0.2, 0.2, -0.4, 0.4}) {
+    poses.push_back({{0.3, 0, z}, glm::dquat(1, 0, 0, 0)});
+  }
+  return poses;
+}
+
+std::vector<glm::vec3> wallPoints(float spacing) {
+  std::vector<glm::vec3> points;
+  for (float y = -1.5f; y <= 1.5f; y += spacing) {
+    for (float z = -2.5f; z <= 2.5f; z += spacing) {
+      points.emplace_back(2, y, z);
+      points.emplace_back(-2, y, z);
+    }
+  }
+  for (float x = -2; x <= 2; x += spacing) {
+    for (float z = -2.5f; z <= 2.5f; z += spacing) {
+      points.emplace_back(x, -1.5f, z);
+      points.emplace_back(x, 1.5f, z);
+    }
+  }
+  return points;
+}
+
 SeaSettings settingsOf(const SeaSource& source, SeaWay way) {
   SeaSettings settings;
   settings.source = source.description();

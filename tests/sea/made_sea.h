@@ -35,6 +35,11 @@ class RoomImages : public SeaSource {
 /// So many places on a level grid about the middle of the room, so far apart.
 std::vector<SeaPose> gridPoses(int columns, int rows, double spacing);
 
+/// Places beside the pillar: from each of them it hides another part of the wall.
+std::vector<SeaPose> aroundThePillar();
+/// Points on the walls, the floor and the ceiling, so far apart.
+std::vector<glm::vec3> wallPoints(float spacing);
+
 SeaSettings settingsOf(const SeaSource& source, SeaWay way = SeaWay::kDirect);
 
 /// How far two images differ in the mean, in steps of 8-bit values.

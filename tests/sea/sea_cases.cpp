@@ -27,6 +27,25 @@ Bytes smallSea(SeaWay way, int count) {
   return {text.begin(), text.end()};
 }
 
+/// Pinholes that look at the pillar: an I-node with hidden samples, and images that hang on it.
+Bytes hiddenSea() {
+  const TemporaryFolder folder;
+  std::vector<SeaPose> poses = aroundThePillar();
+  poses.resize(3);
+  for (SeaPose& pose : poses) {
+    pose.worldFromCamera = glm::angleAxis(glm::radians(-90.0), glm::dvec3(0, 1, 0));
+  }
+  const RoomImages images(
+      poses, {.kind = SeaProjectionKind::kPinhole, .width = 16, .height = 16, .focal = {10, 10}, .center = {8, 8}});
+  SeaSettings settings = settingsOf(images);
+  settings.hidden = "walls";
+  settings.hiddenViews = 1;
+  buildSea(images, roomProxy(), settings, folder / "hidden.sea", false, {},
+           [](const Mesh&, const SeaPose&, double) { return wallPoints(0.05f); });
+  const std::string text = fileBytes(folder / "hidden.sea");
+  return {text.begin(), text.end()};
+}
+
 sea::Header headerOf(const Bytes& file) {
   return seaRecord<sea::Header>(file, 0);
 }
@@ -60,9 +79,61 @@ Bytes withText(const Bytes& file, const std::string& from, const std::string& to
   return changed;
 }
 
-}  // namespace
+/// Where the entry of the I-node lies in the index.
+uint64_t hiddenEntryAt(const Bytes& file) {
+  uint64_t at = headerOf(file).indexOffset;
+  while (seaRecord<sea::IndexEntry>(file, at).hiddenBytes == 0) {
+    at += sizeof(sea::IndexEntry);
+  }
+  return at;
+}
+uint64_t hiddenPayloadAt(const Bytes& file) {
+  const auto entry = seaRecord<sea::IndexEntry>(file, hiddenEntryAt(file));
+  return sea::hiddenOffset(entry.offset, entry.hiddenBytes);
+}
+/// `Record` has no check of its own.
+template <class Record>
+Bytes withHidden(const Bytes& file, uint64_t at, const std::function<void(Record& record)>& change) {
+  Bytes changed = file;
+  auto record = seaRecord<Record>(changed, at);
+  change(record);
+  putSeaRecord(changed, at, record);
+  repairSeaChecksums(changed);
+  return changed;
+}
 
-std::vector<SeaCase> seaCases() {
+/// Hidden samples that mislead.
+std::vector<SeaCase> hiddenCases() {
+  const Bytes good = hiddenSea();
+  const uint64_t entry = hiddenEntryAt(good);
+  const uint64_t payload = hiddenPayloadAt(good);
+  const uint64_t record = payload - sizeof(sea::RecordHeader);
+  using Prefix = sea::HiddenPrefix;
+  const auto withNearest = [&](float nearest) {
+    return withHidden<Prefix>(good, payload, [=](Prefix& p) { p.nearest = nearest; });
+  };
+  const auto withBytes = [&](uint32_t bytes) {
+    return withEntry<sea::IndexEntry>(good, entry, [=](sea::IndexEntry& e) { e.hiddenBytes = bytes; });
+  };
+  return {
+      {"good_hidden", good},
+      {"bad_hidden_layers", withHidden<Prefix>(good, payload, [](Prefix& p) { p.layers = 5; }), "layers"},
+      {"bad_hidden_no_layers", withHidden<Prefix>(good, payload, [](Prefix& p) { p.layers = 0; }), "layers"},
+      {"bad_hidden_nearest", withNearest(std::numeric_limits<float>::quiet_NaN()), "how near"},
+      {"bad_hidden_mask", withHidden<uint16_t>(good, payload + sizeof(Prefix), [](uint16_t& masks) { masks = 0; }),
+       "there are none"},
+      {"bad_hidden_color", withHidden<Prefix>(good, payload, [](Prefix& p) { p.colorBytes = ~0u; }), "too early"},
+      {"bad_hidden_level", withHidden<Prefix>(good, payload, [](Prefix& p) { --p.levelBytes; }), "image"},
+      {"bad_hidden_none", withBytes(0), "index of image"},
+      {"bad_hidden_long", withBytes(~0u), "index of image"},
+      {"bad_hidden_short", withBytes(8), "index of image"},
+      {"bad_hidden_of_a_residual", withIndex(good, [](sea::IndexEntry& e) { e.hiddenBytes = 64; }), "index of image"},
+      {"bad_hidden_number", withEntry<sea::RecordHeader>(good, record, [](sea::RecordHeader& h) { h.number += 1; }),
+       "another image"},
+  };
+}
+
+std::vector<SeaCase> plainCases() {
   const Bytes direct = smallSea(SeaWay::kDirect, 4);
   const Bytes root = smallSea(SeaWay::kRoot, 4);
   const sea::Header header = headerOf(direct);
@@ -103,6 +174,15 @@ std::vector<SeaCase> seaCases() {
       {"bad_picture", withText(direct, "IHDR", "JHDR"), "image"},
       {"bad_size", withText(direct, "\"width\": 8", "\"width\": 9"), "image"},
   };
+}
+
+}  // namespace
+
+std::vector<SeaCase> seaCases() {
+  std::vector<SeaCase> cases = plainCases();
+  const std::vector<SeaCase> hidden = hiddenCases();
+  cases.insert(cases.end(), hidden.begin(), hidden.end());
+  return cases;
 }
 
 }  // namespace ocelli::test

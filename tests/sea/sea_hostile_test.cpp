@@ -59,10 +59,11 @@ TEST(SeaHostile, TheCorpusHasEveryCase) {
 
 TEST(SeaHostile, ChangedBytesBehindChecksumsThatFitAreNoDanger) {
   const TemporaryFolder folder;
-  const std::vector<SeaCase> cases = seaCases();
+  std::vector<SeaCase> cases = seaCases();
+  std::erase_if(cases, [](const SeaCase& file) { return !file.name.starts_with("good_"); });
   Random random(11);
   for (int i = 0; i < 1500; ++i) {
-    std::vector<uint8_t> bytes = cases[random.below(3)].bytes;
+    std::vector<uint8_t> bytes = cases[random.below(cases.size())].bytes;
     for (size_t change = random.below(4) + 1; change-- > 0;) {
       bytes[random.below(bytes.size())] = static_cast<uint8_t>(random.below(256));
     }
