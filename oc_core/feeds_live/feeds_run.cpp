@@ -95,6 +95,8 @@ class FeedsRun {
         ++figures.outputsWithout;
       }
       const FeedState state = streams_[i]->state();
+      figures.wasFrozen = figures.wasFrozen || state == FeedState::kFrozen;
+      figures.wasLate = figures.wasLate || state == FeedState::kLate;
       isAnyGoingOn = isAnyGoingOn || (state != FeedState::kEnded && state != FeedState::kLost);
       if (std::isfinite(feedSeconds_[i])) {
         const double age = seconds - feedSeconds_[i];

@@ -21,6 +21,8 @@ struct FeedsRunOptions {
 struct FeedRunFigures {
   std::string name;
   FeedState state = FeedState::kLive;  ///< at the end
+  bool wasFrozen = false;  ///< at any time
+  bool wasLate = false;
   std::string message;
   size_t framesRead = 0;
   size_t framesSkipped = 0;   ///< read, but never shown

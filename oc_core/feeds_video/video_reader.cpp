@@ -11,6 +11,7 @@ extern "C" {
 #include <chrono>
 
 #include "oc_core/base/error.h"
+#include "oc_core/feeds_video/pipe_input.h"
 #include "oc_core/feeds_video/video_error.h"
 
 namespace ocelli {
@@ -51,6 +52,7 @@ struct VideoReader::Impl {
   std::string source;
   double maxWaitSeconds = 0;
   WaitLimit limit;
+  std::unique_ptr<PipeInput> pipe;  ///< of a source that is a named pipe
   std::unique_ptr<AVFormatContext, CloseInput> input;
   std::unique_ptr<AVCodecContext, FreeDecoder> decoder;
   std::unique_ptr<AVFrame, FreeFrame> decoded{av_frame_alloc()};
@@ -79,6 +81,10 @@ struct VideoReader::Impl {
   void open() {
     AVFormatContext* context = avformat_alloc_context();
     context->interrupt_callback = {WaitLimit::isOver, &limit};
+    if (PipeInput::isPipe(source)) {
+      pipe = std::make_unique<PipeInput>(source, [this] { return WaitLimit::isOver(&limit) != 0; });
+      context->pb = pipe->context();
+    }
     beginWait();
     const int opened = avformat_open_input(&context, source.c_str(), nullptr, nullptr);  // frees it where it fails
     if (opened < 0) {
