@@ -75,6 +75,7 @@ void addRemoteCommand(CLI::App& program, const CommandContext& context);
 void addRenderCommand(CLI::App& program, const CommandContext& context);
 void addResampleCommand(CLI::App& program, const CommandContext& context);
 void addEvaluateCommand(CLI::App& program, const CommandContext& context);
+void addFeedsCommand(CLI::App& program, const CommandContext& context);
 void addExploreCommand(CLI::App& program, const CommandContext& context);
 
 /// Thrown by `run` to end with the exit code of another program, which has said itself what went wrong.

@@ -26,10 +26,10 @@ FramedMotion loadFramedMotion(const SceneChoice& scene, double hertz, const Comm
     throw InputError("this scene stands still", scene.source,
                      "leave --frames-per-second out, and write a single frame");
   }
-  constexpr double kMaxFrames = 100'000;
+  constexpr double kMaxMotionFrames = 100'000;
   const double frames = std::max(1.0, std::round(framed.motion->durationSeconds() * hertz));
-  if (!(frames <= kMaxFrames)) {
-    throw InputError(fmt::format("{:g} frames are more than {:g}", frames, kMaxFrames), "--frames-per-second",
+  if (!(frames <= kMaxMotionFrames)) {
+    throw InputError(fmt::format("{:g} frames are more than {:g}", frames, kMaxMotionFrames), "--frames-per-second",
                      "choose a lower rate");
   }
   for (double i = 0; i < frames; ++i) {

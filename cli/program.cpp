@@ -43,6 +43,7 @@ void addCommands(CLI::App& program, const CommandContext& context) {
   addDeviceCommand(program, context);
   addEvaluateCommand(program, context);
   addExploreCommand(program, context);
+  addFeedsCommand(program, context);
   addShadeCommand(program, context);
   addSolidityCommand(program, context);
   addViewersCommand(program, context);

@@ -10,6 +10,7 @@ BuiltinScene boxScene();
 BuiltinScene boxesScene();
 BuiltinScene canyonScene();
 BuiltinScene cityScene();
+BuiltinScene corridorTScene();
 BuiltinScene crowdScene();
 BuiltinScene dnaScene();
 BuiltinScene doorsScene();

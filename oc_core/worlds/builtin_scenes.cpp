@@ -42,7 +42,7 @@ const std::vector<BuiltinScene>& listBuiltinScenes() {
       boxesScene(),     mazeScene(),   townScene(),    canyonScene(),     sphereScene(),  torusScene(),
       boxScene(),       wavingScene(), mirrorScene(),  mirrorMazeScene(), lensScene(),    parkingScene(),
       cityScene(),      houseScene(),  barrelsScene(), lampScene(),       pergolaScene(), dnaScene(),
-      particlesScene(), treeScene(),   museumScene(),  officeScene(),     libraryScene()};
+      particlesScene(), treeScene(),   museumScene(),  officeScene(),     libraryScene(), corridorTScene()};
   return scenes;
 }
 

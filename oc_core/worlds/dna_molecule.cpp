@@ -17,7 +17,7 @@ namespace {
 using Part = DnaAtom::Part;
 
 constexpr double kTwistDegrees = 36;
-constexpr double kRise = 3.38;
+constexpr double kRisePerPair = 3.38;
 /// No two atoms that are not bonded come as near, and no bond is as long.
 constexpr float kMaxBondLength = 1.75f;
 
@@ -138,7 +138,7 @@ class DnaBuilder {
     const double angle = radiansFromDegrees(kTwistDegrees) * pair;
     const glm::dvec2 turned(position.x * std::cos(angle) - position.y * std::sin(angle),
                             position.x * std::sin(angle) + position.y * std::cos(angle));
-    return glm::vec3(turned, position.z + kRise * (pair - static_cast<double>(pairs_ - 1) / 2));
+    return glm::vec3(turned, position.z + kRisePerPair * (pair - static_cast<double>(pairs_ - 1) / 2));
   }
 
   size_t pairs_;

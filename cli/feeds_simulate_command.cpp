@@ -1,0 +1,77 @@
+// `ocelli feeds simulate`: feeds of a scene with walkers, and the truth about them.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <memory>
+
+#include "cli/feeds_command.h"
+#include "cli/number_check.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/number_text.h"
+#include "oc_core/feeds_measure/simulate_feeds.h"
+
+namespace ocelli {
+namespace {
+
+struct FeedsSimulateChoice {
+  FeedSimulationOptions options;
+  std::string output;
+  std::string freeze;
+};
+
+void runSimulate(FeedsSimulateChoice choice, const CommandContext& context) {
+  if (!choice.freeze.empty()) {
+    const size_t at = choice.freeze.find('@');
+    const auto seconds = at == std::string::npos ? std::nullopt : numberFromText<double>(choice.freeze.substr(at + 1));
+    if (!seconds || *seconds < 0) {
+      throw InputError("\"" + choice.freeze + "\" is no feed and time", "--freeze", "write FEED@SECONDS, as left@3.5");
+    }
+    choice.options.frozenFeed = choice.freeze.substr(0, at);
+    choice.options.frozenSeconds = *seconds;
+  }
+  const FeedSimulationFigures figures = simulateFeeds(choice.options, choice.output, context.progress());
+  context.clearProgress();
+  context.note(fmt::format("wrote {}/setup.json, truth.json and feeds: {} frames, {} of them dropped", choice.output,
+                           figures.frames, figures.dropped));
+}
+
+}  // namespace
+
+void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context) {
+  CLI::App& command = *feeds.add_subcommand("simulate", "Make feeds of a scene with walkers, and the truth about them");
+  const auto choice = std::make_shared<FeedsSimulateChoice>();
+  FeedSimulationOptions& options = choice->options;
+  command.add_option("SCENE", options.scene, "A scene with cameras and ways: builtin:corridor_t")->required();
+  command.add_option("-o,--output", choice->output, "The folder")->required()->type_name("FOLDER");
+  const auto number = [&](const char* name, double& value, const char* help, double least, double most,
+                          const char* unit) {
+    command.add_option(name, value, help)->check(numberCheck(least, most))->capture_default_str()->type_name(unit);
+  };
+  number("--seconds", options.seconds, "How long", 0.1, 36000, "S");
+  number("--frames-per-second", options.framesPerSecond, "Of each camera", 1, 240, "F");
+  command.add_option("--walkers", options.walkers, "How many people walk there")
+      ->check(CLI::Range(size_t{0}, kMaxWalkers))
+      ->capture_default_str()
+      ->type_name("N");
+  command.add_option("--seed", options.seed, "Of the random numbers")
+      ->check(CLI::Range(uint64_t{0}, uint64_t{1} << 52U))
+      ->capture_default_str()
+      ->type_name("N");
+  number("--noise", options.noiseLevels, "Standard deviation of the noise, of 255 levels", 0, 50, "LEVELS");
+  number("--exposure", options.exposureSwing, "By which share the light of each feed goes up and down", 0, 0.5,
+         "SHARE");
+  number("--distortion", options.distortion, "Of the lenses: 0 none, 1 usual", 0, 1.5, "SHARE");
+  number("--clock-offset", options.maxClockOffset, "By how much clocks differ, at most", 0, 1000, "S");
+  number("--dropped", options.droppedShare, "Share of the frames that are lost", 0, 0.9, "SHARE");
+  command.add_option("--masks", options.maskEvery, "Write what is a walker for each so manieth frame, too")
+      ->check(CLI::Range(size_t{1}, size_t{1000000}))
+      ->type_name("N");
+  command.add_option("--freeze", choice->freeze, "A feed that shows nothing new from a time on")
+      ->type_name("FEED@SECONDS");
+  context.finish(command,
+                 "  ocelli feeds simulate builtin:corridor_t -o corridor\n"
+                 "  ocelli feeds simulate builtin:corridor_t --walkers 6 --seconds 60 --seed 7 --masks 30 -o corridor",
+                 [choice, context] { runSimulate(*choice, context); });
+}
+
+}  // namespace ocelli

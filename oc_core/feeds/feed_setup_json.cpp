@@ -1,0 +1,200 @@
+// The JSON form of a setup.
+#include <glm/geometric.hpp>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/json_fields.h"
+#include "oc_core/feeds/feed_setup.h"
+
+namespace ocelli {
+namespace {
+
+using OrderedJson = nlohmann::ordered_json;
+
+constexpr const char* kSetupSchema = "oc_core/feeds/feeds_setup.schema.json";
+constexpr double kMaxMetres = 1e5;
+constexpr size_t kMaxNameLength = 64;
+constexpr size_t kMaxSourceLength = 4096;
+
+glm::dvec3 pointOf(const std::vector<double>& p) {
+  return {p[0], p[1], p[2]};
+}
+
+glm::dvec3 readPoint(JsonFields& fields, const std::string& name) {
+  return pointOf(fields.numbers(name, 3, -kMaxMetres, kMaxMetres));
+}
+
+FeedLens readLens(JsonFields fields, const Feed& feed) {
+  FeedLens lens;
+  const std::vector<double> focal = fields.numbers("focal", 2, 1, 1e6);
+  lens.focal = {focal[0], focal[1]};
+  lens.center = {feed.width / 2.0, feed.height / 2.0};
+  if (fields.has("center")) {
+    const std::vector<double> center = fields.numbers("center", 2, -kMaxFeedPixels, 2.0 * kMaxFeedPixels);
+    lens.center = {center[0], center[1]};
+  }
+  lens.k1 = fields.number("k1", -10, 10, 0);
+  lens.k2 = fields.number("k2", -10, 10, 0);
+  lens.p1 = fields.number("p1", -1, 1, 0);
+  lens.p2 = fields.number("p2", -1, 1, 0);
+  lens.k3 = fields.number("k3", -10, 10, 0);
+  fields.rejectUnknown();
+  return lens;
+}
+
+FeedPose readPose(JsonFields fields) {
+  FeedPose pose;
+  pose.eye = readPoint(fields, "eye");
+  pose.target = readPoint(fields, "target");
+  if (fields.has("up")) {
+    pose.up = readPoint(fields, "up");
+  }
+  const glm::dvec3 ahead = pose.target - pose.eye;
+  if (!(glm::length(ahead) > 0) || !(glm::length(glm::cross(ahead, pose.up)) > 1e-9 * glm::length(ahead))) {
+    fields.fail("target", "is where the eye is, or up is along the view direction");
+  }
+  fields.rejectUnknown();
+  return pose;
+}
+
+Feed readFeed(JsonFields& fields) {
+  Feed feed;
+  feed.name = fields.shortText("name", kMaxNameLength);
+  feed.source = fields.shortText("source", kMaxSourceLength);
+  feed.width = fields.integer("width", 16, kMaxFeedPixels);
+  feed.height = fields.integer("height", 16, kMaxFeedPixels);
+  feed.lens = readLens(fields.inner("lens"), feed);
+  feed.pose = readPose(fields.inner("pose"));
+  feed.clockOffsetSeconds = fields.number("clock_offset_seconds", -1e9, 1e9, 0);
+  if (fields.has("background")) {
+    feed.background = fields.shortText("background", kMaxSourceLength);
+  }
+  return feed;
+}
+
+FeedFrustum readFrustum(JsonFields& fields) {
+  FeedFrustum frustum;
+  frustum.feed = fields.shortText("feed", kMaxNameLength);
+  if (fields.has("parent")) {
+    frustum.parent = fields.shortText("parent", kMaxNameLength);
+    const nlohmann::json& corners = fields.value("near");
+    if (!corners.is_array() || corners.size() != frustum.near.size()) {
+      fields.fail("near", "must be an array of 4 points");
+    }
+    for (size_t i = 0; i < frustum.near.size(); ++i) {
+      const nlohmann::json& corner = corners[i];
+      const bool isPoint = corner.is_array() && corner.size() == 3 &&
+                           std::all_of(corner.begin(), corner.end(), [](const nlohmann::json& x) {
+                             return x.is_number() && std::abs(x.get<double>()) <= kMaxMetres;
+                           });
+      if (!isPoint) {
+        fields.fail("near", "must be an array of 4 points, each of 3 numbers in [-100000, 100000]");
+      }
+      frustum.near[i] = pointOf(corner.get<std::vector<double>>());
+    }
+  }
+  return frustum;
+}
+
+FeedSetup readSetup(JsonFields fields, const std::string& where) {
+  FeedSetup setup;
+  fields.forEach("feeds", 1, kMaxFeeds, [&](JsonFields& each) { setup.feeds.push_back(readFeed(each)); });
+  fields.forEach("frusta", 1, kMaxFeeds, [&](JsonFields& each) { setup.frusta.push_back(readFrustum(each)); });
+  JsonFields output = fields.inner("output");
+  setup.output.width = output.integer("width", 16, kMaxFeedPixels);
+  setup.output.height = output.integer("height", 16, kMaxFeedPixels);
+  setup.output.fovVerticalDegrees = output.number("fov_vertical_degrees", 1, 170);
+  const bool hasTarget = output.has("target");
+  if (hasTarget) {
+    setup.output.target = readPoint(output, "target");
+  }
+  output.rejectUnknown();
+  setup.floorHeight = fields.number("floor", -kMaxMetres, kMaxMetres, 0);
+  setup.fadeMetres = fields.number("fade", 0, 100, 0.3);
+  fields.rejectUnknown();
+  orderFrusta(setup, where);
+  if (!hasTarget) {
+    setup.output.target = setup.feeds[static_cast<size_t>(setup.feedIndex(setup.frusta[0].feed))].pose.target;
+  }
+  return setup;
+}
+
+OrderedJson jsonOf(const glm::dvec3& p) {
+  return OrderedJson::array({p.x, p.y, p.z});
+}
+
+OrderedJson jsonOf(const Feed& feed) {
+  const FeedLens& lens = feed.lens;
+  OrderedJson json{
+      {"name", feed.name},
+      {"source", feed.source},
+      {"width", feed.width},
+      {"height", feed.height},
+      {"lens",
+       {{"focal", {lens.focal.x, lens.focal.y}},
+        {"center", {lens.center.x, lens.center.y}},
+        {"k1", lens.k1},
+        {"k2", lens.k2},
+        {"p1", lens.p1},
+        {"p2", lens.p2},
+        {"k3", lens.k3}}},
+      {"pose", {{"eye", jsonOf(feed.pose.eye)}, {"target", jsonOf(feed.pose.target)}, {"up", jsonOf(feed.pose.up)}}},
+      {"clock_offset_seconds", feed.clockOffsetSeconds}};
+  if (!feed.background.empty()) {
+    json["background"] = feed.background;
+  }
+  return json;
+}
+
+}  // namespace
+
+FeedSetup feedSetupFromJsonText(const std::string& text, const std::string& where) {
+  const JsonDocument document(text, where);
+  return readAs(kSetupSchema, [&] { return readSetup(JsonFields(document), where); });
+}
+
+FeedSetup readFeedSetup(const std::filesystem::path& path) {
+  FeedSetup setup = feedSetupFromJsonText(readFile(path), path.string());
+  const std::filesystem::path folder = path.parent_path();
+  const auto resolve = [&](std::string& file) {
+    if (!file.empty() && file.find("://") == std::string::npos) {
+      file = (folder / file).string();
+    }
+  };
+  for (Feed& feed : setup.feeds) {
+    resolve(feed.source);
+    resolve(feed.background);
+  }
+  return setup;
+}
+
+std::string jsonText(const FeedSetup& setup) {
+  OrderedJson feeds = OrderedJson::array();
+  for (const Feed& feed : setup.feeds) {
+    feeds.push_back(jsonOf(feed));
+  }
+  OrderedJson frusta = OrderedJson::array();
+  for (const FeedFrustum& frustum : setup.frusta) {
+    OrderedJson json{{"feed", frustum.feed}};
+    if (!frustum.isRoot()) {
+      json["parent"] = frustum.parent;
+      json["near"] = OrderedJson::array();
+      for (const glm::dvec3& corner : frustum.near) {
+        json["near"].push_back(jsonOf(corner));
+      }
+    }
+    frusta.push_back(json);
+  }
+  const OrderedJson json{{"feeds", feeds},
+                         {"frusta", frusta},
+                         {"output",
+                          {{"width", setup.output.width},
+                           {"height", setup.output.height},
+                           {"fov_vertical_degrees", setup.output.fovVerticalDegrees},
+                           {"target", jsonOf(setup.output.target)}}},
+                         {"floor", setup.floorHeight},
+                         {"fade", setup.fadeMetres}};
+  return textOfJson(json, 2) + "\n";
+}
+
+}  // namespace ocelli

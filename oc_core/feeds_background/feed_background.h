@@ -1,0 +1,41 @@
+// What a feed sees without subjects, and so which of its pixels are subjects (section 4.3.3: "background subtraction").
+//
+// A mixture of Gaussians for each pixel (Zivkovic 2004, OpenCV's MOG2), at half the resolution. Cameras change their
+// exposure as a whole, which is no subject: the median ratio between a frame and the background, per channel, is taken
+// out of the frame before it is compared, and put into the background before it is shown.
+#pragma once
+
+#include <memory>
+
+#include "oc_core/feeds/subject_places.h"
+#include "oc_core/image/png_file.h"
+
+namespace ocelli {
+
+struct FeedBackgroundOptions {
+  double learnSeconds = 120;  ///< what stands still for about so long becomes background
+  double framesPerSecond = 30;
+  /// Blobs of fewer feed pixels are noise.
+  double minBlobPixels = 150;
+};
+
+class FeedBackground {
+ public:
+  /// `known` is what the feed sees without subjects; an empty image stands for what it learns from its frames.
+  FeedBackground(int width, int height, const Image<Rgb8>& known, const FeedBackgroundOptions& options = {});
+  ~FeedBackground();
+  FeedBackground(const FeedBackground&) = delete;
+  FeedBackground& operator=(const FeedBackground&) = delete;
+
+  /// Finds the subjects of the next frame.
+  FeedBlobs update(const Image<Rgb8>& frame);
+  /// The background in the light of the last frame; of the size of the feed. Empty before the first frame of a feed
+  /// whose background is not known.
+  const Image<Rgb8>& image() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ocelli

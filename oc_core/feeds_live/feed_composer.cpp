@@ -1,0 +1,58 @@
+#include "oc_core/feeds_live/feed_composer.h"
+
+#include <fmt/format.h>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/parallel.h"
+
+namespace ocelli {
+namespace {
+
+Image<Rgb8> knownBackground(const Feed& feed) {
+  if (feed.background.empty()) {
+    return {};
+  }
+  Image<Rgb8> image = readPng(feed.background);
+  if (image.width() != feed.width || image.height() != feed.height) {
+    throw InputError(fmt::format("the background of feed \"{}\" has {}x{} pixels, the feed {}x{}", feed.name,
+                                 image.width(), image.height(), feed.width, feed.height),
+                     feed.background, "take it with the same camera at the same size");
+  }
+  return image;
+}
+
+}  // namespace
+
+FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& options)
+    : graph_(graph), map_(graph), frames_(graph.setup().feeds.size()), blobs_(frames_.size()), marks_(graph.frusta()) {
+  for (const Feed& feed : graph.setup().feeds) {
+    backgrounds_.push_back(std::make_unique<FeedBackground>(feed.width, feed.height, knownBackground(feed), options));
+  }
+}
+
+void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
+  parallelFor(frames.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      if (!frames[i].empty()) {
+        blobs_[i] = backgrounds_[i]->update(frames[i]);
+        std::swap(frames_[i], frames[i]);
+      }
+    }
+  });
+}
+
+void FeedComposer::compose(ErasedLook erased, Image<Rgb8>& image) {
+  subjects_ = locateSubjects(graph_.setup(), blobs_);
+  std::vector<FeedPicture> pictures(graph_.frusta());
+  for (size_t i = 0; i < pictures.size(); ++i) {
+    const size_t feed = graph_.feedIndexOf(i);
+    if (frames_[feed].empty()) {
+      continue;
+    }
+    marks_[i] = markSubjects(graph_, i, blobs_[feed], subjects_);
+    pictures[i] = {&frames_[feed], &backgrounds_[feed]->image(), &marks_[i]};
+  }
+  composeFeeds(map_, pictures, erased, image);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,40 @@
+// From the last frame of each feed to the image of the graph camera: backgrounds, subjects, places, image.
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "oc_core/feeds/feed_compose.h"
+#include "oc_core/feeds_background/feed_background.h"
+
+namespace ocelli {
+
+class FeedComposer {
+ public:
+  /// Reads the backgrounds that the setup names. Throws InputError where one is no image of the size of its feed.
+  explicit FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& options = {});
+
+  const FeedGraph& graph() const { return graph_; }
+  const FeedMap& map() const { return map_; }
+
+  /// Takes frames for feeds, by index; empty ones stand for no new frame. Works on all cores.
+  void take(std::vector<Image<Rgb8>>& frames);
+  /// Sets `image` to what the feeds show now.
+  void compose(ErasedLook erased, Image<Rgb8>& image);
+
+  /// Of the last call of compose().
+  const std::vector<SeenSubject>& subjects() const { return subjects_; }
+  const Image<FeedMark>& marks(size_t frustum) const { return marks_[frustum]; }
+  bool hasFrame(size_t feed) const { return !frames_[feed].empty(); }
+
+ private:
+  FeedGraph graph_;
+  FeedMap map_;
+  std::vector<std::unique_ptr<FeedBackground>> backgrounds_;  ///< of each feed
+  std::vector<Image<Rgb8>> frames_;
+  std::vector<FeedBlobs> blobs_;
+  std::vector<SeenSubject> subjects_;
+  std::vector<Image<FeedMark>> marks_;  ///< of each frustum
+};
+
+}  // namespace ocelli

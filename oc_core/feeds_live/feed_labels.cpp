@@ -1,0 +1,57 @@
+#include "oc_core/feeds_live/feed_labels.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "oc_core/feeds_background/picture_text.h"
+
+namespace ocelli {
+namespace {
+
+constexpr int kMinTextHeight = 7;
+constexpr int kTextShare = 44;  ///< of the height of the image
+
+const char* wordOf(FeedState state) {
+  switch (state) {
+    case FeedState::kLive:
+      return "";
+    case FeedState::kLate:
+      return "LATE ";
+    case FeedState::kFrozen:
+      return "FROZEN ";
+    case FeedState::kEnded:
+      return "ENDED ";
+    case FeedState::kLost:
+      return "LOST ";
+  }
+  return "";
+}
+
+}  // namespace
+
+std::string feedLabelText(const std::string& name, const FeedLabel& label) {
+  std::string text = name + " " + wordOf(label.state);
+  if (!label.hasFrame) {
+    return text + "no picture";
+  }
+  return text + (label.ageSeconds < 1 ? fmt::format("{:.0f} ms", 1e3 * label.ageSeconds)
+                                      : fmt::format("{:.1f} s", label.ageSeconds));
+}
+
+void drawFeedLabels(const FeedGraph& graph, const std::vector<FeedLabel>& labels, Image<Rgb8>& image) {
+  const int height = std::max(kMinTextHeight, image.height() / kTextShare);
+  for (size_t i = 0; i < labels.size(); ++i) {
+    const auto& part = graph.camera().frusta()[i].part;
+    glm::dvec2 corner(part.front());
+    for (const glm::dvec2& p : part) {
+      corner = glm::min(corner, p);
+    }
+    const bool isGood = labels[i].state == FeedState::kLive && labels[i].hasFrame;
+    drawPictureText(image, feedLabelText(graph.setup().frusta[i].feed, labels[i]),
+                    {static_cast<int>(corner.x) + height / 2, static_cast<int>(corner.y) + 2 * height}, height,
+                    isGood ? Rgb8(255, 255, 255) : Rgb8(255, 90, 70));
+  }
+}
+
+}  // namespace ocelli

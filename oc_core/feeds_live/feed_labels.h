@@ -1,0 +1,25 @@
+// The time of each feed, in the picture.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "oc_core/feeds/feed_graph.h"
+#include "oc_core/feeds_live/feed_stream.h"
+#include "oc_core/image/png_file.h"
+
+namespace ocelli {
+
+struct FeedLabel {
+  FeedState state = FeedState::kLive;
+  bool hasFrame = false;
+  double ageSeconds = 0;  ///< of the frame that is shown
+};
+
+/// "left 33 ms", "left LATE 2.4 s", "left LOST".
+std::string feedLabelText(const std::string& name, const FeedLabel& label);
+
+/// Draws the label of each frustum into its part of the image.
+void drawFeedLabels(const FeedGraph& graph, const std::vector<FeedLabel>& labels, Image<Rgb8>& image);
+
+}  // namespace ocelli

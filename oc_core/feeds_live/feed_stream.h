@@ -1,0 +1,77 @@
+// One feed on a thread of its own, aligned by its timestamps: frames wait in a short queue until the time of the place
+// comes to them. A feed that stops holds nobody up for longer than once.
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <deque>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <thread>
+
+#include "oc_core/feeds/feed_setup.h"
+#include "oc_core/feeds_video/video_reader.h"
+
+namespace ocelli {
+
+enum class FeedState {
+  kLive,    ///< frames come in
+  kLate,    ///< no frame has come for its time, though it was waited for
+  kFrozen,  ///< frames come in that are all the same
+  kEnded,   ///< it was read to its end
+  kLost,    ///< it broke off, or cannot be read
+};
+
+struct FeedStreamOptions {
+  double maxWaitSeconds = 2;      ///< how long a feed is waited for, once
+  double maxSilenceSeconds = 10;  ///< after so long without an answer it is lost
+  double frozenSeconds = 1;       ///< of frames that are all the same
+};
+
+class FeedStream {
+ public:
+  /// Starts to read.
+  FeedStream(const Feed& feed, const FeedStreamOptions& options);
+  ~FeedStream();
+  FeedStream(const FeedStream&) = delete;
+  FeedStream& operator=(const FeedStream&) = delete;
+
+  /// The time of the place of the first frame; nothing where none came in time.
+  std::optional<double> firstSeconds();
+
+  /// The newest frame until `seconds`, in the time of the place; nothing where there is none that was not yet taken.
+  /// Waits until a later one is there, but at most as long as the options say, and once.
+  std::optional<VideoFrame> take(double seconds);
+
+  FeedState state() const;
+  /// Why it is lost, as an error message.
+  std::string message() const;
+  /// Frames that were read, and those of them that were never taken, as others came too soon after them.
+  size_t framesRead() const;
+  size_t framesSkipped() const { return skipped_; }
+
+ private:
+  void read();
+  void noteChange(const VideoFrame& frame);
+  bool waitUntilLater(std::unique_lock<std::mutex>& lock, double seconds);
+
+  const Feed feed_;
+  const FeedStreamOptions options_;
+  std::atomic<bool> stop_{false};
+  mutable std::mutex mutex_;
+  std::condition_variable changed_;
+  std::deque<VideoFrame> queue_;  ///< in the time of the place
+  bool isOver_ = false;
+  bool isLate_ = false;
+  std::string message_;
+  size_t read_ = 0;
+  size_t skipped_ = 0;
+  uint64_t lastPixels_ = 0;
+  std::optional<double> sameSince_;
+  double lastTaken_ = 0;
+  std::thread thread_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,159 @@
+#include "oc_core/feeds_live/feeds_run.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/steady_time.h"
+
+namespace ocelli {
+namespace {
+
+double secondsSince(int64_t nanoseconds) {
+  return 1e-9 * static_cast<double>(steadyNanoseconds() - nanoseconds);
+}
+
+/// Times of frames that fall together to within the rounding of containers, which have milliseconds.
+constexpr double kStampRounding = 1e-3;
+
+class FeedsRun {
+ public:
+  FeedsRun(const FeedSetup& setup, const FeedsRunOptions& options)
+      : options_(options),
+        graph_(setup),
+        composer_(graph_, options.backgrounds),
+        feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
+        ages_(setup.feeds.size(), 0) {
+    for (const Feed& feed : setup.feeds) {
+      streams_.push_back(std::make_unique<FeedStream>(feed, options.streams));
+      figures_.feeds.push_back({});
+      figures_.feeds.back().name = feed.name;
+    }
+  }
+
+  FeedsRunFigures run(const std::function<void(const ComposedFrame&)>& sink, const Progress& progress) {
+    const double start = startSeconds();
+    const int64_t began = steadyNanoseconds();
+    for (size_t k = 0; options_.seconds <= 0 || static_cast<double>(k) < options_.seconds * options_.framesPerSecond;
+         ++k) {
+      const double seconds = start + static_cast<double>(k) / options_.framesPerSecond;
+      if (!takeFrames(seconds)) {
+        break;
+      }
+      const int64_t frameBegan = steadyNanoseconds();
+      composer_.take(frames_);
+      composer_.compose(options_.erased, image_);
+      if (options_.hasLabels) {
+        drawFeedLabels(graph_, labels(seconds), image_);
+      }
+      const double took = secondsSince(frameBegan);
+      composing_ += took;
+      figures_.slowestFrameSeconds = std::max(figures_.slowestFrameSeconds, took);
+      ++figures_.frames;
+      sink({seconds, image_, composer_, feedSeconds_});
+      report(progress,
+             fmt::format("feeds at {:.1f} s, {:.1f} frames a second", seconds - start,
+                         static_cast<double>(figures_.frames) / secondsSince(began)),
+             options_.seconds > 0 ? (seconds - start) / options_.seconds : 0.5);
+    }
+    figures_.wallSeconds = secondsSince(began);
+    finishFigures();
+    return std::move(figures_);
+  }
+
+ private:
+  /// When the first frame of any feed was taken.
+  double startSeconds() {
+    double start = std::numeric_limits<double>::infinity();
+    for (const auto& stream : streams_) {
+      if (const auto first = stream->firstSeconds()) {
+        start = std::min(start, *first);
+      }
+    }
+    if (!std::isfinite(start)) {
+      const std::string message = streams_[graph_.feedIndexOf(0)]->message();
+      throw InputError("no feed gives a frame" + (message.empty() ? message : ": " + message),
+                       "feed \"" + graph_.feedOf(0).name + "\"", "check the sources of the setup with `ffprobe`");
+    }
+    return start + kStampRounding;
+  }
+
+  /// False where all feeds have ended and nothing is new.
+  bool takeFrames(double seconds) {
+    bool isAnyGoingOn = false;
+    frames_.assign(streams_.size(), {});
+    for (size_t i = 0; i < streams_.size(); ++i) {
+      FeedRunFigures& figures = figures_.feeds[i];
+      if (auto frame = streams_[i]->take(seconds)) {
+        feedSeconds_[i] = frame->seconds;
+        frames_[i] = std::move(frame->image);
+        isAnyGoingOn = true;
+      } else {
+        ++figures.outputsWithout;
+      }
+      const FeedState state = streams_[i]->state();
+      figures.wasFrozen = figures.wasFrozen || state == FeedState::kFrozen;
+      figures.wasLate = figures.wasLate || state == FeedState::kLate;
+      isAnyGoingOn = isAnyGoingOn || (state != FeedState::kEnded && state != FeedState::kLost);
+      if (std::isfinite(feedSeconds_[i])) {
+        const double age = seconds - feedSeconds_[i];
+        ages_[i] += age;
+        figures.maxAgeSeconds = std::max(figures.maxAgeSeconds, age);
+      }
+    }
+    return isAnyGoingOn;
+  }
+
+  std::vector<FeedLabel> labels(double seconds) const {
+    std::vector<FeedLabel> labels;
+    for (size_t i = 0; i < graph_.frusta(); ++i) {
+      const size_t feed = graph_.feedIndexOf(i);
+      const bool hasFrame = std::isfinite(feedSeconds_[feed]);
+      const double age = hasFrame ? seconds - feedSeconds_[feed] : 0;
+      FeedState state = streams_[feed]->state();
+      if (state == FeedState::kLive && age >= options_.streams.frozenSeconds) {
+        state = FeedState::kLate;  // its next frame has a later time: it left some out
+      }
+      labels.push_back({state, hasFrame, age});
+    }
+    return labels;
+  }
+
+  void finishFigures() {
+    const auto frames = static_cast<double>(std::max<size_t>(figures_.frames, 1));
+    figures_.framesPerSecond =
+        figures_.wallSeconds > 0 ? static_cast<double>(figures_.frames) / figures_.wallSeconds : 0;
+    figures_.meanFrameSeconds = composing_ / frames;
+    for (size_t i = 0; i < streams_.size(); ++i) {
+      FeedRunFigures& figures = figures_.feeds[i];
+      figures.state = streams_[i]->state();
+      figures.message = streams_[i]->message();
+      figures.framesRead = streams_[i]->framesRead();
+      figures.framesSkipped = streams_[i]->framesSkipped();
+      figures.meanAgeSeconds = ages_[i] / frames;
+    }
+  }
+
+  FeedsRunOptions options_;
+  FeedGraph graph_;
+  FeedComposer composer_;
+  std::vector<std::unique_ptr<FeedStream>> streams_;
+  std::vector<Image<Rgb8>> frames_;
+  std::vector<double> feedSeconds_;
+  std::vector<double> ages_;
+  double composing_ = 0;
+  Image<Rgb8> image_;
+  FeedsRunFigures figures_;
+};
+
+}  // namespace
+
+FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,
+                         const std::function<void(const ComposedFrame&)>& sink, const Progress& progress) {
+  return FeedsRun(setup, options).run(sink, progress);
+}
+
+}  // namespace ocelli

@@ -1,0 +1,55 @@
+// Runs a graph camera over its feeds: at each time of the output the newest frame of each feed until then.
+#pragma once
+
+#include <functional>
+
+#include "oc_core/base/progress.h"
+#include "oc_core/feeds_live/feed_composer.h"
+#include "oc_core/feeds_live/feed_labels.h"
+
+namespace ocelli {
+
+struct FeedsRunOptions {
+  double framesPerSecond = 30;  ///< of the output
+  double seconds = 0;           ///< 0: until the last feed ends
+  ErasedLook erased = ErasedLook::kBackground;
+  bool hasLabels = true;
+  FeedStreamOptions streams;
+  FeedBackgroundOptions backgrounds;
+};
+
+struct FeedRunFigures {
+  std::string name;
+  FeedState state = FeedState::kLive;  ///< at the end
+  bool wasFrozen = false;  ///< at any time
+  bool wasLate = false;
+  std::string message;
+  size_t framesRead = 0;
+  size_t framesSkipped = 0;   ///< read, but never shown
+  size_t outputsWithout = 0;  ///< output frames for which it had no new frame
+  double maxAgeSeconds = 0;
+  double meanAgeSeconds = 0;
+};
+
+struct FeedsRunFigures {
+  size_t frames = 0;
+  double wallSeconds = 0;
+  double framesPerSecond = 0;   ///< how fast it ran
+  double meanFrameSeconds = 0;  ///< from the frames of the feeds to the composed image
+  double slowestFrameSeconds = 0;
+  std::vector<FeedRunFigures> feeds;
+};
+
+/// What the run hands on for each output frame.
+struct ComposedFrame {
+  double seconds = 0;  ///< in the time of the place
+  const Image<Rgb8>& image;
+  const FeedComposer& composer;
+  const std::vector<double>& feedSeconds;  ///< when the frame of each feed was taken; NaN where there is none
+};
+
+/// Feeds may be lost. Throws InputError where none gives a frame.
+FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,
+                         const std::function<void(const ComposedFrame&)>& sink, const Progress& progress = {});
+
+}  // namespace ocelli

@@ -1,0 +1,42 @@
+// Frames of a video with their timestamps: a file or a URL, as FFmpeg's libraries read it.
+//
+// Nothing here waits longer than it is told: a source that stops to answer is an error after so many seconds, and
+// stop() ends a wait from another thread.
+#pragma once
+
+#include <atomic>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "oc_core/image/png_file.h"
+
+namespace ocelli {
+
+struct VideoFrame {
+  double seconds = 0;  ///< its timestamp in the clock of the source
+  Image<Rgb8> image;
+};
+
+class VideoReader {
+ public:
+  /// Opens a source. Throws InputError where it does not exist, holds no video, or has a codec that is missing, and
+  /// WorkError where it does not answer within `maxWaitSeconds`, or `stop` is set.
+  VideoReader(const std::string& source, double maxWaitSeconds, const std::atomic<bool>& stop);
+  ~VideoReader();
+  VideoReader(const VideoReader&) = delete;
+  VideoReader& operator=(const VideoReader&) = delete;
+
+  int width() const;
+  int height() const;
+  /// The next frame, in the order of timestamps; nothing at the end. Frames that cannot be decoded are left out and
+  /// counted. Throws WorkError where the source does not answer in time, breaks off, or `stop` is set.
+  bool next(VideoFrame& frame);
+  size_t damagedFrames() const;
+
+ private:
+  struct Impl;
+  std::unique_ptr<Impl> impl_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,91 @@
+#include "oc_core/feeds/feed_compose.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/feeds/made_setup.h"
+
+namespace ocelli {
+namespace {
+
+/// Smooth, and different in each feed.
+Image<Rgb8> frameOf(const Feed& feed, int tone) {
+  Image<Rgb8> image(feed.width, feed.height);
+  for (int y = 0; y < feed.height; ++y) {
+    for (int x = 0; x < feed.width; ++x) {
+      image(x, y) = Rgb8(x * 200 / feed.width, y * 200 / feed.height, tone);
+    }
+  }
+  return image;
+}
+
+struct MadeFeeds {
+  FeedGraph graph{test::tSetup()};
+  FeedMap map{graph};
+  std::vector<Image<Rgb8>> frames;
+  std::vector<FeedPicture> pictures;
+
+  MadeFeeds() {
+    for (size_t i = 0; i < graph.frusta(); ++i) {
+      frames.push_back(frameOf(graph.feedOf(i), 50 + 80 * static_cast<int>(i)));
+    }
+    for (const Image<Rgb8>& frame : frames) {
+      pictures.push_back({&frame});
+    }
+  }
+};
+
+TEST(FeedCompose, samplesBetweenPixelsAsDoublesDo) {
+  MadeFeeds feeds;
+  Image<Rgb8> image;
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, image);
+  ASSERT_EQ(image.width(), 320);
+  for (int y = 2; y < 240; y += 5) {
+    for (int x = 2; x < 320; x += 5) {
+      const size_t frustum = feeds.graph.chainAt({x + 0.5, y + 0.5}).back();
+      const auto pixel = feeds.graph.feedPixelAt(frustum, {x + 0.5, y + 0.5});
+      if (!pixel || pixel->x < 1 || pixel->y < 1 || pixel->x > 639 || pixel->y > 479) {
+        continue;
+      }
+      // The frame is a step function of 3.2 pixels a level; linear to within one level.
+      EXPECT_NEAR(image(x, y).x, (pixel->x - 0.5) * 200 / 640, 1.2);
+      EXPECT_NEAR(image(x, y).y, (pixel->y - 0.5) * 200 / 480, 1.2);
+      EXPECT_EQ(image(x, y).z, 50 + 80 * static_cast<int>(frustum));
+    }
+  }
+}
+
+TEST(FeedCompose, hatchesWhatNoFeedShows) {
+  MadeFeeds feeds;
+  feeds.pictures[1].frame = nullptr;
+  Image<Rgb8> image;
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, image);
+  for (int y = 0; y < 240; ++y) {
+    for (int x = 0; x < 320; ++x) {
+      if (feeds.graph.chainAt({x + 0.5, y + 0.5}).back() == 1) {
+        EXPECT_TRUE(image(x, y) == Rgb8(40) || image(x, y) == Rgb8(64));
+      }
+    }
+  }
+}
+
+TEST(FeedCompose, erasesAndOverlaysByTheMarks) {
+  MadeFeeds feeds;
+  const Image<Rgb8> still(640, 480, Rgb8(9, 9, 9));
+  Image<FeedMark> erased(320, 240, {255, 0});
+  Image<FeedMark> shown(320, 240, {0, 255});
+  feeds.pictures[1] = {&feeds.frames[1], &still, &erased};
+  const int x = 120;
+  const int y = 120;
+  ASSERT_EQ(feeds.graph.chainAt({x + 0.5, y + 0.5}).back(), 1u);
+  Image<Rgb8> image;
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, image);
+  EXPECT_EQ(image(x, y), Rgb8(9, 9, 9));
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kRed, image);
+  EXPECT_EQ(image(x, y), Rgb8(132, 5, 5));  // half red, half background
+  feeds.pictures[0] = {&feeds.frames[0], &still, &shown};
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kRed, image);
+  EXPECT_EQ(image(x, y).z, 50) << "the root's subject stands before the near face";
+}
+
+}  // namespace
+}  // namespace ocelli
