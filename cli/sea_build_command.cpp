@@ -101,11 +101,15 @@ void addSeaBuildCommand(CLI::App& sea, const CommandContext& context) {
       ->capture_default_str()
       ->type_name("N");
   command
-      .add_option("--proxy", input.proxy,
-                  "What the place is shaped like: a mesh, scene (the scene itself, simplified), box (around the "
-                  "positions and what is known of points), or none")
-      ->type_name("FILE|scene|box|none");
-  command.add_option("--proxy-triangles", input.proxyTriangles, "The most triangles that the scene is simplified to")
+      .add_option(
+          "--proxy", input.proxy,
+          "What the place is shaped like: a mesh, scene (the scene itself, simplified), box (around the "
+          "positions and what is known of points), depth (of the views with depth in the folder depth beside the "
+          "images), or none")
+      ->type_name("FILE|scene|box|depth|none");
+  command
+      .add_option("--proxy-triangles", input.proxyTriangles,
+                  "The most triangles that the scene, or what depths show, is simplified to")
       ->check(numberCheck(12, 8e6))
       ->capture_default_str()
       ->type_name("N");

@@ -27,7 +27,7 @@ struct SeaBuildReport {
 /// grid of 16 bits, and used as it is stored. `startOver` removes what an earlier build has left; otherwise this goes
 /// on with it. The same input gives the same bytes, whatever the number of threads, and whether a build was stopped in
 /// between or not. Memory does not grow with the number of images, but for some hundred bytes each. Where settings have
-/// hidden samples, `hiddenPoints` chooses them, on any thread; images that hang on I-nodes are then asked for twice.
+/// hidden samples, `hiddenPoints` chooses them, on any thread; images that hang on I-nodes may then be asked for twice.
 SeaBuildReport buildSea(const SeaSource& source, const Mesh& proxy, const SeaSettings& settings,
                         const std::filesystem::path& path, bool startOver = false, const Progress& progress = {},
                         const HiddenPoints& hiddenPoints = {});

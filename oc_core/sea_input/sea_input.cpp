@@ -141,7 +141,7 @@ SeaInput openFolder(const std::string& input, const SeaInputOptions& options) {
   keepChosen(folder.poses, options, input);
   SeaInput opened;
   const std::string proxy = !options.proxy.empty() ? options.proxy : points.empty() ? "none" : "box";
-  opened.proxy = makeSeaProxy(proxy, {nullptr, positionsOf(folder.poses), points, options.proxyTriangles});
+  opened.proxy = makeSeaProxy(proxy, {nullptr, positionsOf(folder.poses), points, options.proxyTriangles, input});
   opened.source = std::make_unique<FolderImages>(input, std::move(folder));
   return opened;
 }

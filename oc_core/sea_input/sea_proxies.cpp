@@ -7,6 +7,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/ocri/simplified_mesh.h"
+#include "oc_core/sea_input/depth_proxy.h"
 #include "oc_core/worlds/scene_source.h"
 
 namespace ocelli {
@@ -38,9 +39,17 @@ Mesh boxProxy(const ProxyInput& input) {
   return boxAround(input.positions, input.points);
 }
 
+Mesh depthProxy(const ProxyInput& input) {
+  if (input.folder.empty()) {
+    throw InputError("images that are rendered have no depth images beside them", "--proxy depth", "give scene");
+  }
+  return proxyOfDepths(input.folder / kDepthFolder, input.triangles);
+}
+
 constexpr std::array kProxyKinds{
     ProxyKind{"none", "everything is far away", noProxy}, ProxyKind{"scene", "the scene, simplified", sceneProxy},
-    ProxyKind{"box", "a box around the scene, or around the positions and the points that are known", boxProxy}};
+    ProxyKind{"box", "a box around the scene, or around the positions and the points that are known", boxProxy},
+    ProxyKind{"depth", "of the views with depth in the folder \"depth\" of the images' folder", depthProxy}};
 
 }  // namespace
 

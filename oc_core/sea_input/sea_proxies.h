@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <filesystem>
 #include <span>
 #include <string>
 #include <vector>
@@ -17,7 +18,8 @@ struct ProxyInput {
   const Mesh* scene = nullptr;        ///< none of images in a folder
   std::vector<glm::dvec3> positions;  ///< of the images
   std::vector<glm::dvec3> points;     ///< of surfaces, where some are known
-  size_t triangles = 0;               ///< at most, of a scene that is simplified
+  size_t triangles = 0;               ///< at most, of what is simplified
+  std::filesystem::path folder = {};  ///< of the images; empty of those that are rendered
 };
 
 struct ProxyKind {
