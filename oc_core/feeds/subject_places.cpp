@@ -12,17 +12,19 @@ namespace {
 
 constexpr double kSubjectHeight = 1.75;  ///< metres, as its body is thought where only a part is seen
 constexpr double kSubjectRadius = 0.3;
-constexpr double kMaxTold = 60;       ///< metres: floor farther off says nothing of a place
-constexpr double kSameSubject = 0.8;  ///< metres between places that two feeds tell of one subject
-constexpr double kSameShare = 0.06;   ///< and the same as a share of the distance
-constexpr double kMinCrossing = 0.5;  ///< sine of the least angle between lines of sight that cross well
-constexpr double kMaxBeside = 0.4;    ///< of a body's width: what is farther beside it is somebody else
-constexpr double kBehind = 1.5;       ///< times as far off is who stands behind somebody, where no feed tells it
-constexpr int kCutReach = 4;          ///< mask rows from the lower border that are still cut
-constexpr int kFootReach = 8;         ///< mask columns on both sides in which a foot is looked for
-constexpr double kMinCovered = 0.3;   ///< share of a body's box that a blob covers which shows it
-constexpr double kMinPiece = 0.6;     ///< share of a blob's box that a body's covers of which it is a piece
-constexpr double kMinSameBox = 0.5;   ///< of both boxes' union: what they share where they are one body
+constexpr double kMaxTold = 60;        ///< metres: floor farther off says nothing of a place
+constexpr double kSameSubject = 0.8;   ///< metres between places that two feeds tell of one subject
+constexpr double kSameShare = 0.06;    ///< and the same as a share of the distance
+constexpr double kMinCrossing = 0.5;   ///< sine of the least angle between lines of sight that cross well
+constexpr double kCoreHalf = 0.32;     ///< of a body's width: half of what it surely fills
+constexpr double kMaxBeside = 0.3;     ///< of a body's width: what is farther beside it is somebody else
+constexpr double kBehind = 1.5;        ///< times as far off is who stands behind somebody, where no feed tells it
+constexpr double kCutHalfWidth = 0.2;  ///< of the height that is seen of somebody whose feet are not: half of the width
+constexpr int kCutReach = 4;           ///< mask rows from the lower border that are still cut
+constexpr int kFootReach = 8;          ///< mask columns on both sides in which a foot is looked for
+constexpr double kMinCovered = 0.3;    ///< share of a body's box that a blob covers which shows it
+constexpr double kMinPiece = 0.6;      ///< share of a blob's box that a body's covers of which it is a piece
+constexpr double kMinSameBox = 0.5;    ///< of both boxes' union: what they share where they are one body
 
 struct PlaceTold {
   size_t feed = 0;
@@ -195,7 +197,8 @@ class BlobBodies {
     bool isAbove = false;
     for (const SeenBody& body : bodies_) {
       const double width = std::max(body.box.upper.x - body.box.lower.x, 1.0);
-      const double beside = std::max({0.0, body.box.lower.x - q.x, q.x - body.box.upper.x}) / width;
+      const double fromMiddle = std::abs(q.x - (body.box.lower.x + body.box.upper.x) / 2) / width;
+      const double beside = std::max(0.0, fromMiddle - kCoreHalf);
       const double above = std::max(0.0, body.box.lower.y - q.y) / width;
       if (std::max(beside, above) < least) {
         least = std::max(beside, above);
@@ -226,7 +229,9 @@ class BlobBodies {
       }
     }
     if (const auto told = floorPlace(graph_.setup(), graph_.feedIndexOf(frustum_), blob.foot)) {
-      const double around = kSubjectRadius * graph_.feedOf(frustum_).lens.focal.x / std::max(told->distance, 0.1);
+      const double byHeight = kCutHalfWidth * (blob.upper.y - blob.lower.y);
+      const double byDistance = kSubjectRadius * graph_.feedOf(frustum_).lens.focal.x / std::max(told->distance, 0.1);
+      const double around = std::max(byHeight, byDistance);
       box.lower.x -= around;
       box.upper.x += around;
       bodies_.push_back(bodyAt(box, told->place));
