@@ -31,7 +31,7 @@ using Areas = std::vector<std::vector<double>>;  ///< by walker and frustum, out
 /// The graph camera's own image: the place once, walkers for each frame.
 class RenderedGraph {
  public:
-  RenderedGraph(const FeedGraph& graph, const Mesh& place) : camera_(graph.camera()) {
+  RenderedGraph(const FeedGraph& graph, const Mesh& place) : graph_(graph), camera_(graph.camera()) {
     place_ = rasterize(camera_, place);
     colors_ = colorImage(place_, place, skyColor());
   }
@@ -46,16 +46,28 @@ class RenderedGraph {
           continue;
         }
         colors[i] = colorOf(fragment, walkers);
-        const int frustum = camera_.frustumOf(glm::dvec3(positionOf(fragment, walkers)));
-        if (frustum >= 0) {
-          ++areas[walkerOfTriangle[fragment.triangle]][static_cast<size_t>(frustum)];
-        }
+        const auto width = static_cast<size_t>(seen.width());
+        const glm::dvec2 pixel(static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5);
+        ++areas[walkerOfTriangle[fragment.triangle]][frustumAt(pixel, glm::dvec3(positionOf(fragment, walkers)))];
       }
     }
     return srgbFromLinear(colors);
   }
 
  private:
+  /// Of the frusta that the ray of a pixel passes, the one in which a point of it lies.
+  size_t frustumAt(const glm::dvec2& pixel, const glm::dvec3& point) const {
+    size_t last = GraphCamera::kRoot;
+    for (const size_t i : graph_.chainAt(pixel)) {
+      if (i != GraphCamera::kRoot && camera_.frusta()[i].plane.height(point) < 0) {
+        break;
+      }
+      last = i;
+    }
+    return last;
+  }
+
+  const FeedGraph& graph_;
   GraphCamera camera_;
   FragmentImage place_;
   Image<glm::vec3> colors_;
