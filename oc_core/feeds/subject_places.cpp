@@ -15,8 +15,16 @@ constexpr double kSubjectRadius = 0.3;
 constexpr double kMaxTold = 60;        ///< metres: floor farther off says nothing of a place
 constexpr double kSameSubject = 0.8;   ///< metres between places that two feeds tell of one subject
 constexpr double kSameShare = 0.06;    ///< and the same as a share of the distance
-constexpr double kMinCrossing = 0.17;  ///< sine of the least angle between lines of sight that cross well
-constexpr double kMinCovered = 0.3;    ///< share of a body's box that a blob covers which is that subject
+constexpr double kMinCrossing = 0.5;   ///< sine of the least angle between lines of sight that cross well
+constexpr double kCoreHalf = 0.32;     ///< of a body's width: half of what it surely fills
+constexpr double kMaxBeside = 0.3;     ///< of a body's width: what is farther beside it is somebody else
+constexpr double kBehind = 1.5;        ///< times as far off is who stands behind somebody, where no feed tells it
+constexpr double kCutHalfWidth = 0.2;  ///< of the height that is seen of somebody whose feet are not: half of the width
+constexpr int kCutReach = 4;           ///< mask rows from the lower border that are still cut
+constexpr int kFootReach = 8;          ///< mask columns on both sides in which a foot is looked for
+constexpr double kMinCovered = 0.3;    ///< share of a body's box that a blob covers which shows it
+constexpr double kMinPiece = 0.6;      ///< share of a blob's box that a body's covers of which it is a piece
+constexpr double kMinSameBox = 0.5;    ///< of both boxes' union: what they share where they are one body
 
 struct PlaceTold {
   size_t feed = 0;
@@ -107,10 +115,25 @@ std::optional<FeedBox> bodyBox(const Feed& feed, const glm::dvec3& place) {
   return box.area() > 0 ? std::optional(box) : std::nullopt;
 }
 
-/// The share of a box that a blob covers.
-double coveredShare(const FeedBox& box, const SubjectBlob& blob) {
+double overlapOf(const FeedBox& box, const SubjectBlob& blob) {
   const glm::dvec2 overlap = glm::max(glm::min(box.upper, blob.upper) - glm::max(box.lower, blob.lower), glm::dvec2(0));
-  return overlap.x * overlap.y / box.area();
+  return overlap.x * overlap.y;
+}
+
+double areaOf(const SubjectBlob& blob) {
+  return (blob.upper.x - blob.lower.x) * (blob.upper.y - blob.lower.y);
+}
+
+/// Whether a blob may show a body: it covers some of it, or is a piece of it.
+bool mayShow(const SubjectBlob& blob, const FeedBox& box) {
+  const double overlap = overlapOf(box, blob);
+  return overlap >= kMinCovered * box.area() || overlap >= kMinPiece * areaOf(blob);
+}
+
+/// Whether a blob is one body and nothing else.
+bool isThatBody(const SubjectBlob& blob, const FeedBox& box) {
+  const double overlap = overlapOf(box, blob);
+  return overlap >= kMinSameBox * (box.area() + areaOf(blob) - overlap);
 }
 
 double beyond(const Plane& plane, const glm::dvec3& place, double fade) {
@@ -121,42 +144,124 @@ double beyond(const Plane& plane, const glm::dvec3& place, double fade) {
 struct SeenBody {
   FeedBox box;
   double share = 1;
+  double shareBehind = 1;  ///< of somebody who stands behind it
 };
 
-/// Of one blob: the bodies that it may show, the nearest first.
-std::vector<SeenBody> bodiesOf(const FeedGraph& graph, size_t frustum, const SubjectBlob& blob,
-                               const std::vector<SeenSubject>& subjects) {
-  const Feed& feed = graph.feedOf(frustum);
-  std::vector<SeenBody> bodies;
-  for (const SeenSubject& subject : subjects) {
-    const auto box = bodyBox(feed, subject.place);
-    if (box && coveredShare(*box, blob) >= kMinCovered) {
-      bodies.push_back({*box, shareShown(graph, frustum, subject.place)});
+/// Columns of the mask in which a blob has pixels: the lowest one of each, -1 where there is none.
+std::vector<int> lowestRows(const Image<uint16_t>& labels, uint16_t label) {
+  std::vector<int> lowest(static_cast<size_t>(labels.width()), -1);
+  for (int y = 0; y < labels.height(); ++y) {
+    for (int x = 0; x < labels.width(); ++x) {
+      if (labels(x, y) == label) {
+        lowest[static_cast<size_t>(x)] = y;
+      }
     }
   }
-  std::sort(bodies.begin(), bodies.end(),
-            [](const SeenBody& a, const SeenBody& b) { return a.box.distance < b.box.distance; });
-  if (bodies.empty()) {
-    // No feed told its place well: its lowest point is at least as far off as its feet.
-    const auto told = floorPlace(graph.setup(), graph.feedIndexOf(frustum), blob.foot);
-    bodies.push_back({{blob.lower, blob.upper, 0}, told ? shareShown(graph, frustum, told->place) : 1});
-  }
-  return bodies;
+  return lowest;
 }
 
-/// The share of the nearest body at a column; where none covers it, that of the one beside it.
-double shareAtColumn(const std::vector<SeenBody>& bodies, double u) {
-  double least = std::numeric_limits<double>::infinity();
-  double share = 1;
-  for (const SeenBody& body : bodies) {
-    const double away = std::max({0.0, body.box.lower.x - u, u - body.box.upper.x});
-    if (away < least) {
-      least = away;
-      share = body.share;
+/// What the pixels of one blob show, by the bodies that it may be.
+class BlobBodies {
+ public:
+  BlobBodies(const FeedGraph& graph, size_t frustum, const SubjectBlob& blob, const std::vector<int>& lowest,
+             const std::vector<SeenSubject>& subjects)
+      : graph_(graph), frustum_(frustum), lowest_(lowest) {
+    const Feed& feed = graph.feedOf(frustum);
+    const auto told = floorPlace(graph.setup(), graph.feedIndexOf(frustum), blob.foot);
+    for (const SeenSubject& subject : subjects) {
+      const auto box = bodyBox(feed, subject.place);
+      if (!box || !mayShow(blob, *box)) {
+        continue;
+      }
+      const SeenBody body = bodyAt(*box, subject.place);
+      if (told && !blob.isCutBelow && isThatBody(blob, *box) &&
+          glm::length(told->place - subject.place) < kSameSubject + kSameShare * told->distance) {
+        bodies_ = {body};
+        return;
+      }
+      bodies_.push_back(body);
+    }
+    if (blob.isCutBelow) {
+      addCutBody(blob);
+    }
+    std::sort(bodies_.begin(), bodies_.end(),
+              [](const SeenBody& a, const SeenBody& b) { return a.box.distance < b.box.distance; });
+  }
+
+  /// The share of the nearest body at a pixel of the mask. What stands well beside all of them is a subject of its own,
+  /// which no feed told, as a nearer one has the lowest pixel of the blob; what rises over them stands behind them.
+  double shareAt(int column, int row) const {
+    const glm::dvec2 q = (glm::dvec2(column, row) + 0.5) * static_cast<double>(FeedBlobs::kMaskScale);
+    double least = std::numeric_limits<double>::infinity();
+    double share = 1;
+    bool isAbove = false;
+    for (const SeenBody& body : bodies_) {
+      const double width = std::max(body.box.upper.x - body.box.lower.x, 1.0);
+      const double fromMiddle = std::abs(q.x - (body.box.lower.x + body.box.upper.x) / 2) / width;
+      const double beside = std::max(0.0, fromMiddle - kCoreHalf);
+      const double above = std::max(0.0, body.box.lower.y - q.y) / width;
+      if (std::max(beside, above) < least) {
+        least = std::max(beside, above);
+        isAbove = above > beside;
+        share = isAbove && above > kMaxBeside ? body.shareBehind : body.share;
+      }
+    }
+    return least > kMaxBeside && !isAbove ? shareByFoot(column).value_or(share) : share;
+  }
+
+ private:
+  SeenBody bodyAt(const FeedBox& box, const glm::dvec3& place) const {
+    const glm::dvec3& eye = graph_.feedOf(frustum_).pose.eye;
+    const glm::dvec3 behind = eye + (place - eye) * kBehind;
+    return {box, shareShown(graph_, frustum_, place),
+            shareShown(graph_, frustum_, {behind.x, graph_.setup().floorHeight, behind.z})};
+  }
+
+  /// Feet that are out of the image are nearer than the floor at its lower border.
+  void addCutBody(const SubjectBlob& blob) {
+    const double bottom = blob.upper.y / FeedBlobs::kMaskScale - kCutReach;
+    FeedBox box{blob.upper, blob.lower, 0};
+    for (size_t x = 0; x < lowest_.size(); ++x) {
+      if (lowest_[x] >= bottom) {
+        const double u = (static_cast<double>(x) + 0.5) * FeedBlobs::kMaskScale;
+        box.lower = glm::min(box.lower, glm::dvec2(u, blob.lower.y));
+        box.upper = glm::max(box.upper, glm::dvec2(u, blob.upper.y));
+      }
+    }
+    if (const auto told = floorPlace(graph_.setup(), graph_.feedIndexOf(frustum_), blob.foot)) {
+      const double byHeight = kCutHalfWidth * (blob.upper.y - blob.lower.y);
+      const double byDistance = kSubjectRadius * graph_.feedOf(frustum_).lens.focal.x / std::max(told->distance, 0.1);
+      const double around = std::max(byHeight, byDistance);
+      box.lower.x -= around;
+      box.upper.x += around;
+      bodies_.push_back(bodyAt(box, told->place));
     }
   }
-  return share;
-}
+
+  /// By the lowest pixel around a column.
+  std::optional<double> shareByFoot(int column) const {
+    int row = -1;
+    double u = column;
+    for (int x = std::max(0, column - kFootReach);
+         x <= std::min(static_cast<int>(lowest_.size()) - 1, column + kFootReach); ++x) {
+      if (lowest_[static_cast<size_t>(x)] > row) {
+        row = lowest_[static_cast<size_t>(x)];
+        u = x;
+      }
+    }
+    if (row < 0) {
+      return std::nullopt;
+    }
+    const glm::dvec2 foot = glm::dvec2(u + 0.5, row + 1) * static_cast<double>(FeedBlobs::kMaskScale);
+    const auto told = floorPlace(graph_.setup(), graph_.feedIndexOf(frustum_), foot);
+    return told ? std::optional(shareShown(graph_, frustum_, told->place)) : std::nullopt;
+  }
+
+  const FeedGraph& graph_;
+  size_t frustum_;
+  const std::vector<int>& lowest_;
+  std::vector<SeenBody> bodies_;  ///< the nearest first
+};
 
 }  // namespace
 
@@ -210,20 +315,17 @@ double shareShown(const FeedGraph& graph, size_t frustum, const glm::dvec3& plac
 Image<FeedMark> markSubjects(const FeedGraph& graph, size_t frustum, const FeedBlobs& blobs,
                              const std::vector<SeenSubject>& subjects) {
   Image<FeedMark> marks(blobs.wide.width(), blobs.wide.height());
-  std::vector<std::vector<uint8_t>> shares;  // of each blob, by column of the mask
-  for (const SubjectBlob& blob : blobs.blobs) {
-    const std::vector<SeenBody> bodies = bodiesOf(graph, frustum, blob, subjects);
-    std::vector<uint8_t>& columns = shares.emplace_back(static_cast<size_t>(marks.width()));
-    for (size_t x = 0; x < columns.size(); ++x) {
-      const double u = (static_cast<double>(x) + 0.5) * FeedBlobs::kMaskScale;
-      columns[x] = static_cast<uint8_t>(std::lround(255 * shareAtColumn(bodies, u)));
-    }
+  std::vector<BlobBodies> bodies;
+  std::vector<std::vector<int>> lowest;
+  lowest.reserve(blobs.blobs.size());
+  for (size_t k = 0; k < blobs.blobs.size(); ++k) {
+    lowest.push_back(lowestRows(blobs.core, static_cast<uint16_t>(k + 1)));
+    bodies.emplace_back(graph, frustum, blobs.blobs[k], lowest.back(), subjects);
   }
   for (int y = 0; y < marks.height(); ++y) {
     for (int x = 0; x < marks.width(); ++x) {
-      const uint16_t wide = blobs.wide(x, y);
-      if (wide > 0) {
-        const uint8_t share = shares[wide - 1u][static_cast<size_t>(x)];
+      if (const uint16_t wide = blobs.wide(x, y); wide > 0) {
+        const auto share = static_cast<uint8_t>(std::lround(255 * bodies[wide - 1u].shareAt(x, y)));
         marks(x, y) = {static_cast<uint8_t>(255 - share), blobs.core(x, y) > 0 ? share : uint8_t{0}};
       }
     }

@@ -13,9 +13,11 @@ namespace {
 constexpr int kScale = FeedBlobs::kMaskScale;
 constexpr int kPrimingFrames = 30;
 constexpr double kVarianceThreshold = 25;  ///< squared deviations, per channel sum, as MOG2 counts them
-constexpr int kGainStep = 4;               ///< the median takes each fourth mask pixel along both axes
-constexpr int kDarkest = 24;               ///< darker pixels tell nothing of a ratio
-constexpr int kCutRows = 2;                ///< a blob that comes this near to the lower border is cut, in mask pixels
+/// A shadow leaves at least so much of the light: darker pixels of the same colour are trousers on a floor.
+constexpr double kShadowLight = 0.8;
+constexpr int kGainStep = 4;  ///< the median takes each fourth mask pixel along both axes
+constexpr int kDarkest = 24;  ///< darker pixels tell nothing of a ratio
+constexpr int kCutRows = 2;   ///< a blob that comes this near to the lower border is cut, in mask pixels
 constexpr double kMinNewGain = 0.4;
 constexpr double kMaxNewGain = 2.5;
 
@@ -151,6 +153,7 @@ FeedBackground::FeedBackground(int width, int height, const Image<Rgb8>& known, 
   impl_->options = options;
   const int history = std::max(2, static_cast<int>(options.learnSeconds * options.framesPerSecond));
   impl_->model = cv::createBackgroundSubtractorMOG2(history, kVarianceThreshold, true);
+  impl_->model->setShadowThreshold(kShadowLight);
   if (!known.empty()) {
     OC_CHECK(known.width() == width && known.height() == height, "the caller has checked the size");
     impl_->isKnown = true;

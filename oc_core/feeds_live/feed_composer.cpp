@@ -41,8 +41,8 @@ void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
   });
 }
 
-void FeedComposer::compose(ErasedLook erased, Image<Rgb8>& image) {
-  subjects_ = locateSubjects(graph_.setup(), blobs_);
+void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image) {
+  subjects_ = tracks_.update(locateSubjects(graph_.setup(), blobs_), seconds);
   std::vector<FeedPicture> pictures(graph_.frusta());
   for (size_t i = 0; i < pictures.size(); ++i) {
     const size_t feed = graph_.feedIndexOf(i);

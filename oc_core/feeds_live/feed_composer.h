@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oc_core/feeds/feed_compose.h"
+#include "oc_core/feeds/subject_tracks.h"
 #include "oc_core/feeds_background/feed_background.h"
 
 namespace ocelli {
@@ -19,8 +20,8 @@ class FeedComposer {
 
   /// Takes frames for feeds, by index; empty ones stand for no new frame. Works on all cores.
   void take(std::vector<Image<Rgb8>>& frames);
-  /// Sets `image` to what the feeds show now.
-  void compose(ErasedLook erased, Image<Rgb8>& image);
+  /// Sets `image` to what the feeds show at `seconds`, which grow from call to call.
+  void compose(double seconds, ErasedLook erased, Image<Rgb8>& image);
 
   /// Of the last call of compose().
   const std::vector<SeenSubject>& subjects() const { return subjects_; }
@@ -33,6 +34,7 @@ class FeedComposer {
   std::vector<std::unique_ptr<FeedBackground>> backgrounds_;  ///< of each feed
   std::vector<Image<Rgb8>> frames_;
   std::vector<FeedBlobs> blobs_;
+  SubjectTracks tracks_;
   std::vector<SeenSubject> subjects_;
   std::vector<Image<FeedMark>> marks_;  ///< of each frustum
 };

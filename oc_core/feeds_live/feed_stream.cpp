@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <glm/common.hpp>
 
 #include "oc_core/base/error.h"
 
@@ -11,14 +12,28 @@ namespace {
 
 constexpr size_t kMaxQueued = 8;
 
-/// Of all pixels: FNV-1a over words. The noise of a camera changes it with every frame.
-uint64_t hashOf(const Image<Rgb8>& image) {
-  uint64_t hash = 0xcbf29ce484222325u;
-  for (const Rgb8& pixel : image) {
-    hash = (hash ^ (pixel.x | static_cast<uint32_t>(pixel.y) << 8 | static_cast<uint32_t>(pixel.z) << 16)) *
-           0x100000001b3u;
+constexpr size_t kSampleStep = 37;    ///< of the pixels that are compared
+constexpr double kSameLevels = 0.35;  ///< mean difference, of 255: less than noise, more than a codec's own changes
+
+std::vector<Rgb8> samplesOf(const Image<Rgb8>& image) {
+  std::vector<Rgb8> samples;
+  samples.reserve(image.size() / kSampleStep + 1);
+  for (size_t i = 0; i < image.size(); i += kSampleStep) {
+    samples.push_back(image[i]);
   }
-  return hash;
+  return samples;
+}
+
+bool areSame(const std::vector<Rgb8>& a, const std::vector<Rgb8>& b) {
+  if (a.size() != b.size()) {
+    return false;
+  }
+  double sum = 0;
+  for (size_t i = 0; i < a.size(); ++i) {
+    const glm::ivec3 difference = glm::abs(glm::ivec3(a[i]) - glm::ivec3(b[i]));
+    sum += difference.x + difference.y + difference.z;
+  }
+  return sum <= 3 * kSameLevels * static_cast<double>(a.size());
 }
 
 }  // namespace
@@ -101,11 +116,11 @@ std::optional<VideoFrame> FeedStream::take(double seconds) {
 }
 
 void FeedStream::noteChange(const VideoFrame& frame) {
-  const uint64_t pixels = hashOf(frame.image);
-  if (pixels != lastPixels_ || !sameSince_) {
+  std::vector<Rgb8> samples = samplesOf(frame.image);
+  if (!sameSince_ || !areSame(samples, lastSamples_)) {
     sameSince_ = frame.seconds;
+    lastSamples_ = std::move(samples);
   }
-  lastPixels_ = pixels;
   lastTaken_ = frame.seconds;
 }
 

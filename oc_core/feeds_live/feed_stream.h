@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include "oc_core/feeds/feed_setup.h"
 #include "oc_core/feeds_video/video_reader.h"
@@ -68,7 +69,7 @@ class FeedStream {
   std::string message_;
   size_t read_ = 0;
   size_t skipped_ = 0;
-  uint64_t lastPixels_ = 0;
+  std::vector<Rgb8> lastSamples_;  ///< of the last frame that was another one
   std::optional<double> sameSince_;
   double lastTaken_ = 0;
   std::thread thread_;

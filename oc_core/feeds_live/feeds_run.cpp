@@ -45,7 +45,7 @@ class FeedsRun {
       }
       const int64_t frameBegan = steadyNanoseconds();
       composer_.take(frames_);
-      composer_.compose(options_.erased, image_);
+      composer_.compose(seconds, options_.erased, image_);
       if (options_.hasLabels) {
         drawFeedLabels(graph_, labels(seconds), image_);
       }
@@ -65,12 +65,18 @@ class FeedsRun {
   }
 
  private:
-  /// When the first frame of any feed was taken.
+  /// When all feeds have a frame that begin at about the same time.
   double startSeconds() {
-    double start = std::numeric_limits<double>::infinity();
+    std::vector<double> firsts;
     for (const auto& stream : streams_) {
       if (const auto first = stream->firstSeconds()) {
-        start = std::min(start, *first);
+        firsts.push_back(*first);
+      }
+    }
+    double start = -std::numeric_limits<double>::infinity();
+    for (const double first : firsts) {
+      if (first <= *std::min_element(firsts.begin(), firsts.end()) + options_.streams.maxWaitSeconds) {
+        start = std::max(start, first);
       }
     }
     if (!std::isfinite(start)) {

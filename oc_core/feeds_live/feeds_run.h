@@ -21,7 +21,7 @@ struct FeedsRunOptions {
 struct FeedRunFigures {
   std::string name;
   FeedState state = FeedState::kLive;  ///< at the end
-  bool wasFrozen = false;  ///< at any time
+  bool wasFrozen = false;              ///< at any time
   bool wasLate = false;
   std::string message;
   size_t framesRead = 0;

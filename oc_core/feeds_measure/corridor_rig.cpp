@@ -21,8 +21,8 @@ Feed rigFeed(const std::string& name, double focal, const glm::dvec3& eye, const
 FeedSetup corridorSetup() {
   FeedSetup setup;
   setup.feeds = {rigFeed("stem", 600, {0, 2.3, 5.2}, {0, 1.2, -2.4}),
-                 rigFeed("left", 660, {5, 2.4, -1.2}, {-1, 1.2, -1.2}),
-                 rigFeed("right", 660, {-5, 2.4, -1.2}, {1, 1.2, -1.2})};
+                 rigFeed("left", 660, {5, 2.7, -1.2}, {-1, 1.1, -1.2}),
+                 rigFeed("right", 660, {-5, 2.7, -1.2}, {1, 1.1, -1.2})};
   const auto face = [](double x) {
     return std::array<glm::dvec3, 4>{{{x, 0, 0}, {x, kHeight, 0}, {0, kHeight, -2.4}, {0, 0, -2.4}}};
   };

@@ -31,7 +31,7 @@ using Areas = std::vector<std::vector<double>>;  ///< by walker and frustum, out
 /// The graph camera's own image: the place once, walkers for each frame.
 class RenderedGraph {
  public:
-  RenderedGraph(const FeedGraph& graph, const Mesh& place) : camera_(graph.camera()) {
+  RenderedGraph(const FeedGraph& graph, const Mesh& place) : graph_(graph), camera_(graph.camera()) {
     place_ = rasterize(camera_, place);
     colors_ = colorImage(place_, place, skyColor());
   }
@@ -46,16 +46,28 @@ class RenderedGraph {
           continue;
         }
         colors[i] = colorOf(fragment, walkers);
-        const int frustum = camera_.frustumOf(glm::dvec3(positionOf(fragment, walkers)));
-        if (frustum >= 0) {
-          ++areas[walkerOfTriangle[fragment.triangle]][static_cast<size_t>(frustum)];
-        }
+        const auto width = static_cast<size_t>(seen.width());
+        const glm::dvec2 pixel(static_cast<double>(i % width) + 0.5, static_cast<double>(i / width) + 0.5);
+        ++areas[walkerOfTriangle[fragment.triangle]][frustumAt(pixel, glm::dvec3(positionOf(fragment, walkers)))];
       }
     }
     return srgbFromLinear(colors);
   }
 
  private:
+  /// Of the frusta that the ray of a pixel passes, the one in which a point of it lies.
+  size_t frustumAt(const glm::dvec2& pixel, const glm::dvec3& point) const {
+    size_t last = GraphCamera::kRoot;
+    for (const size_t i : graph_.chainAt(pixel)) {
+      if (i != GraphCamera::kRoot && camera_.frusta()[i].plane.height(point) < 0) {
+        break;
+      }
+      last = i;
+    }
+    return last;
+  }
+
+  const FeedGraph& graph_;
   GraphCamera camera_;
   FragmentImage place_;
   Image<glm::vec3> colors_;
@@ -74,8 +86,9 @@ FeedMark markOf(const Image<FeedMark>& marks, const FeedPlace& place) {
   return marks.contains(x, y) ? marks(x, y) : FeedMark{};
 }
 
-/// Which walker each pixel of the composed image shows for the most part, and by which frustum.
-void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& masks, Areas& areas) {
+/// Which walker each pixel of the composed image shows for the most part, and by which frustum; and which the cameras
+/// of its frusta see there.
+void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& masks, Areas& areas, Areas& seen) {
   const FeedMap& map = composer.map();
   const auto pixels = static_cast<size_t>(map.width()) * static_cast<size_t>(map.height());
   for (size_t i = 0; i < pixels; ++i) {
@@ -89,6 +102,9 @@ void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& mas
         if (isLast ? mark.erased < 128 : mark.shown >= 128) {
           walker = walkerAt(mask, place);
           frustum = place.frustum;
+        }
+        if (const uint8_t there = walkerAt(mask, place); there > 0) {
+          ++seen[there - 1u][place.frustum];
         }
       }
       isLast = false;
@@ -109,7 +125,8 @@ bool isFading(const FeedGraph& graph, const glm::dvec3& place) {
   return false;
 }
 
-WalkerFate fateOf(const std::vector<double>& wanted, const std::vector<double>& shown, bool fades) {
+WalkerFate fateOf(const std::vector<double>& wanted, const std::vector<double>& shown, const std::vector<double>& seen,
+                  bool fades) {
   const double allWanted = std::accumulate(wanted.begin(), wanted.end(), 0.0);
   const double allShown = std::accumulate(shown.begin(), shown.end(), 0.0);
   if (allWanted < kMinSeen) {
@@ -130,7 +147,10 @@ WalkerFate fateOf(const std::vector<double>& wanted, const std::vector<double>& 
   if (shown[home] >= kMinShare * wanted[home]) {
     return isElsewhere ? WalkerFate::kDoubled : WalkerFate::kRight;
   }
-  return isElsewhere ? WalkerFate::kMisplaced : WalkerFate::kMissing;
+  if (isElsewhere) {
+    return WalkerFate::kMisplaced;
+  }
+  return seen[home] < kMinShare * wanted[home] ? WalkerFate::kHidden : WalkerFate::kMissing;
 }
 
 double squaredError(const Image<Rgb8>& a, const Image<Rgb8>& b) {
@@ -170,15 +190,16 @@ class FeedsJudge {
     const Areas none(walkers_.count(), std::vector<double>(graph_.frusta(), 0));
     Areas wanted = none;
     Areas shown = none;
+    Areas seen = none;
     std::vector<uint8_t> walkerOfTriangle;
     const Mesh now = walkers_.meshAt(frame.seconds, walkerOfTriangle);
     const Image<Rgb8> reference = rendered_.draw(now, walkerOfTriangle, wanted);
-    countShown(frame.composer, masksOf(frame), shown);
+    countShown(frame.composer, masksOf(frame), shown, seen);
     squares_ += squaredError(frame.image, reference);
     ++result_.frames;
     for (size_t w = 0; w < walkers_.count(); ++w) {
       const glm::dvec2 p = walkers_.at(w, frame.seconds).place;
-      const WalkerFate fate = fateOf(wanted[w], shown[w], isFading(graph_, {p.x, 0, p.y}));
+      const WalkerFate fate = fateOf(wanted[w], shown[w], seen[w], isFading(graph_, {p.x, 0, p.y}));
       const size_t before = result_.count(fate);
       ++result_.walkers[w][static_cast<size_t>(fate)];
       if (!options_.pictures.empty() && before < kMaxPictures && fate != WalkerFate::kRight) {
@@ -236,6 +257,8 @@ const char* nameOf(WalkerFate fate) {
       return "misplaced";
     case WalkerFate::kMissing:
       return "missing";
+    case WalkerFate::kHidden:
+      return "hidden";
     case WalkerFate::kGhost:
       return "ghost";
   }

@@ -16,10 +16,11 @@ enum class WalkerFate {
   kBetween,    ///< crosses a near face, so that it fades, and is seen
   kDoubled,    ///< seen where it should be, and elsewhere too
   kMisplaced,  ///< seen elsewhere alone
-  kMissing,    ///< not seen
+  kMissing,    ///< not seen, though the camera of its frustum sees it
+  kHidden,     ///< not seen, as that camera sees hardly anything of it: somebody stands before it
   kGhost,      ///< seen, though the graph camera does not see it
 };
-inline constexpr size_t kWalkerFates = 6;
+inline constexpr size_t kWalkerFates = 7;
 const char* nameOf(WalkerFate fate);
 
 struct FeedsEvaluation {

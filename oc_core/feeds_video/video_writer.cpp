@@ -73,6 +73,7 @@ struct VideoWriter::Impl {
     AVFormatContext* context = nullptr;
     check(avformat_alloc_output_context2(&context, nullptr, nullptr, path.c_str()), "no such container");
     output.reset(context);
+    output->flags |= AVFMT_FLAG_BITEXACT;  // the same frames give the same bytes
     encoder.reset(avcodec_alloc_context3(codec));
     encoder->width = width;
     encoder->height = height;
