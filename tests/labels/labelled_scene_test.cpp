@@ -23,7 +23,7 @@ using testing::ThrowsMessage;
 class LabelledSceneTest : public testing::Test {
  protected:
   LabelledSceneTest() {
-    options_.labels.file = folder_.write("labels.csv", "x,y,z,text,size,color\n0,2,0,Hi,0.5,#00ff00\n").string();
+    options_.labels.file = folder_.write("labels.csv", "x,y,z,text,size,color\n0,2,0,HE,0.5,#00ff00\n").string();
     options_.fit = false;
   }
 
