@@ -12,7 +12,8 @@ void addMissing(CLI::App& feeds, const CommandContext& context, const std::strin
   command.allow_extras();
   context.finish(command, "  ocelli feeds " + name + " --help", [name] {
     throw InputError("this ocelli was built without graph cameras from video (OCELLI_WITH_FEEDS=OFF)", "feeds " + name,
-                     "install OpenCV and FFmpeg's libraries (docs/install.md lists the packages) and build it with -DOCELLI_WITH_FEEDS=ON");
+                     "install OpenCV and FFmpeg's libraries (docs/install.md lists the packages) and build it with "
+                     "-DOCELLI_WITH_FEEDS=ON");
   });
 }
 
