@@ -48,11 +48,8 @@ void runBuild(SeaBuildChoice& choice, const CommandContext& context) {
   choice.settings.source = input.source->description();
   choice.settings.projection = input.source->projection();
   validate(choice.settings, "the options");
-  const HiddenPoints hidden = choice.settings.hasHidden()
-                                  ? hiddenPointsOf(choice.settings.hidden, faceSideFor(choice.settings.projection))
-                                  : HiddenPoints{};
   const SeaBuildReport built = buildSea(*input.source, input.proxy, choice.settings, choice.output, choice.startOver,
-                                        context.progress(), hidden);
+                                        context.progress(), hiddenPointsOf(choice.settings));
   context.clearProgress();
   const double ratio = static_cast<double>(built.rawBytes) / static_cast<double>(built.fileBytes);
   const size_t made = built.images - built.resumed;

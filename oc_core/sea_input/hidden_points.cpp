@@ -94,4 +94,8 @@ HiddenPoints hiddenPointsOf(const std::string& kind, int side) {
   };
 }
 
+HiddenPoints hiddenPointsOf(const SeaSettings& settings) {
+  return settings.hasHidden() ? hiddenPointsOf(settings.hidden, faceSideFor(settings.projection)) : HiddenPoints{};
+}
+
 }  // namespace ocelli

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "oc_core/sea/hidden_gathering.h"
+#include "oc_core/sea/sea_settings.h"
 
 namespace ocelli {
 
@@ -15,5 +16,8 @@ HiddenPoints hiddenPointsOf(const std::string& kind, int side);
 
 /// Faces of so many pixels have samples about as close together as images of this projection.
 int faceSideFor(const SeaProjection& projection);
+
+/// Of what settings say; empty where they say none.
+HiddenPoints hiddenPointsOf(const SeaSettings& settings);
 
 }  // namespace ocelli

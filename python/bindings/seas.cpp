@@ -7,6 +7,7 @@
 #include "oc_core/base/conventions.h"
 #include "oc_core/sea/sea_build.h"
 #include "oc_core/sea/sea_file.h"
+#include "oc_core/sea_input/hidden_points.h"
 #include "oc_core/sea_input/sea_input.h"
 #include "python/bindings/bindings.h"
 #include "python/bindings/images.h"
@@ -25,8 +26,11 @@ SeaSettings settingsOf(const std::string& chosen, const SeaInput& input) {
   defaults.refinement = input.arePosesExact ? "none" : "bobyqa";
   defaults.source = input.source->description();
   defaults.projection = input.source->projection();
-  nlohmann::ordered_json fields = nlohmann::ordered_json::parse(jsonText(defaults));
   const nlohmann::ordered_json given = nlohmann::ordered_json::parse(chosen);
+  if (given.contains("hidden") && given["hidden"].is_string()) {
+    defaults.hidden = given["hidden"].get<std::string>();  // brings fields of its own
+  }
+  nlohmann::ordered_json fields = nlohmann::ordered_json::parse(jsonText(defaults));
   for (const auto& [name, value] : given.items()) {
     if (name == "source" || name == "projection") {
       throw InputError("the images decide this", name, "leave it out");
@@ -43,8 +47,9 @@ std::string build(const std::string& source, const std::filesystem::path& path, 
   SceneOptions scene;
   scene.shading = shaded ? Shading::kLambert : Shading::kNone;
   const SeaInput input = openSeaInput(source, scene, options, told.function());
+  const SeaSettings chosen = settingsOf(settings, input);
   const SeaBuildReport report =
-      buildSea(*input.source, input.proxy, settingsOf(settings, input), path, startOver, told.function());
+      buildSea(*input.source, input.proxy, chosen, path, startOver, told.function(), hiddenPointsOf(chosen));
   return nlohmann::ordered_json{{"images", report.images},      {"i_nodes", report.inner},
                                 {"resumed", report.resumed},    {"bytes", report.fileBytes},
                                 {"raw_bytes", report.rawBytes}, {"seconds", report.seconds}}

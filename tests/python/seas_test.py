@@ -57,9 +57,11 @@ class Seas(unittest.TestCase):
         self.assertGreater(abs(at - turned).mean(), 8)
 
     def test_settings_are_keywords(self):
-        sea = build(self.path, way="root", i_quality=80, p_codec="jxl")
+        sea = build(self.path, way="direct", i_quality=80, p_codec="jxl", hidden="ddoc", hidden_views=1)
         found = ocelli.sea.settings(sea)
-        self.assertEqual((found["way"], found["i_quality"], found["p_codec"]), ("root", 80, "jxl"))
+        self.assertEqual((found["i_quality"], found["p_codec"], found["hidden"]), (80, "jxl", "ddoc"))
+        plain = build(self.path.with_name("plain.sea"), way="direct", i_quality=80, p_codec="jxl")
+        self.assertNotEqual(sea.bytes, plain.bytes, "hidden samples are there")
         self.assertEqual(found["projection"]["width"], 64)
 
     def test_a_table_and_a_grid_do_as_well(self):
