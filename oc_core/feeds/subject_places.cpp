@@ -1,50 +1,39 @@
 #include "oc_core/feeds/subject_places.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
 #include <limits>
 #include <optional>
 
+#include "oc_core/feeds/body_peeling.h"
+#include "oc_core/feeds/subject_body.h"
+
 namespace ocelli {
 namespace {
 
-constexpr double kSubjectHeight = 1.75;  ///< metres, as its body is thought where only a part is seen
-constexpr double kSubjectRadius = 0.3;
-constexpr double kMaxTold = 60;        ///< metres: floor farther off says nothing of a place
 constexpr double kSameSubject = 0.8;   ///< metres between places that two feeds tell of one subject
-constexpr double kSameShare = 0.06;    ///< and the same as a share of the distance
+constexpr double kFootError = 0.008;   ///< of a place told by feet, metres for each square metre of distance
+constexpr double kHeadError = 0.15;    ///< of one told by a head, metres for each metre of distance
+constexpr double kSameShare = 0.06;    ///< of the distance: where a blob's feet and a subject may be apart
 constexpr double kMinCrossing = 0.5;   ///< sine of the least angle between lines of sight that cross well
 constexpr double kCoreHalf = 0.32;     ///< of a body's width: half of what it surely fills
 constexpr double kMaxBeside = 0.3;     ///< of a body's width: what is farther beside it is somebody else
-constexpr double kBehind = 1.5;        ///< times as far off is who stands behind somebody, where no feed tells it
-constexpr double kCutHalfWidth = 0.2;  ///< of the height that is seen of somebody whose feet are not: half of the width
-constexpr int kCutReach = 4;           ///< mask rows from the lower border that are still cut
+constexpr double kBehind = 1.5;        ///< times as far off is who stands behind somebody, where nothing tells it
+constexpr double kHeadCoreHalf = 0.2;  ///< of a body's width: half of what a head surely fills
 constexpr int kFootReach = 8;          ///< mask columns on both sides in which a foot is looked for
+constexpr int kSeenRows = 10;          ///< of three points each that are looked up of a body
 constexpr double kMinCovered = 0.3;    ///< share of a body's box that a blob covers which shows it
 constexpr double kMinPiece = 0.6;      ///< share of a blob's box that a body's covers of which it is a piece
 constexpr double kMinSameBox = 0.5;    ///< of both boxes' union: what they share where they are one body
 
-struct PlaceTold {
-  size_t feed = 0;
-  glm::dvec3 place{0};
-  double distance = 0;
-};
-
 std::optional<PlaceTold> floorPlace(const FeedSetup& setup, size_t feedIndex, const glm::dvec2& foot) {
-  const Feed& feed = setup.feeds[feedIndex];
-  const auto ray = feedRayOf(feed, foot);
-  if (!ray || !(ray->y < 0)) {
-    return std::nullopt;
-  }
-  const double along = (setup.floorHeight - feed.pose.eye.y) / ray->y;
-  const glm::dvec3 place = feed.pose.eye + *ray * along;
-  const double distance = glm::length(place - feed.pose.eye);
-  if (!(along > 0) || distance > kMaxTold) {
-    return std::nullopt;
-  }
-  return PlaceTold{feedIndex, place, distance};
+  return placeBelow(setup, feedIndex, foot, 0);
+}
+
+/// Metres, about: along the line of sight.
+double errorOf(const PlaceTold& told) {
+  return told.isByHead ? kHeadError * told.distance : kFootError * told.distance * told.distance;
 }
 
 glm::dvec2 planOf(const glm::dvec3& p) {
@@ -77,42 +66,14 @@ glm::dvec3 placeOf(const FeedSetup& setup, const std::vector<PlaceTold>& told) {
       }
     }
   }
-  // The error of a place on the floor grows with the square of the distance.
   glm::dvec3 sum(0);
   double weights = 0;
   for (const PlaceTold& each : told) {
-    const double weight = 1 / std::pow(std::max(each.distance, 0.1), 4);
+    const double weight = 1 / std::pow(std::max(errorOf(each), 0.01), 2);
     sum += each.place * weight;
     weights += weight;
   }
   return sum / weights;
-}
-
-struct FeedBox {
-  glm::dvec2 lower{std::numeric_limits<double>::infinity()};
-  glm::dvec2 upper{-std::numeric_limits<double>::infinity()};
-  double distance = 0;
-
-  double area() const { return std::max(0.0, upper.x - lower.x) * std::max(0.0, upper.y - lower.y); }
-};
-
-/// The box of a body at a place, as a feed sees it, cut to its image; nothing where it does not.
-std::optional<FeedBox> bodyBox(const Feed& feed, const glm::dvec3& place) {
-  const glm::dvec3 right = feed.pose.right();
-  const glm::dvec3 side = glm::normalize(glm::dvec3(right.x, 0, right.z)) * kSubjectRadius;
-  FeedBox box;
-  for (const double height : {0.0, kSubjectHeight / 2, kSubjectHeight}) {
-    for (const double sign : {-1.0, 1.0}) {
-      if (const auto q = feedPixelOf(feed, place + side * sign + glm::dvec3(0, height, 0))) {
-        box.lower = glm::min(box.lower, *q);
-        box.upper = glm::max(box.upper, *q);
-      }
-    }
-  }
-  box.lower = glm::max(box.lower, glm::dvec2(0));
-  box.upper = glm::min(box.upper, glm::dvec2(feed.width, feed.height));
-  box.distance = glm::length(place - feed.pose.eye);
-  return box.area() > 0 ? std::optional(box) : std::nullopt;
 }
 
 double overlapOf(const FeedBox& box, const SubjectBlob& blob) {
@@ -136,6 +97,16 @@ bool isThatBody(const SubjectBlob& blob, const FeedBox& box) {
   return overlap >= kMinSameBox * (box.area() + areaOf(blob) - overlap);
 }
 
+/// Where a subject stands as a feed sees it.
+const glm::dvec3& placeFor(size_t feed, const SeenSubject& subject) {
+  for (const FeedTold& told : subject.told) {
+    if (told.feed == feed) {
+      return told.place;
+    }
+  }
+  return subject.place;
+}
+
 double beyond(const Plane& plane, const glm::dvec3& place, double fade) {
   const double height = plane.height(place);
   return fade > 0 ? std::clamp(0.5 + height / (2 * fade), 0.0, 1.0) : (height >= 0 ? 1.0 : 0.0);
@@ -147,29 +118,37 @@ struct SeenBody {
   double shareBehind = 1;  ///< of somebody who stands behind it
 };
 
-/// Columns of the mask in which a blob has pixels: the lowest one of each, -1 where there is none.
-std::vector<int> lowestRows(const Image<uint16_t>& labels, uint16_t label) {
-  std::vector<int> lowest(static_cast<size_t>(labels.width()), -1);
-  for (int y = 0; y < labels.height(); ++y) {
-    for (int x = 0; x < labels.width(); ++x) {
-      if (labels(x, y) == label) {
-        lowest[static_cast<size_t>(x)] = y;
+/// The highest and the lowest row of a blob in each column of a mask.
+struct BlobRows {
+  static constexpr int kNone = -1;
+
+  BlobRows(const Image<uint16_t>& labels, uint16_t label)
+      : highest(static_cast<size_t>(labels.width()), kNone), lowest(highest) {
+    for (int y = 0; y < labels.height(); ++y) {
+      for (int x = 0; x < labels.width(); ++x) {
+        if (labels(x, y) == label) {
+          const auto column = static_cast<size_t>(x);
+          highest[column] = highest[column] == kNone ? y : highest[column];
+          lowest[column] = y;
+        }
       }
     }
   }
-  return lowest;
-}
+
+  std::vector<int> highest;
+  std::vector<int> lowest;
+};
 
 /// What the pixels of one blob show, by the bodies that it may be.
 class BlobBodies {
  public:
-  BlobBodies(const FeedGraph& graph, size_t frustum, const SubjectBlob& blob, const std::vector<int>& lowest,
+  BlobBodies(const FeedGraph& graph, size_t frustum, const SubjectBlob& blob, const BlobRows& rows,
              const std::vector<SeenSubject>& subjects)
-      : graph_(graph), frustum_(frustum), lowest_(lowest) {
+      : graph_(graph), frustum_(frustum), rows_(rows) {
     const Feed& feed = graph.feedOf(frustum);
     const auto told = floorPlace(graph.setup(), graph.feedIndexOf(frustum), blob.foot);
     for (const SeenSubject& subject : subjects) {
-      const auto box = bodyBox(feed, subject.place);
+      const auto box = bodyBox(feed, placeFor(graph.feedIndexOf(frustum), subject));
       if (!box || !mayShow(blob, *box)) {
         continue;
       }
@@ -181,9 +160,6 @@ class BlobBodies {
       }
       bodies_.push_back(body);
     }
-    if (blob.isCutBelow) {
-      addCutBody(blob);
-    }
     std::sort(bodies_.begin(), bodies_.end(),
               [](const SeenBody& a, const SeenBody& b) { return a.box.distance < b.box.distance; });
   }
@@ -194,19 +170,24 @@ class BlobBodies {
     const glm::dvec2 q = (glm::dvec2(column, row) + 0.5) * static_cast<double>(FeedBlobs::kMaskScale);
     double least = std::numeric_limits<double>::infinity();
     double share = 1;
+    double shareBehind = 1;
     bool isAbove = false;
     for (const SeenBody& body : bodies_) {
       const double width = std::max(body.box.upper.x - body.box.lower.x, 1.0);
       const double fromMiddle = std::abs(q.x - (body.box.lower.x + body.box.upper.x) / 2) / width;
-      const double beside = std::max(0.0, fromMiddle - kCoreHalf);
+      const double beside = std::max(0.0, fromMiddle - (q.y < body.box.shoulders ? kHeadCoreHalf : kCoreHalf));
       const double above = std::max(0.0, body.box.lower.y - q.y) / width;
       if (std::max(beside, above) < least) {
         least = std::max(beside, above);
         isAbove = above > beside;
-        share = isAbove && above > kMaxBeside ? body.shareBehind : body.share;
+        share = body.share;
+        shareBehind = body.shareBehind;
       }
     }
-    return least > kMaxBeside && !isAbove ? shareByFoot(column).value_or(share) : share;
+    if (least <= kMaxBeside) {
+      return share;
+    }
+    return isAbove ? shareByHead(column).value_or(shareBehind) : shareByFoot(column).value_or(share);
   }
 
  private:
@@ -217,49 +198,52 @@ class BlobBodies {
             shareShown(graph_, frustum_, {behind.x, graph_.setup().floorHeight, behind.z})};
   }
 
-  /// Feet that are out of the image are nearer than the floor at its lower border.
-  void addCutBody(const SubjectBlob& blob) {
-    const double bottom = blob.upper.y / FeedBlobs::kMaskScale - kCutReach;
-    FeedBox box{blob.upper, blob.lower, 0};
-    for (size_t x = 0; x < lowest_.size(); ++x) {
-      if (lowest_[x] >= bottom) {
-        const double u = (static_cast<double>(x) + 0.5) * FeedBlobs::kMaskScale;
-        box.lower = glm::min(box.lower, glm::dvec2(u, blob.lower.y));
-        box.upper = glm::max(box.upper, glm::dvec2(u, blob.upper.y));
-      }
-    }
-    if (const auto told = floorPlace(graph_.setup(), graph_.feedIndexOf(frustum_), blob.foot)) {
-      const double byHeight = kCutHalfWidth * (blob.upper.y - blob.lower.y);
-      const double byDistance = kSubjectRadius * graph_.feedOf(frustum_).lens.focal.x / std::max(told->distance, 0.1);
-      const double around = std::max(byHeight, byDistance);
-      box.lower.x -= around;
-      box.upper.x += around;
-      bodies_.push_back(bodyAt(box, told->place));
-    }
-  }
+  double shareAtFloor(const glm::dvec3& place) const { return shareShown(graph_, frustum_, place); }
 
   /// By the lowest pixel around a column.
   std::optional<double> shareByFoot(int column) const {
-    int row = -1;
-    double u = column;
-    for (int x = std::max(0, column - kFootReach);
-         x <= std::min(static_cast<int>(lowest_.size()) - 1, column + kFootReach); ++x) {
-      if (lowest_[static_cast<size_t>(x)] > row) {
-        row = lowest_[static_cast<size_t>(x)];
-        u = x;
-      }
-    }
-    if (row < 0) {
+    int row = BlobRows::kNone;
+    const int at = extremeAround(
+        column, rows_.lowest, [](int a, int b) { return a > b; }, row);
+    if (row == BlobRows::kNone) {
       return std::nullopt;
     }
-    const glm::dvec2 foot = glm::dvec2(u + 0.5, row + 1) * static_cast<double>(FeedBlobs::kMaskScale);
+    const glm::dvec2 foot = glm::dvec2(at + 0.5, row + 1) * static_cast<double>(FeedBlobs::kMaskScale);
     const auto told = floorPlace(graph_.setup(), graph_.feedIndexOf(frustum_), foot);
-    return told ? std::optional(shareShown(graph_, frustum_, told->place)) : std::nullopt;
+    return told ? std::optional(shareAtFloor(told->place)) : std::nullopt;
+  }
+
+  /// By the highest pixel around a column, of somebody whose feet others hide.
+  std::optional<double> shareByHead(int column) const {
+    int row = BlobRows::kNone;
+    const int at = extremeAround(
+        column, rows_.highest, [](int a, int b) { return a < b; }, row);
+    if (row == BlobRows::kNone || !isOverHeads(graph_.setup(), graph_.feedIndexOf(frustum_))) {
+      return std::nullopt;
+    }
+    const glm::dvec2 head = glm::dvec2(at + 0.5, row) * static_cast<double>(FeedBlobs::kMaskScale);
+    const auto told = placeBelow(graph_.setup(), graph_.feedIndexOf(frustum_), head, kSubjectHeight);
+    return told ? std::optional(shareAtFloor(told->place)) : std::nullopt;
+  }
+
+  /// The column near another one whose row comes first, and that row; kNone where there is none.
+  template <typename Before>
+  static int extremeAround(int column, const std::vector<int>& rows, Before isBefore, int& row) {
+    int at = column;
+    const int last = std::min(static_cast<int>(rows.size()) - 1, column + kFootReach);
+    for (int x = std::max(0, column - kFootReach); x <= last; ++x) {
+      const int here = rows[static_cast<size_t>(x)];
+      if (here != BlobRows::kNone && (row == BlobRows::kNone || isBefore(here, row))) {
+        row = here;
+        at = x;
+      }
+    }
+    return at;
   }
 
   const FeedGraph& graph_;
   size_t frustum_;
-  const std::vector<int>& lowest_;
+  const BlobRows& rows_;
   std::vector<SeenBody> bodies_;  ///< the nearest first
 };
 
@@ -268,15 +252,11 @@ class BlobBodies {
 std::vector<SeenSubject> locateSubjects(const FeedSetup& setup, const std::vector<FeedBlobs>& blobs) {
   std::vector<PlaceTold> told;
   for (size_t feed = 0; feed < blobs.size(); ++feed) {
-    for (const SubjectBlob& blob : blobs[feed].blobs) {
-      if (!blob.isCutBelow) {
-        if (const auto place = floorPlace(setup, feed, blob.foot)) {
-          told.push_back(*place);
-        }
-      }
+    for (const PeeledBody& body : peelBodies(setup, feed, blobs[feed])) {
+      told.push_back({feed, body.place, body.distance, body.isByHead});
     }
   }
-  std::sort(told.begin(), told.end(), [](const PlaceTold& a, const PlaceTold& b) { return a.distance < b.distance; });
+  std::sort(told.begin(), told.end(), [](const PlaceTold& a, const PlaceTold& b) { return errorOf(a) < errorOf(b); });
   std::vector<SeenSubject> subjects;
   std::vector<bool> isTaken(told.size(), false);
   for (size_t i = 0; i < told.size(); ++i) {
@@ -284,19 +264,51 @@ std::vector<SeenSubject> locateSubjects(const FeedSetup& setup, const std::vecto
       continue;
     }
     std::vector<PlaceTold> same{told[i]};
-    std::vector<size_t> feeds{told[i].feed};
+    std::vector<FeedTold> feeds{{told[i].feed, told[i].place}};
     for (size_t k = i + 1; k < told.size(); ++k) {
-      const bool isOtherFeed = std::find(feeds.begin(), feeds.end(), told[k].feed) == feeds.end();
-      const double reach = kSameSubject + kSameShare * told[k].distance;
+      const bool isOtherFeed =
+          std::none_of(feeds.begin(), feeds.end(), [&](const FeedTold& each) { return each.feed == told[k].feed; });
+      const double reach = kSameSubject + errorOf(told[k]);
       if (!isTaken[k] && isOtherFeed && glm::length(told[k].place - told[i].place) < reach) {
         isTaken[k] = true;
         same.push_back(told[k]);
-        feeds.push_back(told[k].feed);
+        feeds.push_back({told[k].feed, told[k].place});
       }
     }
-    subjects.push_back({placeOf(setup, same), feeds});
+    subjects.push_back({placeOf(setup, same), feeds, errorOf(same.front())});
   }
   return subjects;
+}
+
+std::optional<double> shareSeen(const FeedGraph& graph, const std::vector<FeedBlobs>& blobs, const glm::dvec3& place) {
+  std::optional<double> least;
+  for (size_t i = 0; i < graph.frusta(); ++i) {
+    const Image<uint16_t>& mask = blobs[graph.feedIndexOf(i)].wide;
+    if (mask.empty() || shareShown(graph, i, place) <= 0) {
+      continue;
+    }
+    const Feed& feed = graph.feedOf(i);
+    const glm::dvec3 right = feed.pose.right();
+    const glm::dvec3 side = glm::normalize(glm::dvec3(right.x, 0, right.z)) * (kSubjectRadius / 2);
+    int seen = 0;
+    int covered = 0;
+    for (int row = 0; row < kSeenRows; ++row) {
+      for (int column = -1; column <= 1; ++column) {
+        const double height = kSubjectHeight * (row + 0.5) / kSeenRows;
+        const auto q = feedPixelOf(feed, place + side * static_cast<double>(column) + glm::dvec3(0, height, 0));
+        const glm::ivec2 cell =
+            q ? glm::ivec2(glm::floor(*q / static_cast<double>(FeedBlobs::kMaskScale))) : glm::ivec2(-1);
+        if (mask.contains(cell.x, cell.y)) {
+          ++seen;
+          covered += mask(cell.x, cell.y) > 0 ? 1 : 0;
+        }
+      }
+    }
+    if (2 * seen >= 3 * kSeenRows) {
+      least = std::min(least.value_or(1), static_cast<double>(covered) / seen);
+    }
+  }
+  return least;
 }
 
 double shareShown(const FeedGraph& graph, size_t frustum, const glm::dvec3& place) {
@@ -316,11 +328,11 @@ Image<FeedMark> markSubjects(const FeedGraph& graph, size_t frustum, const FeedB
                              const std::vector<SeenSubject>& subjects) {
   Image<FeedMark> marks(blobs.wide.width(), blobs.wide.height());
   std::vector<BlobBodies> bodies;
-  std::vector<std::vector<int>> lowest;
-  lowest.reserve(blobs.blobs.size());
+  std::vector<BlobRows> rows;
+  rows.reserve(blobs.blobs.size());
   for (size_t k = 0; k < blobs.blobs.size(); ++k) {
-    lowest.push_back(lowestRows(blobs.core, static_cast<uint16_t>(k + 1)));
-    bodies.emplace_back(graph, frustum, blobs.blobs[k], lowest.back(), subjects);
+    rows.emplace_back(blobs.core, static_cast<uint16_t>(k + 1));
+    bodies.emplace_back(graph, frustum, blobs.blobs[k], rows.back(), subjects);
   }
   for (int y = 0; y < marks.height(); ++y) {
     for (int x = 0; x < marks.width(); ++x) {

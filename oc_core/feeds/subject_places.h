@@ -3,13 +3,13 @@
 // to erase the subject is done based on the subject's location, which is inferred by triangulation between two or more
 // cameras." A subject fades from one feed into the other "as the object traverses the separation plane".
 //
-// The lowest point of a blob is where its subject stands on the floor. Where two feeds see a subject from sides that
-// differ, the crossing of both lines of sight, seen from above, tells its place better; else the nearer camera counts
-// for more. Blobs whose feet are out of the image take the place of a subject whose body, as that camera sees it,
-// covers them.
+// Each feed tells places of its own (body_peeling.h). Where two feeds see a subject from sides that differ, the
+// crossing of both lines of sight, seen from above, tells its place better; else what is told more exactly counts for
+// more. A pixel of a blob shows the nearest body that fills it, as the feed sees these.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "oc_core/feeds/feed_graph.h"
@@ -35,13 +35,24 @@ struct FeedBlobs {
   Image<uint16_t> wide;  ///< with its blurred rim: what is erased
 };
 
+/// Where a feed alone would place a subject. From there it looks as the feed sees it.
+struct FeedTold {
+  size_t feed = 0;
+  glm::dvec3 place{0};
+};
+
 struct SeenSubject {
-  glm::dvec3 place{0};        ///< on the floor
-  std::vector<size_t> feeds;  ///< that told it
+  glm::dvec3 place{0};         ///< on the floor
+  std::vector<FeedTold> told;  ///< by feeds that see it
+  double error = 0;            ///< of the place, metres, about
 };
 
 /// The subjects that blobs of all feeds stand for. `blobs` has one entry a feed of the setup.
 std::vector<SeenSubject> locateSubjects(const FeedSetup& setup, const std::vector<FeedBlobs>& blobs);
+
+/// In [0, 1]: how much of a body at a place is no background in the feeds of the frusta that show it, by the one that
+/// says least; nothing where they see less than half of it.
+std::optional<double> shareSeen(const FeedGraph& graph, const std::vector<FeedBlobs>& blobs, const glm::dvec3& place);
 
 /// In [0, 1]: how much of a subject at a place a frustum shows: 1 within it, 0 outside, and between these over the
 /// width in which subjects fade around a near face. Where a subject passes from a frustum to its child both add up

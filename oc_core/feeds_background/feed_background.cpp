@@ -118,7 +118,7 @@ struct FeedBackground::Impl {
     cv::Mat core;
     cv::morphologyEx(mask, core, cv::MORPH_OPEN, cv::getStructuringElement(cv::MORPH_RECT, {2, 2}));
     // Legs and heads that are parted from a body belong to it.
-    cv::morphologyEx(core, closed, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, {5, 11}));
+    cv::morphologyEx(core, closed, cv::MORPH_CLOSE, cv::getStructuringElement(cv::MORPH_RECT, {3, 7}));
     cv::Mat labels;
     cv::Mat stats;
     cv::Mat centers;

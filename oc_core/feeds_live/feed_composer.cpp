@@ -42,7 +42,9 @@ void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
 }
 
 void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image) {
-  subjects_ = tracks_.update(locateSubjects(graph_.setup(), blobs_), seconds);
+  subjects_ = tracks_.update(
+      locateSubjects(graph_.setup(), blobs_), [&](const glm::dvec3& place) { return shareSeen(graph_, blobs_, place); },
+      seconds);
   std::vector<FeedPicture> pictures(graph_.frusta());
   for (size_t i = 0; i < pictures.size(); ++i) {
     const size_t feed = graph_.feedIndexOf(i);
