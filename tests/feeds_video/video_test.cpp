@@ -25,7 +25,7 @@ Image<Rgb8> toneAt(int k) {
 
 std::vector<VideoFrame> framesOf(const std::filesystem::path& path) {
   const std::atomic<bool> stop{false};
-  VideoReader reader(path.string(), 5, stop);
+  VideoReader reader({path.string()}, 5, stop);
   EXPECT_EQ(reader.width(), 64);
   EXPECT_EQ(reader.height(), 48);
   std::vector<VideoFrame> frames;
@@ -73,10 +73,10 @@ TEST(Video, h264IsNear) {
 TEST(Video, namesWhatIsNoVideo) {
   const test::TemporaryFolder folder;
   const std::atomic<bool> stop{false};
-  EXPECT_THROW(VideoReader((folder.path() / "none.mkv").string(), 1, stop), InputError);
+  EXPECT_THROW(VideoReader({(folder.path() / "none.mkv").string()}, 1, stop), InputError);
   const auto text = folder.path() / "text.mkv";
   std::ofstream(text) << "this is no video";
-  EXPECT_THROW(VideoReader(text.string(), 1, stop), Error);
+  EXPECT_THROW(VideoReader({text.string()}, 1, stop), Error);
   EXPECT_THROW(VideoWriter(folder.path() / "odd.mp4", 63, 48, {}), InputError);
 }
 
