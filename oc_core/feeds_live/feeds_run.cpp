@@ -123,9 +123,14 @@ class FeedsRun {
   }
 
   [[noreturn]] void failWithoutFrames() const {
+    const std::string where = "feed \"" + graph_.feedOf(0).name + "\"";
     const std::string message = streams_[graph_.feedIndexOf(0)]->message();
-    throw InputError("no feed gives a frame" + (message.empty() ? message : ": " + message),
-                     "feed \"" + graph_.feedOf(0).name + "\"", "check the sources of the setup with `ffprobe`");
+    const std::string advice = "\n  try: ";
+    const size_t at = message.find(advice);
+    if (at == std::string::npos) {
+      throw InputError("no feed gives a frame", where, "check the sources of the setup with `ffprobe`");
+    }
+    throw InputError("no feed gives a frame: " + message.substr(0, at), where, message.substr(at + advice.size()));
   }
 
   /// Waits until it is time for output k; returns it, or a later one where its time is over.
@@ -155,6 +160,7 @@ class FeedsRun {
       const FeedState state = streams_[i]->state();
       figures.wasFrozen = figures.wasFrozen || state == FeedState::kFrozen;
       figures.wasLate = figures.wasLate || state == FeedState::kLate;
+      figures.wasLost = figures.wasLost || state == FeedState::kLost;
       isAnyGoingOn = isAnyGoingOn || streams_[i]->isGoingOn();
       if (std::isfinite(feedSeconds_[i])) {
         const double age = seconds - feedSeconds_[i];

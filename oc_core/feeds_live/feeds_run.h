@@ -28,6 +28,7 @@ struct FeedRunFigures {
   FeedState state = FeedState::kLive;  ///< at the end
   bool wasFrozen = false;              ///< at any time
   bool wasLate = false;
+  bool wasLost = false;
   std::string message;
   size_t reconnections = 0;
   size_t framesRead = 0;
