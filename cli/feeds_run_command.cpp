@@ -13,10 +13,16 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
   const auto choice = std::make_shared<FeedsRunChoice>();
   command.add_option("SETUP", choice->setup, "The feeds and their frusta")->required()->type_name("SETUP.json");
   command.add_option("-o,--output", choice->output, "A video (.mp4, .mkv), or a folder for images")
-      ->required()
       ->type_name("FILE.mp4|FOLDER");
+  command
+      .add_option("--page", choice->page,
+                  "Show the image as it is made on a page at this port of 127.0.0.1; 0 takes a free one")
+      ->check(CLI::Range(0, 65535))
+      ->type_name("PORT");
   FeedsRunOptions& options = choice->options;
-  command.add_option("--seconds", options.seconds, "How long; until the last feed ends by default")
+  command
+      .add_option("--seconds", options.seconds,
+                  "How long; by default until the last feed ends, or Ctrl-C where some are live")
       ->check(numberCheck(1e-3, 1e9))
       ->type_name("S");
   command.add_option("--frames-per-second", options.framesPerSecond, "Of the image")
@@ -34,6 +40,7 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
   addFiguresOption(command, choice->json);
   context.finish(command,
                  "  ocelli feeds run corridor/setup.json -o corridor.mp4\n"
+                 "  ocelli feeds run corridor/setup.json --page 8765\n"
                  "  ocelli feeds run corridor/setup.json --erased red --seconds 10 -o frames/ --json figures.json",
                  [choice, context, work] { work(*choice, context); });
 }

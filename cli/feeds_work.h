@@ -11,6 +11,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "oc_core/feeds_live/feeds_run.h"
@@ -23,7 +24,8 @@ class CommandContext;
 
 struct FeedsRunChoice {
   std::string setup;
-  std::string output;
+  std::string output;       ///< empty where the page shows it alone
+  std::optional<int> page;  ///< a port of 127.0.0.1; 0: any that is free
   std::string erased = "background";
   bool hasNoLabels = false;
   FeedsRunOptions options;

@@ -63,14 +63,15 @@ class FeedsRun {
       const int64_t frameBegan = steadyNanoseconds();
       composer_.take(frames_);
       composer_.compose(seconds, options_.erased, image_);
+      const std::vector<FeedLabel> shown = labels(seconds);
       if (options_.hasLabels) {
-        drawFeedLabels(graph_, labels(seconds), image_);
+        drawFeedLabels(graph_, shown, image_);
       }
       const double took = secondsSince(frameBegan);
       composing_ += took;
       figures_.slowestFrameSeconds = std::max(figures_.slowestFrameSeconds, took);
       ++figures_.frames;
-      sink({seconds, image_, composer_, feedSeconds_});
+      sink({seconds, image_, composer_, feedSeconds_, shown});
       report(progress,
              fmt::format("feeds at {:.1f} s, {:.1f} frames a second", seconds - start,
                          static_cast<double>(figures_.frames) / secondsSince(began)),

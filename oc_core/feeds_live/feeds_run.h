@@ -54,6 +54,7 @@ struct ComposedFrame {
   const Image<Rgb8>& image;
   const FeedComposer& composer;
   const std::vector<double>& feedSeconds;  ///< when the frame of each feed was taken; NaN where there is none
+  const std::vector<FeedLabel>& labels;    ///< of each frustum
 };
 
 /// Feeds may be lost. Throws InputError where none gives a frame.
