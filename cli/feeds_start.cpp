@@ -16,8 +16,8 @@ const OwnProgram& feedsProgram() {
       .variable = "OCELLI_FEEDS_PROGRAM",
       .does = "reads feeds with OpenCV and FFmpeg's libraries",
       .ifMissing =
-          "install the packages that docs/install.md lists for OCELLI_WITH_FEEDS and build Ocelli with "
-          "OCELLI_WITH_FEEDS=ON, or let the environment variable OCELLI_FEEDS_PROGRAM name the program"};
+          "install the package ocelli-feeds, or those that docs/install.md lists for OCELLI_WITH_FEEDS and build "
+          "Ocelli with OCELLI_WITH_FEEDS=ON, or let the environment variable OCELLI_FEEDS_PROGRAM name the program"};
   return kProgram;
 }
 
