@@ -8,6 +8,9 @@
 #include <vector>
 
 #include "cli/command.h"
+#include "cli/feeds_program.h"
+#include "oc_core/base/child_process.h"
+#include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/base/machine.h"
 #include "oc_core/isosurface/isosurface.h"
@@ -59,6 +62,12 @@ struct UsbFindings {
   std::string emulatorProblem;  ///< why no display can be emulated; empty where one can
 };
 
+/// Of the program that `ocelli feeds` becomes.
+struct FeedsFindings {
+  std::string program;  ///< its path; empty where it is missing
+  std::string problem;  ///< why it does not start; empty where it does
+};
+
 /// What is printed, in words or as JSON.
 struct Findings {
   MachineInfo machine;
@@ -67,7 +76,27 @@ struct Findings {
   Json providers = Json::array();
   std::set<std::string> packages;  ///< that hold the providers which do not work
   UsbFindings usb = {};
+  FeedsFindings feeds = {};
 };
+
+FeedsFindings findFeeds() {
+  constexpr double kMaxSeconds = 20;
+  FeedsFindings findings;
+  try {
+    findings.program = findOwnProgram(feedsProgram()).string();
+    const ChildEnd end = runChild({findings.program, {"--version"}, kMaxSeconds}, [] {});
+    if (end.how != ChildEnd::How::kExited || end.code != 0) {
+      findings.problem = end.messages.empty() ? "it ends at once" : end.messages;
+    }
+  } catch (const WorkError& error) {
+    findings.problem = error.what();
+  }
+  return findings;
+}
+
+std::string feedsText(const FeedsFindings& feeds) {
+  return feeds.problem.empty() ? "work (ocelli feeds)" : "do not work\n" + feeds.problem;
+}
 
 #ifdef OCELLI_WITH_USB
 UsbFindings findUsb() {
@@ -174,6 +203,10 @@ std::string asJson(const Findings& findings) {
         {"works", kWithEmulator && findings.usb.emulatorProblem.empty()},
         {"problem", findings.usb.emulatorProblem}}},
       {"remote", {{"built", kWithRemote}}},
+      {"feeds",
+       {{"works", findings.feeds.problem.empty()},
+        {"program", findings.feeds.program},
+        {"problem", findings.feeds.problem}}},
       {"isosurfaces", {{"built", canExtractIsosurfaces()}}},
       {"opengl", anyProvider(findings, "works", true)},
       {"gpu", anyProvider(findings, "software", false)},
@@ -238,6 +271,7 @@ std::string asText(const Findings& findings) {
   text += row("remote", kWithRemote ? "works (ocelli remote serve)"
                                     : "built without it (OCELLI_WITH_REMOTE=OFF); ocelli remote serve needs "
                                       "libwebsockets (apt-get install libwebsockets-dev)");
+  text += row("feeds", feedsText(findings.feeds));
   text += row("surfaces", canExtractIsosurfaces()
                               ? "of volumes: work (--iso)"
                               : "of volumes: built without them (OCELLI_WITH_OPENVDB=OFF); --iso needs OpenVDB "
@@ -264,6 +298,7 @@ void addDoctorCommand(CLI::App& program, const CommandContext& context) {
                  [json, context] {
                    Findings findings{machineInfo(), findProgram("ffmpeg"), std::nullopt, Json::array(), {}, findUsb()};
                    findings.usb.emulatorProblem = findEmulatorProblem();
+                   findings.feeds = findFeeds();
                    findOpenGl(findings);
                    context.print(*json ? asJson(findings) : asText(findings));
                  });

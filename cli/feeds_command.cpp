@@ -1,17 +1,16 @@
-// `ocelli feeds`: graph cameras from video.
 #include "cli/feeds_command.h"
 
 #include <CLI/CLI.hpp>
 
 namespace ocelli {
 
-void addFeedsCommand(CLI::App& program, const CommandContext& context) {
+void addFeedsCommands(CLI::App& program, const CommandContext& context, const FeedsWork& work) {
   CLI::App& feeds =
       *program.add_subcommand("feeds", "Graph cameras from video: one continuous image of several cameras' feeds");
   feeds.require_subcommand(1);
-  addFeedsRunCommand(feeds, context);
-  addFeedsSimulateCommand(feeds, context);
-  addFeedsEvaluateCommand(feeds, context);
+  addFeedsRunCommand(feeds, context, work.run);
+  addFeedsSimulateCommand(feeds, context, work.simulate);
+  addFeedsEvaluateCommand(feeds, context, work.evaluate);
 }
 
 }  // namespace ocelli

@@ -1,12 +1,17 @@
-// The commands of `ocelli feeds`, a file each; without OpenCV and FFmpeg's libraries one that says so.
+// `ocelli feeds` and its commands, a file each: their options. `work` does what was chosen.
 #pragma once
 
 #include "cli/command.h"
+#include "cli/feeds_work.h"
 
 namespace ocelli {
 
-void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context);
-void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context);
-void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context);
+void addFeedsCommands(CLI::App& program, const CommandContext& context, const FeedsWork& work);
+
+void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsRunChoice>& work);
+void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context,
+                             const FeedsWorkOf<FeedsSimulateChoice>& work);
+void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context,
+                             const FeedsWorkOf<FeedsEvaluateChoice>& work);
 
 }  // namespace ocelli

@@ -1,47 +1,18 @@
 // `ocelli feeds simulate`: feeds of a scene with walkers, and the truth about them.
-#include <fmt/format.h>
-
 #include <CLI/CLI.hpp>
 #include <memory>
 
 #include "cli/feeds_command.h"
 #include "cli/number_check.h"
-#include "oc_core/base/error.h"
-#include "oc_core/base/number_text.h"
-#include "oc_core/feeds_measure/simulate_feeds.h"
 
 namespace ocelli {
-namespace {
 
-struct FeedsSimulateChoice {
-  FeedSimulationOptions options;
-  std::string output;
-  std::string freeze;
-};
-
-void runSimulate(FeedsSimulateChoice choice, const CommandContext& context) {
-  if (!choice.freeze.empty()) {
-    const size_t at = choice.freeze.find('@');
-    const auto seconds = at == std::string::npos ? std::nullopt : numberFromText<double>(choice.freeze.substr(at + 1));
-    if (!seconds || *seconds < 0) {
-      throw InputError("\"" + choice.freeze + "\" is no feed and time", "--freeze", "write FEED@SECONDS, as left@3.5");
-    }
-    choice.options.frozenFeed = choice.freeze.substr(0, at);
-    choice.options.frozenSeconds = *seconds;
-  }
-  const FeedSimulationFigures figures = simulateFeeds(choice.options, choice.output, context.progress());
-  context.clearProgress();
-  context.note(fmt::format("wrote {}/setup.json, truth.json and feeds: {} frames, {} of them dropped", choice.output,
-                           figures.frames, figures.dropped));
-}
-
-}  // namespace
-
-void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context) {
+void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context,
+                             const FeedsWorkOf<FeedsSimulateChoice>& work) {
   CLI::App& command = *feeds.add_subcommand("simulate", "Make feeds of a scene with walkers, and the truth about them");
   const auto choice = std::make_shared<FeedsSimulateChoice>();
   FeedSimulationOptions& options = choice->options;
-  command.add_option("SCENE", options.scene, "A scene with cameras and ways: builtin:corridor_t")->required();
+  command.add_option("SCENE", options.scene, "A scene with cameras and ways")->capture_default_str();
   command.add_option("-o,--output", choice->output, "The folder")->required()->type_name("FOLDER");
   const auto number = [&](const char* name, double& value, const char* help, double least, double most,
                           const char* unit) {
@@ -69,9 +40,9 @@ void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context) {
   command.add_option("--freeze", choice->freeze, "A feed that shows nothing new from a time on")
       ->type_name("FEED@SECONDS");
   context.finish(command,
-                 "  ocelli feeds simulate builtin:corridor_t -o corridor\n"
+                 "  ocelli feeds simulate -o corridor\n"
                  "  ocelli feeds simulate builtin:corridor_t --walkers 6 --seconds 60 --seed 7 --masks 30 -o corridor",
-                 [choice, context] { runSimulate(*choice, context); });
+                 [choice, context, work] { work(*choice, context); });
 }
 
 }  // namespace ocelli

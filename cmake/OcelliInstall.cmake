@@ -6,6 +6,9 @@ install(TARGETS ocelli_read_scene DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli
 if(OCELLI_WITH_VOLUME_IMPORT)
   install(TARGETS ocelli_read_volume DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli COMPONENT program)
 endif()
+if(OCELLI_WITH_FEEDS)
+  install(TARGETS ocelli_feeds_program DESTINATION ${CMAKE_INSTALL_LIBEXECDIR}/ocelli COMPONENT feeds)
+endif()
 foreach(room IN LISTS rooms)
   get_target_property(folder ${room} OCELLI_FOLDER)
   install(DIRECTORY ${PROJECT_SOURCE_DIR}/${folder}/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/ocelli/${folder}

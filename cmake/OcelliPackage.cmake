@@ -1,6 +1,7 @@
 # Debian packages, made by scripts/make_packages.sh: what is installed, divided by its COMPONENT.
 #
 #   program        ocelli            the program, its readers, manual pages, completion
+#   feeds          ocelli-feeds      the program that `ocelli feeds` becomes, with OpenCV and FFmpeg's libraries
 #   development    libocelli-dev     headers, libraries, what find_package(Ocelli) needs
 #   python         python3-ocelli    the package `ocelli` for Python
 #   documentation  ocelli-doc        the reference of the API, the guide with its pictures, and the examples
@@ -61,6 +62,13 @@ ocelli_package(documentation ocelli-doc doc "non-pinhole cameras - documentation
   "The guide of Ocelli, a toolkit for non-pinhole cameras and volumetric
 displays, with pictures, measurements, the reference of its API, and
 examples in C++ and Python.")
+if(OCELLI_WITH_FEEDS)
+  ocelli_package(feeds ocelli-feeds graphics "non-pinhole cameras - graph cameras from video"
+    "One continuous image of the feeds of several cameras, around the corners
+of a place: what `ocelli feeds` runs. It needs OpenCV and the libraries of
+FFmpeg, which nothing else of Ocelli does.")
+  set(CPACK_DEBIAN_FEEDS_PACKAGE_DEPENDS "ocelli (= ${PROJECT_VERSION}-1)")
+endif()
 if(OCELLI_WITH_PYTHON)
   ocelli_package(python python3-ocelli python "non-pinhole cameras - package for Python"
     "Ocelli for Python: scenes, every camera, reference images, meshes,
@@ -94,7 +102,7 @@ set(CPACK_DEBIAN_DOCUMENTATION_PACKAGE_ARCHITECTURE all)
 # What the program starts by itself, and what libraries of others need.
 # Windows draw with OpenGL, which a driver brings.
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_RECOMMENDS "ffmpeg, libegl1, libgl1, libgl1-mesa-dri, fonts-dejavu-core")
-set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ocelli-doc, python3-ocelli, libosmesa6, openmpi-bin, umockdev")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SUGGESTS "ocelli-doc, ocelli-feeds, python3-ocelli, libosmesa6, openmpi-bin, umockdev")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "python3, python3-numpy, ocelli (= ${PROJECT_VERSION}-1)")
 set(CPACK_DEBIAN_PYTHON_PACKAGE_CONTROL_EXTRA
   ${PROJECT_SOURCE_DIR}/cmake/package/python/postinst ${PROJECT_SOURCE_DIR}/cmake/package/python/prerm)

@@ -111,7 +111,7 @@ if(OCELLI_WITH_FEEDS)
   # Not through its CMake files, which name all of its modules.
   ocelli_package(OpenCV::video               LIBRARY opencv HEADER opencv2/video/background_segm.hpp FOLDER opencv4
     LIBRARIES opencv_video opencv_imgproc opencv_core)
-  ocelli_package(PkgConfig::ffmpeg           PKG_CONFIG libavformat libavcodec libavutil libswscale)
+  ocelli_package(PkgConfig::ffmpeg           PKG_CONFIG libavdevice libavformat libavcodec libavutil libswscale)
 endif()
 if(OCELLI_WITH_JPEG)
   ocelli_package(PkgConfig::jpeg             PKG_CONFIG libjpeg)

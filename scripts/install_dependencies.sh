@@ -16,6 +16,8 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
   libteem-dev libnifti2-dev libgdcm-dev libpugixml-dev
   libopenvdb-dev
   librecast-dev
+  libopencv-core-dev libopencv-imgproc-dev libopencv-video-dev
+  libavdevice-dev libavformat-dev libavcodec-dev libavutil-dev libswscale-dev
   pybind11-dev python3-dev python3-numpy python3-matplotlib python3-pandas
   libjpeg62-turbo-dev libwebp-dev libjxl-dev
   libgtest-dev libgmock-dev libbenchmark-dev libosmesa6-dev libosmesa6 libegl-dev libegl1

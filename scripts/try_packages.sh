@@ -25,7 +25,7 @@ apt_install() {
   }
 }
 # Of a run before.
-apt-get purge -qq -y ocelli libocelli-dev python3-ocelli ocelli-doc >/dev/null 2>&1 || true
+apt-get purge -qq -y ocelli ocelli-feeds libocelli-dev python3-ocelli ocelli-doc >/dev/null 2>&1 || true
 rm -rf /try
 mkdir /try
 cd /try
@@ -38,6 +38,11 @@ ocelli --help | head -n 5
 ocelli doctor || true  # tells what is missing: here windows, and OpenGL where there is no driver
 ocelli demo --quiet --only --size 360x240 -o /try/demo builtin:statues
 ls -s /try/demo/index.html
+
+say "Graph cameras from video"
+apt_install /given/ocelli-feeds_*.deb
+ocelli feeds simulate builtin:corridor_t,texel=0.15 --seconds 1 --quiet -o /try/corridor
+ocelli feeds run /try/corridor/setup.json -o /try/corridor.mp4
 
 say "Its protocols, menu entry, icon and rule for displays on USB"
 apt_install desktop-file-utils
@@ -92,7 +97,7 @@ ls /usr/share/doc/ocelli-doc
 [ -s /usr/share/doc/ocelli-doc/html/index.html ] || { echo "there is no reference of the API: make it before the packages" >&2; exit 1; }
 
 say "Away with them again"
-apt-get purge -qq -y ocelli libocelli-dev python3-ocelli ocelli-doc >/given/apt.log 2>&1
+apt-get purge -qq -y ocelli ocelli-feeds libocelli-dev python3-ocelli ocelli-doc >/given/apt.log 2>&1
 left=$(find / -xdev -iname '*ocelli*' -not -path '/given/*' -not -path '/try/*' -not -path '/proc/*' -not -path '/var/*' -not -path '/dev/*')
 [ -z "$left" ] || { echo "left behind: $left" >&2; exit 1; }
 echo "All of it works."

@@ -2,12 +2,11 @@
 
 #include <dlfcn.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <cstdlib>
-#include <fstream>
 
 #include "display_driver/emulator/usb_emulator.h"
+#include "oc_core/base/own_program.h"
 
 namespace ocelli {
 namespace {
@@ -65,19 +64,7 @@ void UsbEmulator::restartPreloaded() {
   // AddressSanitizer wants to be the first library, and works as the second one.
   const char* const options = std::getenv("ASAN_OPTIONS");
   setenv("ASAN_OPTIONS", fmt::format("{}:verify_asan_link_order=0", options == nullptr ? "" : options).c_str(), 1);
-  std::vector<std::string> words;
-  {
-    std::ifstream file("/proc/self/cmdline", std::ios::binary);
-    for (std::string word; std::getline(file, word, '\0');) {
-      words.push_back(word);
-    }
-  }
-  std::vector<char*> arguments;
-  for (std::string& word : words) {
-    arguments.push_back(word.data());
-  }
-  arguments.push_back(nullptr);
-  execv("/proc/self/exe", arguments.data());
+  becomeProgram("/proc/self/exe", ownCommandLine());
 }
 
 }  // namespace ocelli

@@ -1,7 +1,5 @@
 #include "oc_core/base/reader_process.h"
 
-#include <dlfcn.h>
-#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -48,26 +46,6 @@ std::string fixed(double value, int digits) {
 
 std::string moreSeconds(const ReaderProgram& reader) {
   return std::string(reader.convert) + ", or set " + reader.secondsVariable + " to more seconds";
-}
-
-/// The library that this code is a part of, where a program such as Python has loaded one. Empty for what is part of
-/// the program itself, whose name may be relative: what lies in the working directory is not to be run.
-fs::path ownLibrary() {
-  Dl_info info{};
-  const bool isKnown = dladdr(reinterpret_cast<const void*>(&ownLibrary), &info) != 0 && info.dli_fname != nullptr;
-  const fs::path file = isKnown ? fs::path(info.dli_fname) : fs::path();
-  return file.is_absolute() ? file : fs::path();
-}
-
-/// Whether only those who could change the running program anyway can have put this one there.
-bool isTrusted(const fs::path& program) {
-  struct stat own {};
-  struct stat other {};
-  if (stat(program.c_str(), &other) != 0 || !S_ISREG(other.st_mode) || access(program.c_str(), X_OK) != 0) {
-    return false;
-  }
-  const bool isOwnersOfThis = stat("/proc/self/exe", &own) == 0 && own.st_uid == other.st_uid;
-  return other.st_uid == 0 || other.st_uid == geteuid() || isOwnersOfThis;
 }
 
 /// The last line that a reader wrote before it ended, for those who look into it.
@@ -137,36 +115,11 @@ ReadingLimits readingLimits(const ReaderProgram& reader) {
   return limits;
 }
 
-fs::path findReaderProgram(const ReaderProgram& reader) {
-  if (const char* given = std::getenv(reader.programVariable); given != nullptr && *given != '\0') {
-    if (access(given, X_OK) != 0) {
-      throw WorkError(
-          std::string("there is no program that reads ") + reader.files, given,
-          std::string("let ") + reader.programVariable + " name the program " + reader.name + ", or unset it");
-    }
-    return given;
-  }
-  std::error_code ignored;
-  for (fs::path folder : {fs::read_symlink("/proc/self/exe", ignored), ownLibrary()}) {
-    while (folder.has_relative_path()) {
-      folder = folder.parent_path();
-      const fs::path program = folder / "libexec" / "ocelli" / reader.name;
-      if (isTrusted(program)) {
-        return program;
-      }
-    }
-  }
-  if (const fs::path installed = reader.installed; isTrusted(installed)) {
-    return installed;
-  }
-  throw WorkError(reader.missing, reader.installed, reader.ifMissing);
-}
-
 ReaderResult runReaderProgram(const ReaderProgram& reader, const std::vector<std::string>& arguments,
                               const fs::path& path, uint64_t fileBytes, const std::function<void()>& tick) {
   const std::string where = path.string();
   const ReadingLimits limits = readingLimits(reader);
-  ChildCommand command{findReaderProgram(reader), {std::to_string(getpid())}, limits.wallSeconds(fileBytes)};
+  ChildCommand command{findOwnProgram(reader.program), {std::to_string(getpid())}, limits.wallSeconds(fileBytes)};
   command.arguments.insert(command.arguments.end(), arguments.begin(), arguments.end());
   const ChildEnd end = runChild(command, tick);
   switch (end.how) {
@@ -186,7 +139,7 @@ ReaderResult runReaderProgram(const ReaderProgram& reader, const std::vector<std
                      std::string("the file may be damaged; if not, set ") + reader.memoryVariable + " to more GiB");
   }
   if (end.code != kReaderDone) {
-    throw WorkError(std::string("the program that reads ") + reader.files + " failed (exit code " +
+    throw WorkError(std::string("the program that ") + reader.program.does + " failed (exit code " +
                         std::to_string(end.code) + "): " + lastLine(end.messages),
                     command.program.string(), "install Ocelli whole, so that both are of one version");
   }

@@ -1,6 +1,6 @@
 // Files of other programs are read by programs of ours, each a process of its own (child_process.h): where the library
 // that reads them crashes, hangs or asks for too much memory, that is an error message here. What all such readers
-// share: their limits, how they are found, and what becomes of their ends. A reader is a row: a ReaderProgram.
+// share: their limits, and what becomes of their ends. A reader is a row: a ReaderProgram.
 //
 // For the .cpp files that run one, and for the programs themselves, which keep to the same limits.
 #pragma once
@@ -14,23 +14,19 @@
 
 #include "oc_core/base/byte_sink.h"
 #include "oc_core/base/child_process.h"
+#include "oc_core/base/own_program.h"
 
 namespace ocelli {
 
 /// What differs between readers: names, and words of their error messages.
 struct ReaderProgram {
-  const char* name;             ///< "ocelli-read-scene", in libexec/ocelli/
-  const char* files;            ///< what it reads: "scene files"
+  OwnProgram program;
   const char* library;          ///< what crashes in it: "Assimp"
-  const char* installed;        ///< the path where this library was configured to be installed with it
-  const char* programVariable;  ///< of the environment: another program
-  const char* memoryVariable;   ///< another limit of memory, in GiB
+  const char* memoryVariable;   ///< of the environment: another limit of memory, in GiB
   const char* secondsVariable;  ///< another limit of processor time
   const char* convert;          ///< what to do where a file takes too long: "convert it to binary PLY"
   const char* afterCrash;       ///< what to do after a crash
   const char* reduce;           ///< what to do for less memory: "reduce the mesh"
-  const char* missing;          ///< "the program ocelli-read-scene is missing, which reads ..."
-  const char* ifMissing;        ///< what to do then
 };
 
 /// What reading may take. It grows with the bytes of the files that are opened for it.
@@ -56,14 +52,6 @@ ReadingLimits readingLimits(const ReaderProgram& reader);
 inline constexpr int kReaderDone = 0;
 inline constexpr int kReaderFailed = 1;
 inline constexpr int kReaderOutOfMemory = 3;
-
-/// The program: what its environment variable names; else libexec/ocelli/NAME in the folder of the running program, or
-/// of the library that this code was loaded from, or one above it; else where it was configured to be installed. Throws
-/// WorkError where there is none.
-///
-/// Programs that someone else may have put there are passed over: its owner must be root, this user, or the owner of
-/// the running program.
-std::filesystem::path findReaderProgram(const ReaderProgram& reader);
 
 /// The record that a reader handed back.
 struct ReaderResult {

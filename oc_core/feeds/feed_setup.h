@@ -35,8 +35,10 @@ struct FeedPose {
 
 struct Feed {
   std::string name;
-  /// A file, a URL or a device, as FFmpeg takes it; a relative path is relative to the setup.
+  /// A file, whose relative path begins at the setup, "v4l2:/dev/video0", or a URL, as FFmpeg takes it.
   std::string source;
+  std::vector<std::string> ffmpegOptions;  ///< "name=value": how FFmpeg opens it
+  double framesPerSecond = 0;              ///< what a v4l2 camera is asked for; 0 leaves it to the camera
   int width = 640;
   int height = 480;
   FeedLens lens;

@@ -15,6 +15,8 @@ constexpr const char* kSetupSchema = "oc_core/feeds/feeds_setup.schema.json";
 constexpr double kMaxMetres = 1e5;
 constexpr size_t kMaxNameLength = 64;
 constexpr size_t kMaxSourceLength = 4096;
+constexpr size_t kMaxOptions = 32;
+constexpr const char* kDevicePrefix = "v4l2:";
 
 glm::dvec3 pointOf(const std::vector<double>& p) {
   return {p[0], p[1], p[2]};
@@ -61,6 +63,8 @@ Feed readFeed(JsonFields& fields) {
   Feed feed;
   feed.name = fields.shortText("name", kMaxNameLength);
   feed.source = fields.shortText("source", kMaxSourceLength);
+  feed.ffmpegOptions = fields.texts("ffmpeg_options", 0, kMaxOptions, kMaxSourceLength);
+  feed.framesPerSecond = fields.number("frames_per_second", 0, 1000, 0);
   feed.width = fields.integer("width", 16, kMaxFeedPixels);
   feed.height = fields.integer("height", 16, kMaxFeedPixels);
   feed.lens = readLens(fields.inner("lens"), feed);
@@ -140,6 +144,12 @@ OrderedJson jsonOf(const Feed& feed) {
         {"k3", lens.k3}}},
       {"pose", {{"eye", jsonOf(feed.pose.eye)}, {"target", jsonOf(feed.pose.target)}, {"up", jsonOf(feed.pose.up)}}},
       {"clock_offset_seconds", feed.clockOffsetSeconds}};
+  if (!feed.ffmpegOptions.empty()) {
+    json["ffmpeg_options"] = feed.ffmpegOptions;
+  }
+  if (feed.framesPerSecond > 0) {
+    json["frames_per_second"] = feed.framesPerSecond;
+  }
   if (!feed.background.empty()) {
     json["background"] = feed.background;
   }
@@ -157,7 +167,7 @@ FeedSetup readFeedSetup(const std::filesystem::path& path) {
   FeedSetup setup = feedSetupFromJsonText(readFile(path), path.string());
   const std::filesystem::path folder = path.parent_path();
   const auto resolve = [&](std::string& file) {
-    if (!file.empty() && file.find("://") == std::string::npos) {
+    if (!file.empty() && file.find("://") == std::string::npos && !file.starts_with(kDevicePrefix)) {
       file = (folder / file).string();
     }
   };

@@ -6,11 +6,16 @@
 #include <glm/common.hpp>
 
 #include "oc_core/base/error.h"
+#include "oc_core/base/steady_time.h"
+#include "oc_core/feeds_live/feed_clock.h"
 
 namespace ocelli {
 namespace {
 
 constexpr size_t kMaxQueued = 8;
+
+constexpr double kFirstRetrySeconds = 0.1;
+constexpr double kMaxRetrySeconds = 2;
 
 constexpr size_t kSampleStep = 37;    ///< of the pixels that are compared
 constexpr double kSameLevels = 0.35;  ///< mean difference, of 255: less than noise, more than a codec's own changes
@@ -48,26 +53,16 @@ FeedStream::~FeedStream() {
 }
 
 void FeedStream::read() {
+  const bool mayComeBack = videoSourceKind(feed_.source).mayBeLive;
   std::string message;
-  try {
-    VideoReader reader(feed_.source, options_.maxSilenceSeconds, stop_);
-    if (reader.width() != feed_.width || reader.height() != feed_.height) {
-      throw InputError(fmt::format("the feed \"{}\" has {}x{} pixels, the setup says {}x{}", feed_.name, reader.width(),
-                                   reader.height(), feed_.width, feed_.height),
-                       feed_.source, "set \"width\" and \"height\" to those of the video");
-    }
-    VideoFrame frame;
-    while (!stop_ && reader.next(frame)) {
-      frame.seconds -= feed_.clockOffsetSeconds;
-      std::unique_lock lock(mutex_);
-      changed_.wait(lock, [&] { return stop_ || queue_.size() < kMaxQueued; });
-      ++read_;
-      queue_.push_back(std::move(frame));
-      frame = {};
-      changed_.notify_all();
-    }
-  } catch (const Error& error) {
-    message = error.what();
+  double rest = kFirstRetrySeconds;
+  while (readOnce(message) && mayComeBack && !stop_) {
+    std::unique_lock lock(mutex_);
+    rest = isBroken_ ? std::min(2 * rest, kMaxRetrySeconds) : kFirstRetrySeconds;
+    isBroken_ = true;
+    message_ = message;
+    changed_.notify_all();
+    changed_.wait_for(lock, std::chrono::duration<double>(rest), [&] { return stop_.load(); });
   }
   const std::lock_guard lock(mutex_);
   isOver_ = true;
@@ -75,11 +70,55 @@ void FeedStream::read() {
   changed_.notify_all();
 }
 
+bool FeedStream::readOnce(std::string& message) {
+  message.clear();
+  try {
+    VideoReader reader({feed_.source, feed_.width, feed_.height, feed_.framesPerSecond, feed_.ffmpegOptions},
+                       options_.maxSilenceSeconds, stop_);
+    if (reader.width() != feed_.width || reader.height() != feed_.height) {
+      throw InputError(fmt::format("the feed \"{}\" has {}x{} pixels, the setup says {}x{}", feed_.name, reader.width(),
+                                   reader.height(), feed_.width, feed_.height),
+                       feed_.source, "set \"width\" and \"height\" to those of the video");
+    }
+    const bool isLive = reader.isLive();
+    FeedClock clock(!options_.isLiveRun ? FeedClock::Kind::kRecorded
+                    : isLive            ? FeedClock::Kind::kLive
+                                        : FeedClock::Kind::kReplayed);
+    for (VideoFrame frame; !stop_ && reader.next(frame); frame = {}) {
+      frame.seconds =
+          clock.placeSeconds(frame.seconds, 1e-9 * static_cast<double>(steadyNanoseconds())) - feed_.clockOffsetSeconds;
+      add(std::move(frame), isLive);
+    }
+    if (isLive) {
+      throw WorkError("the feed has ended", feed_.source, "start its camera again");
+    }
+    return false;
+  } catch (const Error& error) {
+    message = error.what();
+  }
+  return true;
+}
+
+void FeedStream::add(VideoFrame frame, bool isLive) {
+  std::unique_lock lock(mutex_);
+  reconnections_ += isBroken_ && read_ > 0;
+  isBroken_ = false;
+  message_.clear();
+  if (isLive && queue_.size() >= kMaxQueued) {
+    queue_.pop_front();  // who sends it is not held up
+    ++skipped_;
+  }
+  changed_.wait(lock, [&] { return stop_ || queue_.size() < kMaxQueued; });
+  ++read_;
+  queue_.push_back(std::move(frame));
+  changed_.notify_all();
+}
+
 bool FeedStream::waitUntilLater(std::unique_lock<std::mutex>& lock, double seconds) {
   const auto isThere = [&] { return isOver_ || (!queue_.empty() && queue_.back().seconds > seconds); };
   // A full queue of frames before that time is taken from while it fills.
   const auto canGoOn = [&] { return isThere() || queue_.size() >= kMaxQueued; };
-  if (!isLate_ && !canGoOn()) {
+  if (!options_.isLiveRun && !isLate_ && !canGoOn()) {
     changed_.wait_for(lock, std::chrono::duration<double>(options_.maxWaitSeconds), canGoOn);
   }
   return isThere();
@@ -88,7 +127,7 @@ bool FeedStream::waitUntilLater(std::unique_lock<std::mutex>& lock, double secon
 std::optional<double> FeedStream::firstSeconds() {
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, std::chrono::duration<double>(options_.maxWaitSeconds),
-                    [&] { return isOver_ || !queue_.empty(); });
+                    [&] { return isOver_ || isBroken_ || !queue_.empty(); });
   isLate_ = queue_.empty() && !isOver_;
   return queue_.empty() ? std::nullopt : std::optional(queue_.front().seconds);
 }
@@ -106,7 +145,8 @@ std::optional<VideoFrame> FeedStream::take(double seconds) {
       isMoved = true;
     }
     changed_.notify_all();
-    isLate_ = !isOver_ && (isLate_ || isDone) && queue_.empty() && !taken;
+    isLate_ = !isOver_ && (isLate_ || isDone) && queue_.empty() && !taken &&
+              (!options_.isLiveRun || read_ == 0 || seconds - lastTaken_ >= options_.frozenSeconds);
     isDone = isDone || !isMoved;
   }
   if (taken) {
@@ -124,9 +164,14 @@ void FeedStream::noteChange(const VideoFrame& frame) {
   lastTaken_ = frame.seconds;
 }
 
+bool FeedStream::isGoingOn() const {
+  const std::lock_guard lock(mutex_);
+  return !isOver_ || !queue_.empty();
+}
+
 FeedState FeedStream::state() const {
   const std::lock_guard lock(mutex_);
-  if (isOver_ && queue_.empty()) {
+  if ((isOver_ || isBroken_) && queue_.empty()) {
     return message_.empty() ? FeedState::kEnded : FeedState::kLost;
   }
   if (isLate_) {
@@ -138,6 +183,16 @@ FeedState FeedStream::state() const {
 std::string FeedStream::message() const {
   const std::lock_guard lock(mutex_);
   return message_;
+}
+
+size_t FeedStream::framesSkipped() const {
+  const std::lock_guard lock(mutex_);
+  return skipped_;
+}
+
+size_t FeedStream::reconnections() const {
+  const std::lock_guard lock(mutex_);
+  return reconnections_;
 }
 
 size_t FeedStream::framesRead() const {

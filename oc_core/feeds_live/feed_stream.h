@@ -1,5 +1,5 @@
 // One feed on a thread of its own, aligned by its timestamps: frames wait in a short queue until the time of the place
-// comes to them. A feed that stops holds nobody up for longer than once.
+// comes to them. A feed that stops holds nobody up for longer than once. A live one that breaks off is opened again.
 #pragma once
 
 #include <atomic>
@@ -22,13 +22,15 @@ enum class FeedState {
   kLate,    ///< no frame has come for its time, though it was waited for
   kFrozen,  ///< frames come in that are all the same
   kEnded,   ///< it was read to its end
-  kLost,    ///< it broke off, or cannot be read
+  kLost,    ///< it broke off, or cannot be read; a live one is tried again
 };
 
 struct FeedStreamOptions {
   double maxWaitSeconds = 2;      ///< how long a feed is waited for, once
   double maxSilenceSeconds = 10;  ///< after so long without an answer it is lost
   double frozenSeconds = 1;       ///< of frames that are all the same
+  /// Whether the time of the place is now (feed_clock.h): nothing is waited for then.
+  bool isLiveRun = false;
 };
 
 class FeedStream {
@@ -46,15 +48,21 @@ class FeedStream {
   /// Waits until a later one is there, but at most as long as the options say, and once.
   std::optional<VideoFrame> take(double seconds);
 
+  /// Whether frames may still come.
+  bool isGoingOn() const;
   FeedState state() const;
   /// Why it is lost, as an error message.
   std::string message() const;
   /// Frames that were read, and those of them that were never taken, as others came too soon after them.
   size_t framesRead() const;
-  size_t framesSkipped() const { return skipped_; }
+  size_t framesSkipped() const;
+  /// How often a live feed broke off and came back.
+  size_t reconnections() const;
 
  private:
   void read();
+  bool readOnce(std::string& message);
+  void add(VideoFrame frame, bool isLive);
   void noteChange(const VideoFrame& frame);
   bool waitUntilLater(std::unique_lock<std::mutex>& lock, double seconds);
 
@@ -65,6 +73,8 @@ class FeedStream {
   std::condition_variable changed_;
   std::deque<VideoFrame> queue_;  ///< in the time of the place
   bool isOver_ = false;
+  bool isBroken_ = false;  ///< a live one that will be opened again
+  size_t reconnections_ = 0;
   bool isLate_ = false;
   std::string message_;
   size_t read_ = 0;

@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <limits>
+#include <thread>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/steady_time.h"
@@ -18,6 +20,16 @@ double secondsSince(int64_t nanoseconds) {
 
 /// Times of frames that fall together to within the rounding of containers, which have milliseconds.
 constexpr double kStampRounding = 1e-3;
+constexpr std::chrono::milliseconds kLivePoll{20};
+
+double nowSeconds() {
+  return secondsSince(0);
+}
+
+bool mayBeLive(const FeedSetup& setup) {
+  return std::any_of(setup.feeds.begin(), setup.feeds.end(),
+                     [](const Feed& feed) { return videoSourceKind(feed.source).mayBeLive; });
+}
 
 class FeedsRun {
  public:
@@ -27,18 +39,23 @@ class FeedsRun {
         composer_(graph_, options.backgrounds),
         feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
         ages_(setup.feeds.size(), 0) {
+    options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
     for (const Feed& feed : setup.feeds) {
-      streams_.push_back(std::make_unique<FeedStream>(feed, options.streams));
+      streams_.push_back(std::make_unique<FeedStream>(feed, options_.streams));
       figures_.feeds.push_back({});
       figures_.feeds.back().name = feed.name;
     }
   }
 
   FeedsRunFigures run(const std::function<void(const ComposedFrame&)>& sink, const Progress& progress) {
-    const double start = startSeconds();
+    const double start = options_.streams.isLiveRun ? liveStartSeconds() : startSeconds();
     const int64_t began = steadyNanoseconds();
     for (size_t k = 0; options_.seconds <= 0 || static_cast<double>(k) < options_.seconds * options_.framesPerSecond;
          ++k) {
+      k = options_.streams.isLiveRun ? waitForOutput(start, k) : k;
+      if (options_.isStopped && options_.isStopped()) {
+        break;
+      }
       const double seconds = start + static_cast<double>(k) / options_.framesPerSecond;
       if (!takeFrames(seconds)) {
         break;
@@ -46,14 +63,15 @@ class FeedsRun {
       const int64_t frameBegan = steadyNanoseconds();
       composer_.take(frames_);
       composer_.compose(seconds, options_.erased, image_);
+      const std::vector<FeedLabel> shown = labels(seconds);
       if (options_.hasLabels) {
-        drawFeedLabels(graph_, labels(seconds), image_);
+        drawFeedLabels(graph_, shown, image_);
       }
       const double took = secondsSince(frameBegan);
       composing_ += took;
       figures_.slowestFrameSeconds = std::max(figures_.slowestFrameSeconds, took);
       ++figures_.frames;
-      sink({seconds, image_, composer_, feedSeconds_});
+      sink({seconds, image_, composer_, feedSeconds_, shown});
       report(progress,
              fmt::format("feeds at {:.1f} s, {:.1f} frames a second", seconds - start,
                          static_cast<double>(figures_.frames) / secondsSince(began)),
@@ -80,11 +98,51 @@ class FeedsRun {
       }
     }
     if (!std::isfinite(start)) {
-      const std::string message = streams_[graph_.feedIndexOf(0)]->message();
-      throw InputError("no feed gives a frame" + (message.empty() ? message : ": " + message),
-                       "feed \"" + graph_.feedOf(0).name + "\"", "check the sources of the setup with `ffprobe`");
+      failWithoutFrames();
     }
     return start + kStampRounding;
+  }
+
+  /// When the first feed has a frame.
+  double liveStartSeconds() {
+    const double began = nowSeconds();
+    for (;;) {
+      bool isAnyTrying = false;
+      for (const auto& stream : streams_) {
+        if (stream->framesRead() > 0) {
+          return nowSeconds();
+        }
+        isAnyTrying = isAnyTrying || stream->state() != FeedState::kLost;
+      }
+      const double waited = nowSeconds() - began;
+      if ((!isAnyTrying && waited > options_.streams.maxWaitSeconds) || waited > options_.streams.maxSilenceSeconds ||
+          (options_.isStopped && options_.isStopped())) {
+        failWithoutFrames();
+      }
+      std::this_thread::sleep_for(kLivePoll);
+    }
+  }
+
+  [[noreturn]] void failWithoutFrames() const {
+    const std::string where = "feed \"" + graph_.feedOf(0).name + "\"";
+    const std::string message = streams_[graph_.feedIndexOf(0)]->message();
+    const std::string advice = "\n  try: ";
+    const size_t at = message.find(advice);
+    if (at == std::string::npos) {
+      throw InputError("no feed gives a frame", where, "check the sources of the setup with `ffprobe`");
+    }
+    throw InputError("no feed gives a frame: " + message.substr(0, at), where, message.substr(at + advice.size()));
+  }
+
+  /// Waits until it is time for output k; returns it, or a later one where its time is over.
+  size_t waitForOutput(double start, size_t k) const {
+    const double now = nowSeconds();
+    const double due = start + static_cast<double>(k) / options_.framesPerSecond;
+    if (now < due) {
+      std::this_thread::sleep_for(std::chrono::duration<double>(due - now));
+      return k;
+    }
+    return std::max(k, static_cast<size_t>((now - start) * options_.framesPerSecond));
   }
 
   /// False where all feeds have ended and nothing is new.
@@ -103,7 +161,8 @@ class FeedsRun {
       const FeedState state = streams_[i]->state();
       figures.wasFrozen = figures.wasFrozen || state == FeedState::kFrozen;
       figures.wasLate = figures.wasLate || state == FeedState::kLate;
-      isAnyGoingOn = isAnyGoingOn || (state != FeedState::kEnded && state != FeedState::kLost);
+      figures.wasLost = figures.wasLost || state == FeedState::kLost;
+      isAnyGoingOn = isAnyGoingOn || streams_[i]->isGoingOn();
       if (std::isfinite(feedSeconds_[i])) {
         const double age = seconds - feedSeconds_[i];
         ages_[i] += age;
@@ -137,6 +196,7 @@ class FeedsRun {
       FeedRunFigures& figures = figures_.feeds[i];
       figures.state = streams_[i]->state();
       figures.message = streams_[i]->message();
+      figures.reconnections = streams_[i]->reconnections();
       figures.framesRead = streams_[i]->framesRead();
       figures.framesSkipped = streams_[i]->framesSkipped();
       figures.meanAgeSeconds = ages_[i] / frames;

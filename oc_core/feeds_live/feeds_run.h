@@ -1,4 +1,7 @@
 // Runs a graph camera over its feeds: at each time of the output the newest frame of each feed until then.
+//
+// Recorded feeds are run as fast as they can be. Where one may be live (video_source.h), outputs are made when it is
+// time for them; those that come too late are left out, so that no delay adds up.
 #pragma once
 
 #include <functional>
@@ -11,7 +14,9 @@ namespace ocelli {
 
 struct FeedsRunOptions {
   double framesPerSecond = 30;  ///< of the output
-  double seconds = 0;           ///< 0: until the last feed ends
+  double seconds = 0;           ///< 0: until the last feed ends, which live ones never do
+  /// Asked between outputs; the run ends well where it says so. May be empty.
+  std::function<bool()> isStopped = {};
   ErasedLook erased = ErasedLook::kBackground;
   bool hasLabels = true;
   FeedStreamOptions streams;
@@ -23,7 +28,9 @@ struct FeedRunFigures {
   FeedState state = FeedState::kLive;  ///< at the end
   bool wasFrozen = false;              ///< at any time
   bool wasLate = false;
+  bool wasLost = false;
   std::string message;
+  size_t reconnections = 0;
   size_t framesRead = 0;
   size_t framesSkipped = 0;   ///< read, but never shown
   size_t outputsWithout = 0;  ///< output frames for which it had no new frame
@@ -32,6 +39,7 @@ struct FeedRunFigures {
 };
 
 struct FeedsRunFigures {
+  bool isLive = false;  ///< outputs were made when it was time for them
   size_t frames = 0;
   double wallSeconds = 0;
   double framesPerSecond = 0;   ///< how fast it ran
@@ -46,6 +54,7 @@ struct ComposedFrame {
   const Image<Rgb8>& image;
   const FeedComposer& composer;
   const std::vector<double>& feedSeconds;  ///< when the frame of each feed was taken; NaN where there is none
+  const std::vector<FeedLabel>& labels;    ///< of each frustum
 };
 
 /// Feeds may be lost. Throws InputError where none gives a frame.

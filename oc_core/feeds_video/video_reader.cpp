@@ -2,7 +2,9 @@
 
 extern "C" {
 #include <libavcodec/avcodec.h>
+#include <libavdevice/avdevice.h>
 #include <libavformat/avformat.h>
+#include <libavutil/dict.h>
 #include <libswscale/swscale.h>
 }
 
@@ -46,10 +48,52 @@ struct WaitLimit {
   }
 };
 
+/// Options by name, as FFmpeg takes them; what it has used is gone from them afterwards.
+class InputOptions {
+ public:
+  explicit InputOptions(const VideoSource& source) {
+    const VideoSourceKind& kind = videoSourceKind(source.name);
+    if (kind.mayBeLive) {
+      set("fflags", "nobuffer");
+    }
+    if (kind.takesSize && source.width > 0) {
+      set("video_size", fmt::format("{}x{}", source.width, source.height));
+    }
+    if (kind.takesSize && source.framesPerSecond > 0) {
+      set("framerate", fmt::format("{}", source.framesPerSecond));
+    }
+    for (const std::string& option : source.options) {
+      const size_t at = option.find('=');
+      if (at == std::string::npos || at == 0) {
+        throw InputError("\"" + option + "\" is no option", source.name, "write NAME=VALUE, as rtsp_flags=listen");
+      }
+      set(option.substr(0, at), option.substr(at + 1));
+    }
+  }
+  ~InputOptions() { av_dict_free(&options_); }
+  InputOptions(const InputOptions&) = delete;
+  InputOptions& operator=(const InputOptions&) = delete;
+
+  AVDictionary** get() { return &options_; }
+  /// The name of one that FFmpeg has not used; empty where there is none.
+  std::string unused() const {
+    const AVDictionaryEntry* const first = av_dict_get(options_, "", nullptr, AV_DICT_IGNORE_SUFFIX);
+    return first == nullptr ? "" : first->key;
+  }
+
+ private:
+  void set(const std::string& name, const std::string& value) {
+    av_dict_set(&options_, name.c_str(), value.c_str(), 0);
+  }
+
+  AVDictionary* options_ = nullptr;
+};
+
 }  // namespace
 
 struct VideoReader::Impl {
-  std::string source;
+  VideoSource asked;
+  std::string source;  ///< its name
   double maxWaitSeconds = 0;
   WaitLimit limit;
   std::unique_ptr<PipeInput> pipe;  ///< of a source that is a named pipe
@@ -79,22 +123,33 @@ struct VideoReader::Impl {
   }
 
   void open() {
+    InputOptions options(asked);
     AVFormatContext* context = avformat_alloc_context();
     context->interrupt_callback = {WaitLimit::isOver, &limit};
     if (PipeInput::isPipe(source)) {
       pipe = std::make_unique<PipeInput>(source, [this] { return WaitLimit::isOver(&limit) != 0; });
       context->pb = pipe->context();
     }
+    const VideoSourceKind& kind = videoSourceKind(source);
+    const AVInputFormat* const format = kind.format == nullptr ? nullptr : av_find_input_format(kind.format);
+    if (kind.format != nullptr && format == nullptr) {
+      avformat_free_context(context);
+      throw InputError("this FFmpeg has no such input", source, adviceOnSource(asked, AVERROR_DEMUXER_NOT_FOUND));
+    }
+    const std::string path = kind.isPrefixOurs ? source.substr(std::string(kind.prefix).size()) : source;
     beginWait();
-    const int opened = avformat_open_input(&context, source.c_str(), nullptr, nullptr);  // frees it where it fails
+    const int opened = avformat_open_input(&context, path.c_str(), format, options.get());  // frees it where it fails
     if (opened < 0) {
       if (opened == AVERROR_EXIT) {
         failRead(opened);
       }
-      throw InputError("the feed cannot be opened: " + ffmpegErrorText(opened), source,
-                       "check \"source\" in the setup; `ffprobe` says what FFmpeg makes of it");
+      throw InputError("the feed cannot be opened: " + ffmpegErrorText(opened), source, adviceOnSource(asked, opened));
     }
     input.reset(context);
+    if (const std::string unused = options.unused(); !unused.empty()) {
+      throw InputError("FFmpeg knows no option \"" + unused + "\" for this source", source,
+                       "see what `ffmpeg -h demuxer=NAME` and `ffmpeg -h protocol=NAME` list");
+    }
     if (const int found = avformat_find_stream_info(input.get(), nullptr); found < 0) {
       failRead(found);
     }
@@ -164,10 +219,13 @@ struct VideoReader::Impl {
   }
 };
 
-VideoReader::VideoReader(const std::string& source, double maxWaitSeconds, const std::atomic<bool>& stop)
+VideoReader::VideoReader(const VideoSource& source, double maxWaitSeconds, const std::atomic<bool>& stop)
     : impl_(std::make_unique<Impl>()) {
   av_log_set_level(AV_LOG_FATAL);
-  impl_->source = source;
+  avdevice_register_all();
+  avformat_network_init();
+  impl_->asked = source;
+  impl_->source = source.name;
   impl_->maxWaitSeconds = maxWaitSeconds;
   impl_->limit.stop = &stop;
   impl_->open();
@@ -185,6 +243,10 @@ int VideoReader::height() const {
 
 size_t VideoReader::damagedFrames() const {
   return impl_->damaged;
+}
+
+bool VideoReader::isLive() const {
+  return videoSourceKind(impl_->source).mayBeLive && impl_->input->duration == AV_NOPTS_VALUE;
 }
 
 bool VideoReader::next(VideoFrame& frame) {

@@ -1,4 +1,4 @@
-// Frames of a video with their timestamps: a file or a URL, as FFmpeg's libraries read it.
+// Frames of a video with their timestamps: a file, a camera or a URL, as FFmpeg's libraries read it.
 //
 // Nothing here waits longer than it is told: a source that stops to answer is an error after so many seconds, and
 // stop() ends a wait from another thread.
@@ -9,6 +9,7 @@
 #include <optional>
 #include <string>
 
+#include "oc_core/feeds_video/video_source.h"
 #include "oc_core/image/png_file.h"
 
 namespace ocelli {
@@ -20,9 +21,9 @@ struct VideoFrame {
 
 class VideoReader {
  public:
-  /// Opens a source. Throws InputError where it does not exist, holds no video, or has a codec that is missing, and
-  /// WorkError where it does not answer within `maxWaitSeconds`, or `stop` is set.
-  VideoReader(const std::string& source, double maxWaitSeconds, const std::atomic<bool>& stop);
+  /// Opens a source. Throws InputError where it does not exist, holds no video, has a codec that is missing, or an
+  /// option is unknown, and WorkError where it does not answer within `maxWaitSeconds`, or `stop` is set.
+  VideoReader(const VideoSource& source, double maxWaitSeconds, const std::atomic<bool>& stop);
   ~VideoReader();
   VideoReader(const VideoReader&) = delete;
   VideoReader& operator=(const VideoReader&) = delete;
@@ -33,6 +34,8 @@ class VideoReader {
   /// counted. Throws WorkError where the source does not answer in time, breaks off, or `stop` is set.
   bool next(VideoFrame& frame);
   size_t damagedFrames() const;
+  /// Whether frames come when they are taken, rather than as fast as they are read.
+  bool isLive() const;
 
  private:
   struct Impl;

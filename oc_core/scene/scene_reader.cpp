@@ -4,18 +4,18 @@ namespace ocelli {
 
 const ReaderProgram& sceneReader() {
   static constexpr ReaderProgram kReader{
-      .name = "ocelli-read-scene",
-      .files = "scene files",
+      .program = {.name = "ocelli-read-scene",
+                  .installed = OCELLI_SCENE_READER_INSTALLED,
+                  .variable = "OCELLI_SCENE_READER",
+                  .does = "reads scene files other than PLY",
+                  .ifMissing =
+                      "install Ocelli whole, or let the environment variable OCELLI_SCENE_READER name the program"},
       .library = "Assimp",
-      .installed = OCELLI_SCENE_READER_INSTALLED,
-      .programVariable = "OCELLI_SCENE_READER",
       .memoryVariable = "OCELLI_SCENE_MEMORY_GIB",
       .secondsVariable = "OCELLI_SCENE_SECONDS",
       .convert = "convert it to binary PLY",
       .afterCrash = "the file may be damaged: export it again, if need be in another format such as glTF or PLY",
-      .reduce = "reduce the mesh",
-      .missing = "the program ocelli-read-scene is missing, which reads scene files other than PLY",
-      .ifMissing = "install Ocelli whole, or let the environment variable OCELLI_SCENE_READER name the program"};
+      .reduce = "reduce the mesh"};
   return kReader;
 }
 

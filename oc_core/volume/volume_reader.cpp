@@ -160,20 +160,20 @@ VolumeFile readNumbered(const std::vector<fs::path>& paths, const VolumeFileOpti
 
 const ReaderProgram& volumeReader() {
   static constexpr ReaderProgram kReader{
-      .name = "ocelli-read-volume",
-      .files = "volume files",
+      .program =
+          {.name = "ocelli-read-volume",
+           .installed = OCELLI_VOLUME_READER_INSTALLED,
+           .variable = "OCELLI_VOLUME_READER",
+           .does = "reads volume files",
+           .ifMissing =
+               "install libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev and build Ocelli with "
+               "OCELLI_WITH_VOLUME_IMPORT=ON, or let the environment variable OCELLI_VOLUME_READER name the program"},
       .library = "the reader",
-      .installed = OCELLI_VOLUME_READER_INSTALLED,
-      .programVariable = "OCELLI_VOLUME_READER",
       .memoryVariable = "OCELLI_VOLUME_MEMORY_GIB",
       .secondsVariable = "OCELLI_VOLUME_SECONDS",
       .convert = "convert it to NRRD without compression",
       .afterCrash = "the file may be damaged: export it again, if need be in another format such as NRRD",
-      .reduce = "convert the volume to NRRD without compression",
-      .missing = "the program ocelli-read-volume is missing, which reads volume files",
-      .ifMissing =
-          "install libteem-dev, libnifti2-dev, libgdcm-dev and libpugixml-dev and build Ocelli with "
-          "OCELLI_WITH_VOLUME_IMPORT=ON, or let the environment variable OCELLI_VOLUME_READER name the program"};
+      .reduce = "convert the volume to NRRD without compression"};
   return kReader;
 }
 

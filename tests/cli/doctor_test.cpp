@@ -38,6 +38,15 @@ TEST(Doctor, tellsOfSurfacesOfVolumes) {
               HasSubstr(isBuilt ? "of volumes: work (--iso)" : "apt-get install libopenvdb-dev"));
 }
 
+TEST(Doctor, tellsOfFeeds) {
+  const nlohmann::json feeds = findings("OCELLI_FEEDS_PROGRAM=/bin/true").at("feeds");
+  EXPECT_EQ(feeds.at("works"), true) << feeds;
+  EXPECT_EQ(feeds.at("program"), "/bin/true");
+  EXPECT_EQ(findings("OCELLI_FEEDS_PROGRAM=/bin/false").at("feeds").at("works"), false);
+  EXPECT_THAT(runShell("OCELLI_FEEDS_PROGRAM=/nowhere/it \"$OCELLI\" doctor").output,
+              AllOf(HasSubstr("\n  feeds       do not work\n"), HasSubstr("/nowhere/it")));
+}
+
 TEST(Doctor, tellsOfUsb) {
   const nlohmann::json usb = findings("").at("usb");
   EXPECT_GE(usb.at("displays"), 0);

@@ -26,7 +26,11 @@ std::string errorAfter(const std::function<void(FeedSetup&)>& change) {
 }
 
 TEST(FeedSetup, jsonComesBack) {
-  const FeedSetup setup = test::chainSetup();
+  FeedSetup setup = test::chainSetup();
+  setup.feeds[1].source = "rtsp://127.0.0.1:8554/left";
+  setup.feeds[1].ffmpegOptions = {"rtsp_flags=listen", "rtsp_transport=tcp"};
+  setup.feeds[2].source = "v4l2:/dev/video2";
+  setup.feeds[2].framesPerSecond = 15;
   EXPECT_EQ(feedSetupFromJsonText(jsonText(setup), "setup.json"), setup);
 }
 

@@ -25,7 +25,7 @@ Image<Rgb8> toneAt(int k) {
 
 std::vector<VideoFrame> framesOf(const std::filesystem::path& path) {
   const std::atomic<bool> stop{false};
-  VideoReader reader(path.string(), 5, stop);
+  VideoReader reader({path.string()}, 5, stop);
   EXPECT_EQ(reader.width(), 64);
   EXPECT_EQ(reader.height(), 48);
   std::vector<VideoFrame> frames;
@@ -73,10 +73,10 @@ TEST(Video, h264IsNear) {
 TEST(Video, namesWhatIsNoVideo) {
   const test::TemporaryFolder folder;
   const std::atomic<bool> stop{false};
-  EXPECT_THROW(VideoReader((folder.path() / "none.mkv").string(), 1, stop), InputError);
+  EXPECT_THROW(VideoReader({(folder.path() / "none.mkv").string()}, 1, stop), InputError);
   const auto text = folder.path() / "text.mkv";
   std::ofstream(text) << "this is no video";
-  EXPECT_THROW(VideoReader(text.string(), 1, stop), Error);
+  EXPECT_THROW(VideoReader({text.string()}, 1, stop), Error);
   EXPECT_THROW(VideoWriter(folder.path() / "odd.mp4", 63, 48, {}), InputError);
 }
 
@@ -87,6 +87,44 @@ TEST(Video, leavesNothingWithoutFinish) {
     writer.add(toneAt(1), 0);
   }
   EXPECT_FALSE(std::filesystem::exists(folder.path() / "a.mkv"));
+}
+
+std::string openError(const VideoSource& source) {
+  const std::atomic<bool> stop = false;
+  try {
+    const VideoReader reader(source, 5, stop);
+  } catch (const Error& error) {
+    return error.what();
+  }
+  return "";
+}
+
+TEST(VideoSource, saysWhatToDo) {
+  using testing::HasSubstr;
+  EXPECT_THAT(openError({"v4l2:/dev/video-unplugged"}), HasSubstr("connect the camera"));
+  EXPECT_THAT(openError({"v4l2:/dev/null"}), HasSubstr("try:"));
+  EXPECT_THAT(openError({"tcp://127.0.0.1:1"}), HasSubstr("start what sends it"));
+  EXPECT_THAT(openError({"http://127.0.0.1:1/feed"}), HasSubstr("start what sends it"));
+  EXPECT_THAT(openError({"gopher-nine://127.0.0.1/"}), HasSubstr("cannot read such sources"));
+  EXPECT_THAT(openError({"/nowhere/a.mkv"}), HasSubstr("paths begin in its folder"));
+}
+
+TEST(VideoSource, namesOptionsThatFfmpegDoesNotKnow) {
+  const test::TemporaryFolder folder;
+  const std::string path = (folder.path() / "a.mkv").string();
+  VideoWriter writer(path, 32, 32, {});
+  writer.add(Image<Rgb8>(32, 32, Rgb8(9)), 0);
+  writer.finish();
+  EXPECT_EQ(openError({path}), "");
+  EXPECT_THAT(openError({path, 0, 0, 0, {"no_such=1"}}), testing::HasSubstr("no option \"no_such\""));
+  EXPECT_THAT(openError({path, 0, 0, 0, {"nothing"}}), testing::HasSubstr("NAME=VALUE"));
+}
+
+TEST(VideoSource, kindsAreKnownByTheirBeginnings) {
+  EXPECT_TRUE(videoSourceKind("rtsp://camera/left").mayBeLive);
+  EXPECT_TRUE(videoSourceKind("v4l2:/dev/video0").takesSize);
+  EXPECT_FALSE(videoSourceKind("v4l2.mkv").mayBeLive);
+  EXPECT_FALSE(videoSourceKind("/videos/rtsp.mkv").mayBeLive);
 }
 
 }  // namespace

@@ -36,6 +36,7 @@ THIRD_PARTIES = {
     "openvdb/": "OpenVDB::openvdb",
     "opencv2/": "OpenCV::video",
     "libavcodec/": "PkgConfig::ffmpeg",
+    "libavdevice/": "PkgConfig::ffmpeg",
     "libavformat/": "PkgConfig::ffmpeg",
     "libavutil/": "PkgConfig::ffmpeg",
     "libswscale/": "PkgConfig::ffmpeg",

@@ -114,7 +114,7 @@ TEST_F(FakeReader, MissingProgramSaysWhatToDo) {
 }
 
 TEST(SceneReaderProgram, StandsInLibexecAboveTheProgram) {
-  const fs::path program = findReaderProgram(sceneReader());
+  const fs::path program = findOwnProgram(sceneReader().program);
   EXPECT_EQ(program.filename(), "ocelli-read-scene");
   EXPECT_EQ(program.parent_path().filename(), "ocelli");
   EXPECT_EQ(access(program.c_str(), X_OK), 0);
@@ -123,7 +123,7 @@ TEST(SceneReaderProgram, StandsInLibexecAboveTheProgram) {
 TEST(SceneReaderProgram, EndsWhereItsParentIsNoMore) {
   // The first process of all is the parent of none that a test starts.
   const std::string command =
-      "'" + findReaderProgram(sceneReader()).string() + "' 1 plain /no/such/file 2>&1 3>/dev/null";
+      "'" + findOwnProgram(sceneReader().program).string() + "' 1 plain /no/such/file 2>&1 3>/dev/null";
   EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), kReaderFailed);
 }
 

@@ -214,11 +214,11 @@ TEST(VolumeReader, WhereItIsMissingSaysWhatTheGuideSays) {
   ASSERT_NE(row, std::string::npos);
   const std::set<std::string> packages = packagesIn(guide.substr(row, guide.find('\n', row) - row));
   ASSERT_GE(packages.size(), 3U);
-  ReaderProgram missing = volumeReader();
+  OwnProgram missing = volumeReader().program;
   missing.name = "ocelli-read-nothing";
   missing.installed = "/nowhere/ocelli-read-nothing";
   try {
-    findReaderProgram(missing);
+    findOwnProgram(missing);
     FAIL() << "there is no such program";
   } catch (const WorkError& error) {
     EXPECT_THAT(error.what(), AllOf(HasSubstr("reads volume files"), HasSubstr(option + "=ON"),

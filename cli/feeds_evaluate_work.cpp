@@ -1,0 +1,57 @@
+// The work of `ocelli feeds evaluate`.
+#include <fmt/format.h>
+
+#include <nlohmann/json.hpp>
+
+#include "cli/command.h"
+#include "cli/feeds_program.h"
+#include "cli/output_option.h"
+#include "oc_core/base/json_document.h"
+
+namespace ocelli {
+namespace {
+
+std::string rowOf(const std::string& name, const std::array<size_t, kWalkerFates>& fates) {
+  std::string row = fmt::format("  {:<8}", name);
+  for (const size_t count : fates) {
+    row += fmt::format(" {:>9}", count);
+  }
+  return row + "\n";
+}
+
+}  // namespace
+
+void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContext& context) {
+  checkFiguresOutput(choice.json);
+  FeedsEvaluationOptions options = choice.options;
+  options.pictures = choice.pictures;
+  const FeedsEvaluation result = evaluateFeeds(choice.folder, options, context.progress());
+  context.clearProgress();
+  std::string table = fmt::format("  {:<8}", "walker");
+  std::array<size_t, kWalkerFates> sums{};
+  nlohmann::ordered_json fates;
+  for (size_t i = 0; i < kWalkerFates; ++i) {
+    const auto fate = static_cast<WalkerFate>(i);
+    table += fmt::format(" {:>9}", nameOf(fate));
+    sums[i] = result.count(fate);
+    fates[nameOf(fate)] = sums[i];
+  }
+  table += "\n";
+  for (size_t w = 0; w < result.walkers.size(); ++w) {
+    table += rowOf(std::to_string(w + 1), result.walkers[w]);
+  }
+  table += rowOf("all", sums);
+  table += fmt::format(
+      "\n  seen once    {:.2f} % of walkers and frames, or fading\n  PSNR         {:.2f} dB over {} "
+      "frames\n  speed        {:.1f} ms a frame, without reading feeds and comparing\n",
+      100 * result.rightShare(), result.psnrDecibels, result.frames, 1e3 * result.run.meanFrameSeconds);
+  const nlohmann::ordered_json figures{{"frames", result.frames},
+                                       {"walkers", result.walkers.size()},
+                                       {"fates", fates},
+                                       {"right_share", result.rightShare()},
+                                       {"psnr_db", result.psnrDecibels},
+                                       {"mean_frame_seconds", result.run.meanFrameSeconds}};
+  giveFigures(choice.json, textOfJson(figures, 2) + "\n", table, context);
+}
+
+}  // namespace ocelli

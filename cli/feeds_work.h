@@ -1,0 +1,57 @@
+// What `ocelli feeds` is asked to do, once its command line is read, and who does it.
+//
+// OpenCV and FFmpeg bring a hundred libraries, which would make each start of `ocelli` a tenth of a second longer. So
+// `ocelli` has the command line alone, and becomes the program `ocelli-feeds` where it comes to the work; that one has
+// the same command line, and does the work.
+//
+// Recipe for another command of `ocelli feeds`:
+//   1. here: its choice, and its row in FeedsWork;
+//   2. cli/feeds_NAME_command.cpp: its options, declared in feeds_command.h;
+//   3. cli/feeds_NAME_work.cpp: the work, declared in feeds_program.h; in ocelli-feeds alone.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <string>
+
+#include "oc_core/feeds_live/feeds_run.h"
+#include "oc_core/feeds_measure/evaluate_feeds.h"
+#include "oc_core/feeds_measure/simulate_feeds.h"
+
+namespace ocelli {
+
+class CommandContext;
+
+struct FeedsRunChoice {
+  std::string setup;
+  std::string output;       ///< empty where the page shows it alone
+  std::optional<int> page;  ///< a port of 127.0.0.1; 0: any that is free
+  std::string erased = "background";
+  bool hasNoLabels = false;
+  FeedsRunOptions options;
+  std::string json;
+};
+
+struct FeedsSimulateChoice {
+  FeedSimulationOptions options;
+  std::string output;
+  std::string freeze;  ///< "FEED@SECONDS"
+};
+
+struct FeedsEvaluateChoice {
+  std::string folder;
+  std::string pictures;
+  FeedsEvaluationOptions options;
+  std::string json;
+};
+
+template <typename Choice>
+using FeedsWorkOf = std::function<void(const Choice&, const CommandContext&)>;
+
+struct FeedsWork {
+  FeedsWorkOf<FeedsRunChoice> run;
+  FeedsWorkOf<FeedsSimulateChoice> simulate;
+  FeedsWorkOf<FeedsEvaluateChoice> evaluate;
+};
+
+}  // namespace ocelli

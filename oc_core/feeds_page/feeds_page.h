@@ -1,0 +1,38 @@
+// A page that shows the composed image as it is made, to this computer alone: 127.0.0.1, GET, and only where the
+// browser asks for that very address, so that no page of the network reaches it through a name of its own (DNS
+// rebinding). Whoever else is logged in at this computer can see it.
+//
+// The image is a stream of JPEG files (multipart/x-mixed-replace, "MJPEG"), which browsers show by themselves. Each
+// browser is served by a thread of its own and gets the latest image there is, so that a slow one holds nobody up.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "oc_core/image/png_file.h"
+
+namespace ocelli {
+
+class FeedsPage {
+ public:
+  /// Serves until it is destroyed. Port 0 takes a free one. `title` is what the page says above the image. Throws
+  /// WorkError where the port is in use, or may not be used.
+  FeedsPage(int port, const std::string& title);
+  ~FeedsPage();
+  FeedsPage(const FeedsPage&) = delete;
+  FeedsPage& operator=(const FeedsPage&) = delete;
+
+  int port() const;
+  /// "http://127.0.0.1:8765/".
+  std::string address() const;
+
+  /// The next image, and a line of text on each feed. Copies them; nobody is waited for.
+  void show(const Image<Rgb8>& image, const std::vector<std::string>& feeds);
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
+
+}  // namespace ocelli

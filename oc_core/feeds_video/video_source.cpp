@@ -1,0 +1,49 @@
+#include "oc_core/feeds_video/video_source.h"
+
+extern "C" {
+#include <libavutil/error.h>
+}
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+
+namespace ocelli {
+namespace {
+
+constexpr const char* kStartCamera = "start what sends it, and check the address, the port and the firewall";
+
+constexpr std::array<VideoSourceKind, 6> kKinds{{
+    {"v4l2:", "v4l2", true, true, true, "connect the camera; `ls /dev/video*` shows the devices that are there",
+     "close other programs that use the camera, and join the group `video` (adduser USER video)"},
+    {"rtsp://", nullptr, false, true, false, "check the path in the address: the server has no such feed",
+     kStartCamera},
+    {"http://", nullptr, false, true, false, "check the path in the address: the server has no such page",
+     kStartCamera},
+    {"udp://", nullptr, false, true, false, kStartCamera, kStartCamera},
+    {"tcp://", nullptr, false, true, false, kStartCamera, kStartCamera},
+    {"", nullptr, false, false, false, "check \"source\" in the setup: paths begin in its folder",
+     "check \"source\" in the setup; `ffprobe` says what FFmpeg makes of it"},
+}};
+
+}  // namespace
+
+const VideoSourceKind& videoSourceKind(const std::string& name) {
+  return *std::ranges::find_if(kKinds, [&](const VideoSourceKind& kind) { return name.starts_with(kind.prefix); });
+}
+
+std::string adviceOnSource(const VideoSource& source, int code) {
+  const VideoSourceKind& kind = videoSourceKind(source.name);
+  const bool isMissing =
+      code == AVERROR(ENOENT) || code == AVERROR(ENODEV) || code == AVERROR(ENXIO) || code == AVERROR_HTTP_NOT_FOUND;
+  if (code == AVERROR_DEMUXER_NOT_FOUND || code == AVERROR_PROTOCOL_NOT_FOUND) {
+    return "this FFmpeg cannot read such sources: `ffmpeg -protocols` and `ffmpeg -devices` list what it can";
+  }
+  if (code == AVERROR(EINVAL) && kind.takesSize) {
+    return "the camera has no such size, rate or option: `ffmpeg -f v4l2 -list_formats all -i DEVICE` lists what it "
+           "has";
+  }
+  return isMissing ? kind.whenMissing : kind.whenRefused;
+}
+
+}  // namespace ocelli
