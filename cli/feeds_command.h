@@ -5,6 +5,7 @@
 
 namespace ocelli {
 
+void addFeedsCalibrateCommand(CLI::App& feeds, const CommandContext& context);
 void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context);
 void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context);
 void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context);

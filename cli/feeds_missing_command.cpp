@@ -19,6 +19,10 @@ void addMissing(CLI::App& feeds, const CommandContext& context, const std::strin
 
 }  // namespace
 
+void addFeedsCalibrateCommand(CLI::App& feeds, const CommandContext& context) {
+  addMissing(feeds, context, "calibrate", "Find lenses and poses of cameras (not in this build)");
+}
+
 void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context) {
   addMissing(feeds, context, "run", "Compose the image of a graph camera from its feeds (not in this build)");
 }
