@@ -113,7 +113,7 @@ PUBLIC_HEADER_EXCEPTIONS = {
     "oc_core/volume_render/march_field-inl.h": {"hwy/"},
     "oc_core/volume_render/march_ray-inl.h": {"hwy/"},
     "oc_core/volume_render/march_steps-inl.h": {"hwy/"},
-    "oc_core/feeds_calibration/opencv_board.h": {"opencv2/"},
+    "oc_core/feeds_calibration/opencv_board.h": {"opencv2/aruco/"},
     "study/export/export_tables.h": {"SQLiteCpp/"},
     "study/store/database_state.h": {"SQLiteCpp/"},
     "study/store/sqlite_connection.h": {"SQLiteCpp/"},
