@@ -7,6 +7,12 @@ int main(int argumentCount, char** arguments) {
   using namespace ocelli;
   return runCommandLine(argumentCount, arguments, [](CLI::App& program, const CommandContext& context) {
     addFeedsCommands(program, context,
-                     {.run = runFeedsCommand, .simulate = simulateFeedsCommand, .evaluate = evaluateFeedsCommand});
+                     {.run = runFeedsCommand,
+                      .simulate = simulateFeedsCommand,
+                      .evaluate = evaluateFeedsCommand,
+                      .sheet = writeCalibrationSheet,
+                      .lens = calibrateLensCommand,
+                      .pose = calibratePosesCommand,
+                      .check = checkPosesCommand});
   });
 }

@@ -28,7 +28,14 @@ void addFeedsCommand(CLI::App& program, const CommandContext& context) {
     throw WorkError(std::string("this program cannot be started (") + std::strerror(errno) + ")", found.string(),
                     "install Ocelli whole, so that all its programs are for this machine");
   };
-  addFeedsCommands(program, context, {.run = start, .simulate = start, .evaluate = start});
+  addFeedsCommands(program, context,
+                   {.run = start,
+                    .simulate = start,
+                    .evaluate = start,
+                    .sheet = start,
+                    .lens = start,
+                    .pose = start,
+                    .check = start});
 }
 
 }  // namespace ocelli

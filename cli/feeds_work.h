@@ -13,7 +13,9 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "oc_core/feeds_calibration/calibrate_feeds.h"
 #include "oc_core/feeds_live/feeds_run.h"
 #include "oc_core/feeds_measure/evaluate_feeds.h"
 #include "oc_core/feeds_measure/simulate_feeds.h"
@@ -45,6 +47,35 @@ struct FeedsEvaluateChoice {
   std::string json;
 };
 
+struct FeedsSheetChoice {
+  std::string output;
+  std::string board = kUsualBoard;
+  std::string paper = "a4";
+  std::vector<int> tags;  ///< instead of a board
+  double tagMillimetres = 160;
+};
+
+struct FeedsLensChoice {
+  std::string views;
+  std::string board = kUsualBoard;
+  std::string setup;  ///< empty: the lens alone is written
+  std::string feed;
+  std::string output;
+};
+
+struct FeedsPoseChoice {
+  std::string setup;
+  std::string places;
+  std::string output;
+  PoseCalibrationOptions options;
+};
+
+struct FeedsCheckChoice {
+  std::string setup;
+  std::string places;
+  double movedPixels = kMovedPixels;
+};
+
 template <typename Choice>
 using FeedsWorkOf = std::function<void(const Choice&, const CommandContext&)>;
 
@@ -52,6 +83,10 @@ struct FeedsWork {
   FeedsWorkOf<FeedsRunChoice> run;
   FeedsWorkOf<FeedsSimulateChoice> simulate;
   FeedsWorkOf<FeedsEvaluateChoice> evaluate;
+  FeedsWorkOf<FeedsSheetChoice> sheet;
+  FeedsWorkOf<FeedsLensChoice> lens;
+  FeedsWorkOf<FeedsPoseChoice> pose;
+  FeedsWorkOf<FeedsCheckChoice> check;
 };
 
 }  // namespace ocelli

@@ -111,6 +111,9 @@ if(OCELLI_WITH_FEEDS)
   # Not through its CMake files, which name all of its modules.
   ocelli_package(OpenCV::video               LIBRARY opencv HEADER opencv2/video/background_segm.hpp FOLDER opencv4
     LIBRARIES opencv_video opencv_imgproc opencv_core)
+  ocelli_package(OpenCV::calibration         LIBRARY opencv_calibration HEADER opencv2/aruco/charuco.hpp FOLDER opencv4
+    LIBRARIES opencv_aruco opencv_calib3d opencv_imgproc opencv_core)
+  ocelli_package(PkgConfig::apriltag         PKG_CONFIG apriltag)
   ocelli_package(PkgConfig::ffmpeg           PKG_CONFIG libavdevice libavformat libavcodec libavutil libswscale)
 endif()
 if(OCELLI_WITH_JPEG)

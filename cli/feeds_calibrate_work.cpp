@@ -1,0 +1,117 @@
+// The work of `ocelli feeds calibrate`.
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/feeds_program.h"
+#include "oc_core/base/error.h"
+#include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/feeds_calibration/calibration_sheet.h"
+#include "oc_core/feeds_video/video_source.h"
+
+namespace ocelli {
+namespace {
+
+/// A setup that is written beside another: its files stay those that they were.
+void writeSetup(FeedSetup setup, const std::string& output) {
+  const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
+  for (Feed& feed : setup.feeds) {
+    for (std::string* file : {&feed.source, &feed.background}) {
+      if (!file->empty() && *videoSourceKind(*file).prefix == 0) {
+        *file = std::filesystem::absolute(*file).lexically_proximate(folder).string();
+      }
+    }
+  }
+  writeFile(output, jsonText(setup));
+}
+
+}  // namespace
+
+void writeCalibrationSheet(const FeedsSheetChoice& choice, const CommandContext& context) {
+  checkWritable(choice.output);
+  const SheetPaper paper = paperFromText(choice.paper);
+  writeFile(choice.output, choice.tags.empty() ? boardSheetPdf(boardFromText(choice.board), paper)
+                                               : tagSheetPdf(choice.tags, choice.tagMillimetres, paper));
+  context.note("wrote " + choice.output + ": print it at 100 % and measure its ruler");
+}
+
+void calibrateLensCommand(const FeedsLensChoice& choice, const CommandContext& context) {
+  checkWritable(choice.output);
+  if (choice.setup.empty() != choice.feed.empty()) {
+    throw InputError("--setup and --feed go together", "feeds calibrate lens", "give both, or neither");
+  }
+  const CalibrationBoard board = boardFromText(choice.board);
+  FeedSetup setup;
+  if (!choice.setup.empty()) {
+    setup = readFeedSetup(choice.setup);
+    if (setup.feedIndex(choice.feed) < 0) {
+      throw InputError("there is no feed \"" + choice.feed + "\"", choice.setup, "use the name of one of its feeds");
+    }
+  }
+  const LensCalibration result = calibrateLensFrom(choice.views, board, context.progress());
+  context.clearProgress();
+  if (choice.setup.empty()) {
+    writeFile(choice.output, jsonText(result.lens));
+  } else {
+    Feed& feed = setup.feeds[static_cast<size_t>(setup.feedIndex(choice.feed))];
+    if (feed.width != result.width || feed.height != result.height) {
+      throw InputError(fmt::format("the views have {}x{} pixels, and feed \"{}\" has {}x{}", result.width,
+                                   result.height, feed.name, feed.width, feed.height),
+                       choice.views, "take views of the board with the size of the feed");
+    }
+    feed.lens = result.lens;
+    writeSetup(setup, choice.output);
+  }
+  context.print(fmt::format(
+      "  focal        {:.2f} x {:.2f} pixels, known to {:.2f} %\n  center       {:.2f}, {:.2f}\n"
+      "  error        {:.3f} pixels RMS\n  views        {}, and {} left out\n"
+      "  covered      {:.0f} % of the image\n  tilt         {:.0f} degrees between views\n",
+      result.lens.focal.x, result.lens.focal.y, 100 * result.focalSpread, result.lens.center.x, result.lens.center.y,
+      result.rmsPixels, result.views, result.viewsLeftOut, 100 * result.coveredShare, result.maxTiltDegrees));
+  for (const std::string& warning : result.warnings) {
+    context.note("warning: " + warning);
+  }
+  context.note("wrote " + choice.output);
+}
+
+void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& context) {
+  checkWritable(choice.output);
+  FeedSetup setup = readFeedSetup(choice.setup);
+  const PoseCalibration result =
+      calibratePoses(setup, readKnownPlaces(choice.places), choice.places, choice.options, context.progress());
+  context.clearProgress();
+  writeSetup(setup, choice.output);
+  std::string table =
+      fmt::format("  {:<12} {:>5} {:>7} {:>11} {:>11}  worst at\n", "feed", "tags", "points", "RMS pixels", "worst");
+  for (const FeedCalibration& feed : result.feeds) {
+    table += fmt::format("  {:<12} {:>5} {:>7} {:>11.3f} {:>11.3f}  {}\n", feed.feed, feed.tags, feed.points,
+                         feed.rmsPixels, feed.maxPixels, feed.worst);
+  }
+  context.print(table);
+  for (const std::string& warning : result.warnings) {
+    context.note("warning: " + warning);
+  }
+  context.note("wrote " + choice.output);
+}
+
+void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& context) {
+  const FeedSetup setup = readFeedSetup(choice.setup);
+  std::string table = fmt::format("  {:<12} {:>5} {:>13}\n", "feed", "tags", "median pixels");
+  std::string moved;
+  for (const PoseCheck& check : checkPoses(setup, readKnownPlaces(choice.places), choice.movedPixels, {})) {
+    table += fmt::format("  {:<12} {:>5} {:>13.2f}\n", check.feed, check.tags, check.medianPixels);
+    if (check.hasMoved) {
+      moved += (moved.empty() ? "" : "; ") + check.message;
+    } else if (!check.message.empty()) {
+      context.note("warning: " + check.message);
+    }
+  }
+  context.print(table);
+  if (!moved.empty()) {
+    throw WorkError(moved, choice.setup, "put cameras back, or run `ocelli feeds calibrate pose` for new poses");
+  }
+}
+
+}  // namespace ocelli
