@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -32,6 +33,19 @@ constexpr double kGibibyte = 1 << 30;
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 constexpr bool kLimitsMemory = !kAddressSanitizer;  // which ends the process in its own way
+
+/// Of this process and of those that it has waited for: the same on a machine with much other work.
+double processorSeconds() {
+  double seconds = 0;
+  for (const auto who : {RUSAGE_SELF, RUSAGE_CHILDREN}) {
+    rusage usage{};
+    getrusage(who, &usage);
+    for (const timeval& time : {usage.ru_utime, usage.ru_stime}) {
+      seconds += static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);
+    }
+  }
+  return seconds;
+}
 
 /// An environment variable while it lives.
 class Variable {
@@ -154,9 +168,9 @@ TEST(SceneReader, EndsWithinASecondWhereAFewBytesPromiseGigabytes) {
   const SceneFileSample sample = test::hostileSceneFiles().front();
   ASSERT_EQ(sample.name, "memory.off");
   const fs::path path = folder.write(sample.name, sample.bytes);
-  const auto start = Clock::now();
+  const double start = processorSeconds();
   EXPECT_THROW(readSceneFile(path), InputError);
-  EXPECT_LT(Clock::now() - start, std::chrono::seconds(kLimitsMemory ? 1 : 20));
+  EXPECT_LT(processorSeconds() - start, kLimitsMemory ? 1 : 20);
 }
 
 TEST(SceneReader, EndsWhatNeedsMoreMemoryThanItMay) {
