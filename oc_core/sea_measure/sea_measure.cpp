@@ -12,6 +12,7 @@
 #include "oc_core/evaluation/flip.h"
 #include "oc_core/evaluation/image_quality.h"
 #include "oc_core/image/image_error.h"
+#include "oc_core/sea_measure/remembered_source.h"
 
 namespace ocelli {
 namespace {
@@ -74,8 +75,9 @@ SeaErrors compareImages(const SeaSource& source, std::span<const uint32_t> sampl
   return errors;
 }
 
-SeaMeasureResult measureSea(const SeaFile& sea, const SeaSource& source, const SeaMeasureOptions& options,
+SeaMeasureResult measureSea(const SeaFile& sea, const SeaSource& images, const SeaMeasureOptions& options,
                             const Progress& progress) {
+  const RememberedSource source(images);
   if (source.poses().size() != sea.count() || !(source.projection() == sea.settings().projection)) {
     throw InputError(fmt::format("this sea has {} images of {}x{}; its source has {} of {}x{}", sea.count(),
                                  sea.settings().projection.width, sea.settings().projection.height,
