@@ -103,7 +103,8 @@ cp -r $release/manual/man1 "$packed/man"
 cp $release/manual/ocelli.bash "$packed/completion.bash"
 cp $release/manual/_ocelli "$packed/zsh/"
 
-tar -C "$folder" --owner=0 --group=0 -c ocelli-portable | xz -T0 >"$archive"
+# One dictionary over all programs, which have the same libraries in them: half the size.
+tar -C "$folder" --owner=0 --group=0 -c ocelli-portable | xz --lzma2=preset=6,dict=128MiB >"$archive"
 bytes=$(stat -c %s "$archive")
 echo "$archive: $bytes bytes"
 [ "$bytes" -le $max_bytes ] || { echo "more than $max_bytes bytes" >&2; exit 1; }

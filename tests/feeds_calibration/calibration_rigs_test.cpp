@@ -1,4 +1,5 @@
-// The goal of calibration: within half a pixel over 100 simulated rigs, of which OCELLI_TEST_RIGS says how many are tried.
+// The goal of calibration: within half a pixel over 100 simulated rigs, of which OCELLI_TEST_RIGS says how many are
+// tried.
 #include "tests/feeds_calibration/calibration_rigs.h"
 
 #include <fmt/format.h>
