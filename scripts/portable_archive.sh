@@ -27,7 +27,7 @@ mkdir -p "$packed/bin" "$packed/libexec/ocelli" "$packed/lib" "$packed/fallback"
 
 # pack FOLDER FILE: a program, which finds its libraries beside it. Programs that it starts get none of them.
 pack() {
-  [ -x "$release/$2" ] || { echo "$release/$2 is missing: cmake --build --preset release" >&2; exit 1; }
+  [ -x "$release/$2" ] || { echo "$release/$2 is missing: cmake --build --preset release --target all bench/all" >&2; exit 1; }
   strip -o "$packed/$1/$(basename "$2")" "$release/$2"
   # shellcheck disable=SC2016  # for the loader
   patchelf --force-rpath --set-rpath '$ORIGIN/../lib:$ORIGIN/../../lib' "$packed/$1/$(basename "$2")"
