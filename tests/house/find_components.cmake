@@ -1,7 +1,7 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
-# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE, WITH_REMOTE, WITH_VOLUME_IMPORT: whether there is a
-# component "opengl", "mpi", "live", "serving", "volumes". DOCUMENTATION: docs/install.md.
+# in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE, WITH_REMOTE, WITH_VOLUME_IMPORT, WITH_FEEDS:
+# whether there is a component "opengl", "mpi", "live", "serving", "volumes", "video". DOCUMENTATION: docs/install.md.
 
 # Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
 # `failed`.
@@ -119,6 +119,15 @@ if(NOT TARGET Ocelli::core OR NOT TARGET Ocelli::analysis OR TARGET Ocelli::devi
   message(FATAL_ERROR \"other targets\")
 endif()")
 
+set(video "")
+if(WITH_FEEDS)
+  set(video "video, ")
+  must_configure("find_package(Ocelli REQUIRED COMPONENTS video)
+if(NOT TARGET Ocelli::feeds_live OR NOT TARGET Ocelli::feeds_calibration)
+  message(FATAL_ERROR \"no feeds\")
+endif()")
+endif()
+
 # All.
 set(all "find_package(Ocelli REQUIRED)
 foreach(target IN ITEMS foundation mazes pages core streaming seas import display driver trials study analysis power)
@@ -128,7 +137,7 @@ foreach(target IN ITEMS foundation mazes pages core streaming seas import displa
 endforeach()")
 must_configure("${all}")
 
-must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, streaming, seas, import, display, driver, trials, study, analysis, power"
+must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, streaming, seas, ${video}import, display, driver, trials, study, analysis, power"
   "find_package(Ocelli REQUIRED COMPONENTS core graphics)")
 must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED COMPONENTS study)"
   -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)
