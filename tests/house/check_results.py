@@ -41,6 +41,7 @@ CONDITIONS = {
     "no mkdocs": lambda: not pathlib.Path("/usr/bin/mkdocs").exists(),
     "no Doxygen": lambda: shutil.which("doxygen") is None,
     "no R": lambda: not has_r(),
+    "no opencv-doc": lambda: not pathlib.Path("/usr/share/doc/opencv-doc/examples/data").exists(),
     "no oslc": lambda: shutil.which("oslc") is None,
     "gpu": lambda: any(pathlib.Path("/dev").glob("nvidia[0-9]*")) or any(pathlib.Path("/dev").glob("dri/renderD*")),
 }
