@@ -9,7 +9,6 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
 #include "oc_core/feeds_calibration/calibration_sheet.h"
-#include "oc_core/feeds_video/video_source.h"
 
 namespace ocelli {
 namespace {
@@ -19,7 +18,7 @@ void writeSetup(FeedSetup setup, const std::string& output) {
   const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
   for (Feed& feed : setup.feeds) {
     for (std::string* file : {&feed.source, &feed.background}) {
-      if (!file->empty() && *videoSourceKind(*file).prefix == 0) {
+      if (isFeedFile(*file)) {
         *file = std::filesystem::absolute(*file).lexically_proximate(folder).string();
       }
     }

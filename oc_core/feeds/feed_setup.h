@@ -81,6 +81,9 @@ struct FeedSetup {
   bool operator==(const FeedSetup&) const = default;
 };
 
+/// Whether a source is a file, and neither empty, a camera nor a URL.
+bool isFeedFile(const std::string& source);
+
 /// Throws InputError, naming the field, where a file is no setup: also where there is no root or more than one, where
 /// frusta are their own ancestors, where a feed or a parent is unknown, or where a near face is not flat.
 FeedSetup readFeedSetup(const std::filesystem::path& path);

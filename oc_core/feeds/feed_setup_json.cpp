@@ -158,6 +158,10 @@ OrderedJson jsonOf(const Feed& feed) {
 
 }  // namespace
 
+bool isFeedFile(const std::string& source) {
+  return !source.empty() && source.find("://") == std::string::npos && !source.starts_with(kDevicePrefix);
+}
+
 FeedSetup feedSetupFromJsonText(const std::string& text, const std::string& where) {
   const JsonDocument document(text, where);
   return readAs(kSetupSchema, [&] { return readSetup(JsonFields(document), where); });
@@ -167,7 +171,7 @@ FeedSetup readFeedSetup(const std::filesystem::path& path) {
   FeedSetup setup = feedSetupFromJsonText(readFile(path), path.string());
   const std::filesystem::path folder = path.parent_path();
   const auto resolve = [&](std::string& file) {
-    if (!file.empty() && file.find("://") == std::string::npos && !file.starts_with(kDevicePrefix)) {
+    if (isFeedFile(file)) {
       file = (folder / file).string();
     }
   };
