@@ -9,19 +9,19 @@
 namespace ocelli {
 namespace {
 
-constexpr double kScale = FeedBlobs::kMaskScale;
 constexpr int kMaxBodies = 12;          ///< of one blob
 constexpr int kCutRows = 2;             ///< mask rows from the lower border in which feet are cut
 constexpr int kHiddenReach = 3;         ///< mask rows below a pixel in which a body hides what is under it
 constexpr int kHeadReach = 10;          ///< mask columns on both sides in which a head is looked for
 constexpr double kFootShare = 1.0 / 8;  ///< of a body's height, from below: its feet
 constexpr double kMinShown = 0.35;      ///< of a body's box, but what others hide: less is no body
+constexpr double kMinBeside = 0.25;     ///< of the cells of who is known in a body's box: their limbs are less
 constexpr int kMinCells = 24;           ///< of a mask
 constexpr double kNearer = 0.94;        ///< from one distance that is tried to the next
 constexpr int kNearerSteps = 18;
 constexpr double kRimMetres = 0.08;  ///< around a body that is taken away
 
-enum class Cell : uint8_t { kBackground, kOpen, kTaken };
+enum class Cell : uint8_t { kBackground, kOpen, kTaken, kKnown };
 
 /// Cells of a mask: from the first to before the last.
 struct CellBox {
@@ -31,15 +31,18 @@ struct CellBox {
 
 class BlobPeeler {
  public:
-  BlobPeeler(const FeedSetup& setup, size_t feed, const FeedBlobs& blobs, uint16_t label)
+  BlobPeeler(const FeedSetup& setup, size_t feed, const FeedBlobs& blobs, const Image<uint16_t>& known, uint16_t label)
       : setup_(setup),
         feed_(setup.feeds[feed]),
         feedIndex_(feed),
+        scale_(blobs.scale),
         cells_(blobs.core.width(), blobs.core.height()),
         extent_(cellsOf(blobs.blobs[label - 1u].lower, blobs.blobs[label - 1u].upper)) {
     for (int y = extent_.lower.y; y < extent_.upper.y; ++y) {
       for (int x = extent_.lower.x; x < extent_.upper.x; ++x) {
-        cells_(x, y) = blobs.core(x, y) == label ? Cell::kOpen : Cell::kBackground;
+        if (blobs.core(x, y) == label) {
+          cells_(x, y) = !known.empty() && known(x, y) > 0 ? Cell::kKnown : Cell::kOpen;
+        }
       }
     }
   }
@@ -62,8 +65,8 @@ class BlobPeeler {
  private:
   CellBox cellsOf(const glm::dvec2& lower, const glm::dvec2& upper) const {
     const glm::ivec2 size(cells_.width(), cells_.height());
-    return {glm::clamp(glm::ivec2(glm::floor(lower / kScale)), glm::ivec2(0), size),
-            glm::clamp(glm::ivec2(glm::ceil(upper / kScale)), glm::ivec2(0), size)};
+    return {glm::clamp(glm::ivec2(glm::floor(lower / scale_)), glm::ivec2(0), size),
+            glm::clamp(glm::ivec2(glm::ceil(upper / scale_)), glm::ivec2(0), size)};
   }
 
   int count(const CellBox& box, Cell kind) const {
@@ -75,6 +78,9 @@ class BlobPeeler {
     }
     return sum;
   }
+
+  /// Another one than whose cells are open.
+  static bool isSomebody(Cell cell) { return cell == Cell::kTaken || cell == Cell::kKnown; }
 
   static int area(const CellBox& box) { return (box.upper.x - box.lower.x) * (box.upper.y - box.lower.y); }
 
@@ -99,7 +105,7 @@ class BlobPeeler {
       return bodyOutOfTheImage(lowest);
     }
     for (int k = 1; k <= kHiddenReach; ++k) {
-      if (cells_.contains(lowest.x, lowest.y + k) && cells_(lowest.x, lowest.y + k) == Cell::kTaken) {
+      if (cells_.contains(lowest.x, lowest.y + k) && isSomebody(cells_(lowest.x, lowest.y + k))) {
         return bodyByHead(lowest);
       }
     }
@@ -107,13 +113,13 @@ class BlobPeeler {
   }
 
   std::optional<PeeledBody> bodyByFeet(const glm::ivec2& lowest) const {
-    const auto near = placeBelow(setup_, feedIndex_, glm::dvec2(lowest.x + 0.5, lowest.y + 1) * kScale, 0);
+    const auto near = placeBelow(setup_, feedIndex_, glm::dvec2(lowest.x + 0.5, lowest.y + 1) * scale_, 0);
     const auto box = near ? bodyBox(feed_, near->place) : std::nullopt;
     if (!box) {
       return std::nullopt;
     }
-    const int reach = std::max(1, static_cast<int>((box->upper.x - box->lower.x) / kScale / 2));
-    const int rows = std::max(1, static_cast<int>((box->upper.y - box->lower.y) / kScale * kFootShare));
+    const int reach = std::max(1, static_cast<int>((box->upper.x - box->lower.x) / scale_ / 2));
+    const int rows = std::max(1, static_cast<int>((box->upper.y - box->lower.y) / scale_ * kFootShare));
     double sum = 0;
     double cells = 0;
     for (int y = std::max(extent_.lower.y, lowest.y - rows); y <= lowest.y; ++y) {
@@ -125,7 +131,7 @@ class BlobPeeler {
         }
       }
     }
-    const auto told = placeBelow(setup_, feedIndex_, glm::dvec2(sum / std::max(cells, 1.0), lowest.y + 1) * kScale, 0);
+    const auto told = placeBelow(setup_, feedIndex_, glm::dvec2(sum / std::max(cells, 1.0), lowest.y + 1) * scale_, 0);
     return told ? std::optional(PeeledBody{told->place, told->distance, false}) : std::nullopt;
   }
 
@@ -138,7 +144,7 @@ class BlobPeeler {
       for (int x = std::max(extent_.lower.x, lowest.x - kHeadReach);
            x < std::min(extent_.upper.x, lowest.x + kHeadReach + 1); ++x) {
         if (cells_(x, y) == Cell::kOpen) {
-          const auto told = placeBelow(setup_, feedIndex_, glm::dvec2(x + 0.5, y) * kScale, kSubjectHeight);
+          const auto told = placeBelow(setup_, feedIndex_, glm::dvec2(x + 0.5, y) * scale_, kSubjectHeight);
           return told ? std::optional(PeeledBody{told->place, told->distance, true}) : std::nullopt;
         }
       }
@@ -148,7 +154,7 @@ class BlobPeeler {
 
   /// Whose feet are below the image is nearer than the floor there; how much, the size of what is seen tells.
   std::optional<PeeledBody> bodyOutOfTheImage(const glm::ivec2& lowest) const {
-    const auto farthest = placeBelow(setup_, feedIndex_, glm::dvec2(lowest.x + 0.5, lowest.y + 1) * kScale, 0);
+    const auto farthest = placeBelow(setup_, feedIndex_, glm::dvec2(lowest.x + 0.5, lowest.y + 1) * scale_, 0);
     if (!farthest || !isOverHeads(setup_, feedIndex_)) {
       return std::nullopt;
     }
@@ -183,7 +189,9 @@ class BlobPeeler {
     }
     const CellBox cells = cellsOf(box->lower, box->upper);
     const int open = count(cells, Cell::kOpen);
-    return open >= kMinCells && open >= kMinShown * (area(cells) - count(cells, Cell::kTaken));
+    const int known = count(cells, Cell::kKnown);
+    return open >= kMinCells && open >= kMinShown * (area(cells) - count(cells, Cell::kTaken) - known) &&
+           open >= kMinBeside * known;
   }
 
   void take(const CellBox& box) {
@@ -209,16 +217,18 @@ class BlobPeeler {
   const FeedSetup& setup_;
   const Feed& feed_;
   size_t feedIndex_;
+  double scale_;  ///< of a cell, feed pixels
   Image<Cell> cells_;
   CellBox extent_;
 };
 
 }  // namespace
 
-std::vector<PeeledBody> peelBodies(const FeedSetup& setup, size_t feed, const FeedBlobs& blobs) {
+std::vector<PeeledBody> peelBodies(const FeedSetup& setup, size_t feed, const FeedBlobs& blobs,
+                                   const Image<uint16_t>& known) {
   std::vector<PeeledBody> bodies;
   for (size_t k = 0; k < blobs.blobs.size(); ++k) {
-    BlobPeeler(setup, feed, blobs, static_cast<uint16_t>(k + 1)).peel(bodies);
+    BlobPeeler(setup, feed, blobs, known, static_cast<uint16_t>(k + 1)).peel(bodies);
   }
   return bodies;
 }

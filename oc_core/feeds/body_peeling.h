@@ -8,7 +8,8 @@
 
 #include <vector>
 
-#include "oc_core/feeds/subject_places.h"
+#include "oc_core/feeds/feed_blobs.h"
+#include "oc_core/feeds/feed_setup.h"
 
 namespace ocelli {
 
@@ -18,7 +19,8 @@ struct PeeledBody {
   bool isByHead = false;  ///< or by its feet
 };
 
-/// The bodies that a feed sees.
-std::vector<PeeledBody> peelBodies(const FeedSetup& setup, size_t feed, const FeedBlobs& blobs);
+/// The bodies that a feed sees, but those of whom `known` has the cells, 0 where nobody is known; it may be empty.
+std::vector<PeeledBody> peelBodies(const FeedSetup& setup, size_t feed, const FeedBlobs& blobs,
+                                   const Image<uint16_t>& known = {});
 
 }  // namespace ocelli

@@ -1,5 +1,7 @@
 #include "oc_core/feeds/feed_compose.h"
 
+#include <cstdint>
+
 #include "oc_core/base/parallel.h"
 
 namespace ocelli {
@@ -10,18 +12,35 @@ constexpr int kRedShare = 128;  ///< of 256
 
 using Sum = glm::ivec3;
 
+/// A sum with red and blue side by side, so that one multiplication is two, and in two registers.
+struct PackedSum {
+  uint64_t redAndBlue = 0;
+  uint64_t green = 0;
+
+  void add(const Rgb8& p, uint32_t weight) {
+    redAndBlue += (static_cast<uint64_t>(p.b) << 32 | p.r) * weight;
+    green += static_cast<uint64_t>(p.g) * weight;
+  }
+  Sum unpacked() const {
+    return {static_cast<int>(redAndBlue & 0xffffffffu), static_cast<int>(green), static_cast<int>(redAndBlue >> 32)};
+  }
+};
+
 /// In 1/65536, so that no rounding adds up.
-Sum sampleOf(const Image<Rgb8>& image, const FeedPlace& place) {
+PackedSum sampleOf(const Image<Rgb8>& image, const FeedPlace& place) {
   const int x = place.x >> FeedPlace::kFractionBits;
   const int y = place.y >> FeedPlace::kFractionBits;
-  const int fx = place.x & (kOne - 1);
-  const int fy = place.y & (kOne - 1);
-  const int right = x + 1 < image.width() ? 1 : 0;
-  const size_t down = y + 1 < image.height() ? static_cast<size_t>(image.width()) : 0;
-  const Rgb8* p = image.data() + image.index(x, y);
-  const Sum above = Sum(p[0]) * (kOne - fx) + Sum(p[right]) * fx;
-  const Sum below = Sum(p[down]) * (kOne - fx) + Sum(p[down + static_cast<size_t>(right)]) * fx;
-  return above * (kOne - fy) + below * fy;
+  const auto fx = static_cast<uint32_t>(place.x & (kOne - 1));
+  const auto fy = static_cast<uint32_t>(place.y & (kOne - 1));
+  const Rgb8* const above = image.data() + image.index(x, y);
+  const Rgb8* const below = above + (y + 1 < image.height() ? static_cast<size_t>(image.width()) : 0);
+  const size_t right = x + 1 < image.width() ? 1 : 0;
+  PackedSum sum;
+  sum.add(above[0], (kOne - fx) * (kOne - fy));
+  sum.add(above[right], fx * (kOne - fy));
+  sum.add(below[0], (kOne - fx) * fy);
+  sum.add(below[right], fx * fy);
+  return sum;
 }
 
 Sum mixed(const Sum& a, const Sum& b, int share) {
@@ -29,11 +48,11 @@ Sum mixed(const Sum& a, const Sum& b, int share) {
   return a + (b - a) / 255 * share;
 }
 
-FeedMark markAt(const FeedPicture& picture, const FeedPlace& place) {
-  constexpr int kShift = FeedPlace::kFractionBits;
-  const int x = ((place.x + kOne / 2) >> kShift) / FeedBlobs::kMaskScale;
-  const int y = ((place.y + kOne / 2) >> kShift) / FeedBlobs::kMaskScale;
-  return picture.marks->contains(x, y) ? (*picture.marks)(x, y) : FeedMark{};
+/// What is seen in the light of another frame.
+Sum inLight(const Sum& sum, const glm::dvec3& light) {
+  constexpr int kMost = 255 * kOne * kOne;
+  const glm::dvec3 lit = glm::dvec3(sum) * light;
+  return {glm::min(lit, glm::dvec3(kMost))};
 }
 
 Rgb8 hatchAt(int x, int y) {
@@ -42,15 +61,15 @@ Rgb8 hatchAt(int x, int y) {
 
 /// What the last frustum of a ray shows there.
 Sum shownBy(const FeedPicture& picture, const FeedPlace& place, ErasedLook look) {
-  const Sum live = sampleOf(*picture.frame, place);
+  const Sum live = sampleOf(*picture.frame, place).unpacked();
   if (picture.marks == nullptr || picture.background == nullptr) {
     return live;
   }
-  const FeedMark mark = markAt(picture, place);
+  const FeedMark mark = picture.marks->at(place);
   if (mark.erased == 0) {
     return live;
   }
-  Sum still = sampleOf(*picture.background, place);
+  Sum still = inLight(sampleOf(*picture.background, place).unpacked(), picture.light);
   if (look == ErasedLook::kRed) {
     still += (Sum(255 << 16, 0, 0) - still) / 256 * kRedShare;
   }
@@ -66,8 +85,8 @@ Rgb8 pixelAt(std::span<const FeedPlace> places, std::span<const FeedPicture> pic
     if (picture.frame == nullptr || picture.marks == nullptr || !place.isInFeed()) {
       continue;
     }
-    if (const FeedMark mark = markAt(picture, place); mark.shown > 0) {
-      sum = mixed(sum, sampleOf(*picture.frame, place), mark.shown);
+    if (const FeedMark mark = picture.marks->at(place); mark.shown > 0) {
+      sum = mixed(sum, sampleOf(*picture.frame, place).unpacked(), mark.shown);
     }
   }
   return Rgb8((sum + Sum(kOne * kOne / 2)) / (kOne * kOne));

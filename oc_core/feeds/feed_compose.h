@@ -1,10 +1,11 @@
 // The image of a graph camera from the last frames of its feeds.
 #pragma once
 
+#include <glm/vec3.hpp>
 #include <span>
 
 #include "oc_core/feeds/feed_map.h"
-#include "oc_core/feeds/subject_places.h"
+#include "oc_core/feeds/subject_marks.h"
 #include "oc_core/image/png_file.h"
 
 namespace ocelli {
@@ -12,8 +13,9 @@ namespace ocelli {
 /// What a feed gives to a frustum. Null where there is nothing of it yet.
 struct FeedPicture {
   const Image<Rgb8>* frame = nullptr;
-  const Image<Rgb8>* background = nullptr;  ///< without subjects, in the light of the frame
-  const Image<FeedMark>* marks = nullptr;
+  const Image<Rgb8>* background = nullptr;  ///< without subjects
+  glm::dvec3 light{1};                      ///< of the frame: so much that of the background, per channel
+  const FeedMarks* marks = nullptr;
 };
 
 /// How pixels look from which a subject was erased, which are not live.

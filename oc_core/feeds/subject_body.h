@@ -35,6 +35,11 @@ struct PlaceTold {
 /// off.
 std::optional<PlaceTold> placeBelow(const FeedSetup& setup, size_t feed, const glm::dvec2& pixel, double height);
 
+/// A place or a way as seen from above: x and z.
+inline glm::dvec2 planOf(const glm::dvec3& p) {
+  return {p.x, p.z};
+}
+
 /// Whether the camera stands so far above heads that these tell places.
 bool isOverHeads(const FeedSetup& setup, size_t feed);
 

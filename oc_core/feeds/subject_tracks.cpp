@@ -3,89 +3,175 @@
 #include <algorithm>
 #include <glm/geometric.hpp>
 
+#include "oc_core/base/parallel.h"
+#include "oc_core/feeds/place_telling.h"
+#include "oc_core/feeds/subject_body.h"
+#include "oc_core/feeds/subject_places.h"
+
 namespace ocelli {
 namespace {
 
-constexpr double kMaxUnseenSeconds = 0.3;
-constexpr double kMaxHiddenSeconds = 3;  ///< while the feed that would show it sees somebody
+constexpr int kTellRounds = 2;    ///< cells tell places, and places cells
+constexpr double kMinOpen = 0.4;  ///< share of a body's cells in the image that nobody hides
+constexpr double kMinOpenCells = 40;
+constexpr double kMaxMissedSeconds = 0.3;  ///< while the feed that would show it sees background
+constexpr double kMaxHiddenSeconds = 4;    ///< while others hide it
 constexpr double kMaxUnknownSeconds = 2.5;
-constexpr double kMinSeenShare = 0.5;    ///< of a body, so that somebody is there
-constexpr double kTrackReach = 0.8;      ///< metres between where a subject would be and where it is told
-constexpr double kExactError = 0.3;      ///< metres: what is told so exactly is taken as it is
-constexpr double kMinNewShare = 0.1;     ///< of what is told less exactly
-constexpr double kMaxWalkSpeed = 3;      ///< metres a second
-constexpr double kVelocityMemory = 0.4;  ///< seconds over which velocities are averaged
-constexpr double kSureSeconds = 0.5;     ///< a subject told for less may be none
-
-struct Match {
-  size_t track = 0;
-  size_t told = 0;
-  double away = 0;
-};
+constexpr double kNearSubject = 0.6;  ///< metres: what is told so near to a subject is that one
+constexpr double kFarSubject = 0.9;   ///< metres: or so near to one that no feed sees
+constexpr double kMinError = 0.2;     ///< metres, of the place of a new subject
+constexpr double kNewHeight = 0.02;   ///< share of what a frame tells of a height
 
 }  // namespace
 
-std::vector<SeenSubject> SubjectTracks::update(const std::vector<SeenSubject>& told, const ShareSeen& shareSeen,
-                                               double seconds) {
-  std::vector<glm::dvec3> expected;
-  std::vector<Match> matches;
-  for (size_t k = 0; k < tracks_.size(); ++k) {
-    expected.push_back(tracks_[k].place + tracks_[k].velocity * (seconds - tracks_[k].toldAt));
-    for (size_t i = 0; i < told.size(); ++i) {
-      if (const double away = glm::length(told[i].place - expected[k]); away < kTrackReach + told[i].error) {
-        matches.push_back({k, i, away / (kTrackReach + told[i].error)});
+SubjectTracks::SubjectTracks(const FeedGraph& graph)
+    : graph_(graph), bodies_(graph.setup().feeds.size()), cells_(bodies_.size()) {}
+
+glm::dvec3 SubjectTracks::place(size_t subject) const {
+  const glm::dvec2 place = tracks_[subject].motion.place();
+  return {place.x, graph_.setup().floorHeight, place.y};
+}
+
+void SubjectTracks::update(const std::vector<FeedBlobs>& blobs, double seconds) {
+  for (Track& track : tracks_) {
+    track.motion.goOn(seconds - seconds_);
+  }
+  seconds_ = seconds;
+  tellCellsOf(blobs);
+  for (int round = 1; round < kTellRounds; ++round) {
+    tellPlaces();
+    tellCellsOf(blobs);
+  }
+  learnColors();
+  judge();
+  forget();
+  addNew(blobs);
+}
+
+void SubjectTracks::tellCellsOf(const std::vector<FeedBlobs>& blobs) {
+  parallelFor(blobs.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t feed = begin; feed < end; ++feed) {
+      bodies_[feed].clear();
+      cells_[feed] = {};
+      const FeedBlobs& of = blobs[feed];
+      if (of.core.empty()) {
+        continue;
+      }
+      for (size_t i = 0; i < tracks_.size(); ++i) {
+        const auto& colors = tracks_[i].colors;
+        if (auto view = BodyView::of(graph_.setup().feeds[feed], place(i), tracks_[i].height,
+                                     {of.core.width(), of.core.height()}, of.scale)) {
+          bodies_[feed].push_back({i, std::move(*view), colors[feed].isKnown() ? &colors[feed] : &colors.back()});
+        }
+      }
+      std::sort(bodies_[feed].begin(), bodies_[feed].end(),
+                [](const ExpectedBody& a, const ExpectedBody& b) { return a.view.distance() < b.view.distance(); });
+      cells_[feed] = tellCells(of, bodies_[feed]);
+    }
+  });
+}
+
+void SubjectTracks::tellPlaces() {
+  for (size_t feed = 0; feed < cells_.size(); ++feed) {
+    for (size_t b = 0; b < cells_[feed].sights.size(); ++b) {
+      const ExpectedBody& body = bodies_[feed][b];
+      Track& track = tracks_[body.subject];
+      if (const auto seen = tellPlace(graph_.setup(), feed, body, cells_[feed].sights[b], track.height, track.motion)) {
+        track.height += (*seen - track.height) * kNewHeight;
       }
     }
   }
-  std::sort(matches.begin(), matches.end(), [](const Match& a, const Match& b) { return a.away < b.away; });
-  std::vector<size_t> toldOfTrack(tracks_.size(), told.size());
-  std::vector<bool> isTaken(told.size(), false);
-  for (const Match& match : matches) {
-    if (toldOfTrack[match.track] == told.size() && !isTaken[match.told]) {
-      toldOfTrack[match.track] = match.told;
-      isTaken[match.told] = true;
-    }
-  }
-  std::vector<SeenSubject> subjects = told;
-  std::vector<Track> next;
-  for (size_t k = 0; k < tracks_.size(); ++k) {
-    Track track = tracks_[k];
-    if (toldOfTrack[k] < told.size()) {
-      SeenSubject& subject = subjects[toldOfTrack[k]];
-      const double share = std::clamp(kExactError / std::max(subject.error, kExactError), kMinNewShare, 1.0);
-      subject.place = expected[k] + (subject.place - expected[k]) * share;
-      next.push_back(movedTo(track, subject.place, seconds));
-    } else if (goesOn(track, shareSeen(expected[k]), seconds)) {
-      next.push_back(track);
-      subjects.push_back({expected[k], {}});
-    }
-  }
-  for (size_t i = 0; i < told.size(); ++i) {
-    if (!isTaken[i]) {
-      next.push_back({told[i].place, glm::dvec3(0), seconds, seconds, 0});
-    }
-  }
-  tracks_ = std::move(next);
-  return subjects;
 }
 
-SubjectTracks::Track SubjectTracks::movedTo(const Track& track, const glm::dvec3& place, double seconds) {
-  const double since = seconds - track.toldAt;
-  const glm::dvec3 moved = since > 0 ? (place - track.place) / since : track.velocity;
-  glm::dvec3 velocity = track.velocity + (moved - track.velocity) * std::min(1.0, since / kVelocityMemory);
-  if (const double speed = glm::length(velocity); speed > kMaxWalkSpeed) {
-    velocity *= kMaxWalkSpeed / speed;
+void SubjectTracks::learnColors() {
+  for (Track& track : tracks_) {
+    for (SubjectColors& colors : track.colors) {
+      colors.forget();
+    }
   }
-  return {place, velocity, seconds, seconds, track.ageSeconds + since};
+  for (size_t feed = 0; feed < cells_.size(); ++feed) {
+    for (const SureCell& cell : cells_[feed].sure) {
+      Track& track = tracks_[bodies_[feed][cell.body].subject];
+      track.colors[feed].add(cell.part, cell.bin);
+      track.colors.back().add(cell.part, cell.bin);
+    }
+  }
 }
 
-bool SubjectTracks::goesOn(Track& track, const std::optional<double>& shareSeen, double seconds) {
-  const bool isSeen = shareSeen.value_or(0) >= kMinSeenShare;
-  if (isSeen && track.ageSeconds >= kSureSeconds) {
-    track.seenAt = seconds;
+void SubjectTracks::judge() {
+  std::vector<bool> isMissed(tracks_.size(), false);
+  for (Track& track : tracks_) {
+    track.isHidden = false;
   }
-  const double maxUnseen = shareSeen ? kMaxUnseenSeconds : kMaxUnknownSeconds;
-  return seconds - track.seenAt <= maxUnseen && seconds - track.toldAt <= kMaxHiddenSeconds;
+  for (size_t i = 0; i < graph_.frusta(); ++i) {
+    const size_t feed = graph_.feedIndexOf(i);
+    for (size_t b = 0; b < cells_[feed].sights.size(); ++b) {
+      const size_t subject = bodies_[feed][b].subject;
+      const BodySight& sight = cells_[feed].sights[b];
+      Track& track = tracks_[subject];
+      if (isSeen(sight)) {
+        track.toldAt = seconds_;
+      } else if (sight.inImage >= kMinOpenCells && shareShown(graph_, i, place(subject)) > 0.5) {
+        const bool isOpen = sight.open >= kMinOpenCells && sight.open >= kMinOpen * sight.inImage;
+        isMissed[subject] = isMissed[subject] || isOpen;
+        track.isHidden = track.isHidden || !isOpen;
+      }
+    }
+  }
+  for (size_t i = 0; i < tracks_.size(); ++i) {
+    tracks_[i].expectedAt = isMissed[i] ? tracks_[i].expectedAt : seconds_;
+  }
+}
+
+bool SubjectTracks::goesOn(const Track& track) const {
+  const double maxUntold = track.isHidden ? kMaxHiddenSeconds : kMaxUnknownSeconds;
+  return seconds_ - track.expectedAt <= kMaxMissedSeconds && seconds_ - track.toldAt <= maxUntold;
+}
+
+void SubjectTracks::forget() {
+  std::vector<Track> kept;
+  std::vector<uint16_t> numbers(tracks_.size() + 1, SubjectCells::kNobody);
+  for (size_t i = 0; i < tracks_.size(); ++i) {
+    if (goesOn(tracks_[i])) {
+      kept.push_back(std::move(tracks_[i]));
+      numbers[i + 1] = static_cast<uint16_t>(kept.size());
+    }
+  }
+  tracks_ = std::move(kept);
+  for (SubjectCells& cells : cells_) {
+    for (uint16_t& who : cells.who) {
+      who = numbers[who];
+    }
+  }
+}
+
+void SubjectTracks::addNew(const std::vector<FeedBlobs>& blobs) {
+  std::vector<const Image<uint16_t>*> known;
+  for (const SubjectCells& cells : cells_) {
+    known.push_back(&cells.who);
+  }
+  const size_t old = tracks_.size();
+  for (const SeenSubject& subject : locateSubjects(graph_.setup(), blobs, known)) {
+    const glm::dvec2 plan = planOf(subject.place);
+    const double error = std::max(subject.error, kMinError);
+    Track* nearest = nullptr;
+    double least = 1;
+    for (size_t i = 0; i < old; ++i) {
+      const double reach = tracks_[i].toldAt >= seconds_ ? kNearSubject : kFarSubject + subject.error;
+      if (const double away = glm::length(tracks_[i].motion.place() - plan) / reach; away < least) {
+        nearest = &tracks_[i];
+        least = away;
+      }
+    }
+    if (nearest == nullptr) {
+      tracks_.push_back({SubjectMotion(plan, error), kSubjectHeight, std::vector<SubjectColors>(blobs.size() + 1),
+                         seconds_, seconds_});
+    } else if (nearest->toldAt < seconds_) {
+      nearest->motion.tell({1, 0}, plan.x, error);
+      nearest->motion.tell({0, 1}, plan.y, error);
+      nearest->toldAt = nearest->expectedAt = seconds_;
+    }
+  }
 }
 
 }  // namespace ocelli

@@ -1,37 +1,57 @@
-// Subjects from frame to frame: one that is hidden by another goes on as it walked, as long as the feed that would show
-// it sees no background there.
+// Subjects from frame to frame: where each is, how it walks, what it looks like, and so which cells of which feed show
+// it. One that is hidden by another goes on as it walked, as long as the feed that would show it sees no background
+// there.
+//
+// Each frame: subjects go on to where they should be; each feed tells which of its cells show whom (subject_cells.h);
+// feet, heads and middles of what is seen tell places (subject_motion.h); and bodies in what is left of the blobs are
+// new subjects (subject_places.h).
 #pragma once
 
-#include <functional>
-#include <optional>
 #include <vector>
 
-#include "oc_core/feeds/subject_places.h"
+#include "oc_core/feeds/feed_graph.h"
+#include "oc_core/feeds/subject_cells.h"
+#include "oc_core/feeds/subject_motion.h"
 
 namespace ocelli {
 
 class SubjectTracks {
  public:
-  /// How much of a body at a place is no background; nothing where that is not known.
-  using ShareSeen = std::function<std::optional<double>(const glm::dvec3&)>;
+  /// `graph` outlives them.
+  explicit SubjectTracks(const FeedGraph& graph);
 
-  /// The subjects that are told now, and those that were told before, where they would be now; these have no feeds.
-  /// `seconds` grows from call to call.
-  std::vector<SeenSubject> update(const std::vector<SeenSubject>& told, const ShareSeen& shareSeen, double seconds);
+  /// `blobs` has one entry a feed of the setup. `seconds` grows from call to call.
+  void update(const std::vector<FeedBlobs>& blobs, double seconds);
+
+  size_t count() const { return tracks_.size(); }
+  /// On the floor.
+  glm::dvec3 place(size_t subject) const;
+  /// What the cells of a feed show; empty where it has no blobs.
+  const SubjectCells& cells(size_t feed) const { return cells_[feed]; }
 
  private:
   struct Track {
-    glm::dvec3 place{0};
-    glm::dvec3 velocity{0};  ///< metres a second
-    double toldAt = 0;       ///< seconds
-    double seenAt = 0;       ///< when somebody was told or seen there
-    double ageSeconds = 0;   ///< between the first and the last time that it was told
+    SubjectMotion motion;
+    double height;
+    std::vector<SubjectColors> colors;  ///< by feed; then of all together
+    double toldAt = 0;                  ///< seconds: when a feed last saw it
+    double expectedAt = 0;              ///< when last the feed that would show it did not miss it
+    bool isHidden = false;              ///< from the feed that would show it
   };
 
-  static Track movedTo(const Track& track, const glm::dvec3& place, double seconds);
-  static bool goesOn(Track& track, const std::optional<double>& shareSeen, double seconds);
+  void tellCellsOf(const std::vector<FeedBlobs>& blobs);
+  void tellPlaces();
+  void learnColors();
+  void judge();
+  bool goesOn(const Track& track) const;
+  void forget();
+  void addNew(const std::vector<FeedBlobs>& blobs);
 
+  const FeedGraph& graph_;
   std::vector<Track> tracks_;
+  std::vector<std::vector<ExpectedBody>> bodies_;  ///< by feed
+  std::vector<SubjectCells> cells_;
+  double seconds_ = 0;
 };
 
 }  // namespace ocelli

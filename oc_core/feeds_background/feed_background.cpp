@@ -10,7 +10,6 @@
 namespace ocelli {
 namespace {
 
-constexpr int kScale = FeedBlobs::kMaskScale;
 constexpr int kPrimingFrames = 30;
 constexpr double kVarianceThreshold = 25;  ///< squared deviations, per channel sum, as MOG2 counts them
 /// A shadow leaves at least so much of the light: darker pixels of the same colour are trousers on a floor.
@@ -23,6 +22,23 @@ constexpr double kMaxNewGain = 2.5;
 
 cv::Mat viewOf(const Image<Rgb8>& image) {
   return {image.height(), image.width(), CV_8UC3, const_cast<Rgb8*>(image.data())};
+}
+
+/// The mean of each `scale` by `scale` pixels. Halving is much the fastest step.
+cv::Mat reduced(const cv::Mat& image, int scale) {
+  cv::Mat result = image;
+  const auto divide = [&](int by) {
+    cv::Mat smaller;
+    cv::resize(result, smaller, {result.cols / by, result.rows / by}, 0, 0, cv::INTER_AREA);
+    result = smaller;
+  };
+  for (; scale % 2 == 0; scale /= 2) {
+    divide(2);
+  }
+  if (scale > 1) {
+    divide(scale);
+  }
+  return result;
 }
 
 double medianOf(std::vector<float>& values) {
@@ -60,14 +76,14 @@ cv::Mat scaled(const cv::Mat& image, const cv::Scalar& gains) {
   return result;
 }
 
-SubjectBlob blobOf(const cv::Mat& stats, const cv::Mat& labels, int label) {
+SubjectBlob blobOf(const cv::Mat& stats, const cv::Mat& labels, int label, int scale) {
   const int left = stats.at<int>(label, cv::CC_STAT_LEFT);
   const int top = stats.at<int>(label, cv::CC_STAT_TOP);
   const int right = left + stats.at<int>(label, cv::CC_STAT_WIDTH);
   const int bottom = top + stats.at<int>(label, cv::CC_STAT_HEIGHT);
   SubjectBlob blob;
-  blob.lower = glm::dvec2(left, top) * static_cast<double>(kScale);
-  blob.upper = glm::dvec2(right, bottom) * static_cast<double>(kScale);
+  blob.lower = glm::dvec2(left, top) * static_cast<double>(scale);
+  blob.upper = glm::dvec2(right, bottom) * static_cast<double>(scale);
   blob.isCutBelow = bottom >= labels.rows - kCutRows;
   // The middle of the lowest eighth: two feet, of which one may be in the air.
   const int from = std::max(top, bottom - std::max(2, (bottom - top) / 8));
@@ -81,7 +97,7 @@ SubjectBlob blobOf(const cv::Mat& stats, const cv::Mat& labels, int label) {
       }
     }
   }
-  blob.foot = {(count > 0 ? sum / count : (left + right) / 2.0) * kScale, bottom * kScale};
+  blob.foot = {(count > 0 ? sum / count : (left + right) / 2.0) * scale, bottom * scale};
   return blob;
 }
 
@@ -90,11 +106,12 @@ SubjectBlob blobOf(const cv::Mat& stats, const cv::Mat& labels, int label) {
 struct FeedBackground::Impl {
   int width;
   int height;
+  int scale;
   FeedBackgroundOptions options;
   cv::Ptr<cv::BackgroundSubtractorMOG2> model;
   cv::Mat reference;  ///< half size: what gains are measured against
-  cv::Mat still;      ///< full size: the background, in the light of the reference
-  Image<Rgb8> shown;
+  Image<Rgb8> still;  ///< full size: the background, in the light of the reference
+  cv::Scalar gains{1, 1, 1};
   size_t frames = 0;
   bool isKnown = false;
 
@@ -106,11 +123,12 @@ struct FeedBackground::Impl {
     if (still.empty()) {
       cv::Mat learnt;
       model->getBackgroundImage(learnt);
-      cv::resize(learnt, still, {width, height}, 0, 0, cv::INTER_LINEAR);
+      still = Image<Rgb8>(width, height);
+      cv::resize(learnt, viewOf(still), {width, height}, 0, 0, cv::INTER_LINEAR);
     }
     cv::Mat blended;
-    cv::addWeighted(still, 0.95, frame, 0.05, 0, blended);
-    blended.copyTo(still, large == 0);
+    cv::addWeighted(viewOf(still), 0.95, frame, 0.05, 0, blended);
+    blended.copyTo(viewOf(still), large == 0);
   }
 
   FeedBlobs blobsIn(const cv::Mat& mask) const {
@@ -124,11 +142,12 @@ struct FeedBackground::Impl {
     cv::Mat centers;
     const int count = cv::connectedComponentsWithStats(closed, labels, stats, centers, 8, CV_32S);
     FeedBlobs blobs;
+    blobs.scale = scale;
     blobs.core = Image<uint16_t>(mask.cols, mask.rows);
     std::vector<uint16_t> numbers(static_cast<size_t>(count), 0);
     for (int label = 1; label < count; ++label) {
-      if (stats.at<int>(label, cv::CC_STAT_AREA) * kScale * kScale >= options.minBlobPixels) {
-        blobs.blobs.push_back(blobOf(stats, labels, label));
+      if (stats.at<int>(label, cv::CC_STAT_AREA) * scale * scale >= options.minBlobPixels) {
+        blobs.blobs.push_back(blobOf(stats, labels, label, scale));
         numbers[static_cast<size_t>(label)] = static_cast<uint16_t>(blobs.blobs.size());
       }
     }
@@ -150,6 +169,7 @@ FeedBackground::FeedBackground(int width, int height, const Image<Rgb8>& known, 
   cv::setNumThreads(1);  // feeds have threads of their own
   impl_->width = width;
   impl_->height = height;
+  impl_->scale = maskScaleOf(width);
   impl_->options = options;
   const int history = std::max(2, static_cast<int>(options.learnSeconds * options.framesPerSecond));
   impl_->model = cv::createBackgroundSubtractorMOG2(history, kVarianceThreshold, true);
@@ -157,13 +177,12 @@ FeedBackground::FeedBackground(int width, int height, const Image<Rgb8>& known, 
   if (!known.empty()) {
     OC_CHECK(known.width() == width && known.height() == height, "the caller has checked the size");
     impl_->isKnown = true;
-    impl_->still = viewOf(known).clone();
-    cv::resize(impl_->still, impl_->reference, {width / kScale, height / kScale}, 0, 0, cv::INTER_AREA);
+    impl_->still = known;
+    impl_->reference = reduced(viewOf(known), impl_->scale);
     cv::Mat ignored;
     for (int i = 0; i < kPrimingFrames; ++i) {
       impl_->model->apply(impl_->reference, ignored, 1.0 / (i + 1));
     }
-    impl_->shown = known;
   }
 }
 
@@ -171,12 +190,11 @@ FeedBackground::~FeedBackground() = default;
 
 FeedBlobs FeedBackground::update(const Image<Rgb8>& frame) {
   Impl& self = *impl_;
-  cv::Mat small;
-  cv::resize(viewOf(frame), small, {self.width / kScale, self.height / kScale}, 0, 0, cv::INTER_AREA);
+  const cv::Mat small = reduced(viewOf(frame), self.scale);
   if (self.reference.empty()) {
     self.reference = small.clone();
   }
-  const cv::Scalar gains = gainsBetween(small, self.reference);
+  const cv::Scalar gains = self.gains = gainsBetween(small, self.reference);
   const cv::Mat level = scaled(small, {1 / gains[0], 1 / gains[1], 1 / gains[2]});
   const double history = self.options.learnSeconds * self.options.framesPerSecond;
   const bool isBeginning = !self.isKnown && self.frames < kPrimingFrames;
@@ -184,23 +202,24 @@ FeedBlobs FeedBackground::update(const Image<Rgb8>& frame) {
   self.model->apply(level, mask, isBeginning ? 1.0 / static_cast<double>(self.frames + 1) : 1 / history);
   cv::threshold(mask, mask, 200, 255, cv::THRESH_BINARY);  // 127 are shadows
   FeedBlobs blobs = self.blobsIn(mask);
+  blobs.colors = Image<Rgb8>(level.cols, level.rows);
+  level.copyTo(viewOf(blobs.colors));
   if (!self.isKnown) {
     const cv::Mat isSubject(mask.rows, mask.cols, CV_16U, blobs.wide.data());
     cv::Mat subject8;
     cv::compare(isSubject, 0, subject8, cv::CMP_GT);
     self.takeLearnt(scaled(viewOf(frame), {1 / gains[0], 1 / gains[1], 1 / gains[2]}), subject8);
   }
-  if (self.shown.empty()) {
-    self.shown = Image<Rgb8>(self.width, self.height);
-  }
-  cv::Mat shown = viewOf(self.shown);
-  cv::multiply(self.still, gains, shown);
   ++self.frames;
   return blobs;
 }
 
 const Image<Rgb8>& FeedBackground::image() const {
-  return impl_->shown;
+  return impl_->still;
+}
+
+glm::dvec3 FeedBackground::light() const {
+  return {impl_->gains[0], impl_->gains[1], impl_->gains[2]};
 }
 
 }  // namespace ocelli

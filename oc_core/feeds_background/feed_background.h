@@ -7,7 +7,7 @@
 
 #include <memory>
 
-#include "oc_core/feeds/subject_places.h"
+#include "oc_core/feeds/feed_blobs.h"
 #include "oc_core/image/png_file.h"
 
 namespace ocelli {
@@ -29,9 +29,11 @@ class FeedBackground {
 
   /// Finds the subjects of the next frame.
   FeedBlobs update(const Image<Rgb8>& frame);
-  /// The background in the light of the last frame; of the size of the feed. Empty before the first frame of a feed
+  /// The background in a light that stays the same; of the size of the feed. Empty before the first frame of a feed
   /// whose background is not known.
   const Image<Rgb8>& image() const;
+  /// How much of that light the last frame has, per channel.
+  glm::dvec3 light() const;
 
  private:
   struct Impl;

@@ -24,7 +24,12 @@ Image<Rgb8> knownBackground(const Feed& feed) {
 }  // namespace
 
 FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& options)
-    : graph_(graph), map_(graph), frames_(graph.setup().feeds.size()), blobs_(frames_.size()), marks_(graph.frusta()) {
+    : graph_(graph),
+      map_(graph),
+      frames_(graph.setup().feeds.size()),
+      blobs_(frames_.size()),
+      tracks_(graph_),
+      marks_(graph.frusta()) {
   for (const Feed& feed : graph.setup().feeds) {
     backgrounds_.push_back(std::make_unique<FeedBackground>(feed.width, feed.height, knownBackground(feed), options));
   }
@@ -42,18 +47,22 @@ void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
 }
 
 void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image) {
-  subjects_ = tracks_.update(
-      locateSubjects(graph_.setup(), blobs_), [&](const glm::dvec3& place) { return shareSeen(graph_, blobs_, place); },
-      seconds);
-  std::vector<FeedPicture> pictures(graph_.frusta());
-  for (size_t i = 0; i < pictures.size(); ++i) {
-    const size_t feed = graph_.feedIndexOf(i);
-    if (frames_[feed].empty()) {
-      continue;
-    }
-    marks_[i] = markSubjects(graph_, i, blobs_[feed], subjects_);
-    pictures[i] = {&frames_[feed], &backgrounds_[feed]->image(), &marks_[i]};
+  tracks_.update(blobs_, seconds);
+  std::vector<glm::dvec3> places;
+  for (size_t i = 0; i < tracks_.count(); ++i) {
+    places.push_back(tracks_.place(i));
   }
+  std::vector<FeedPicture> pictures(graph_.frusta());
+  parallelFor(pictures.size(), 1, [&](size_t begin, size_t end) {
+    for (size_t i = begin; i < end; ++i) {
+      const size_t feed = graph_.feedIndexOf(i);
+      if (!frames_[feed].empty()) {
+        marks_[i] = markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
+        const FeedBackground& background = *backgrounds_[feed];
+        pictures[i] = {&frames_[feed], &background.image(), background.light(), &marks_[i]};
+      }
+    }
+  });
   composeFeeds(map_, pictures, erased, image);
 }
 

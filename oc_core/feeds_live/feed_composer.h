@@ -14,6 +14,8 @@ class FeedComposer {
  public:
   /// Reads the backgrounds that the setup names. Throws InputError where one is no image of the size of its feed.
   explicit FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& options = {});
+  FeedComposer(const FeedComposer&) = delete;
+  FeedComposer& operator=(const FeedComposer&) = delete;
 
   const FeedGraph& graph() const { return graph_; }
   const FeedMap& map() const { return map_; }
@@ -24,8 +26,8 @@ class FeedComposer {
   void compose(double seconds, ErasedLook erased, Image<Rgb8>& image);
 
   /// Of the last call of compose().
-  const std::vector<SeenSubject>& subjects() const { return subjects_; }
-  const Image<FeedMark>& marks(size_t frustum) const { return marks_[frustum]; }
+  const SubjectTracks& subjects() const { return tracks_; }
+  const FeedMarks& marks(size_t frustum) const { return marks_[frustum]; }
   bool hasFrame(size_t feed) const { return !frames_[feed].empty(); }
 
  private:
@@ -35,8 +37,7 @@ class FeedComposer {
   std::vector<Image<Rgb8>> frames_;
   std::vector<FeedBlobs> blobs_;
   SubjectTracks tracks_;
-  std::vector<SeenSubject> subjects_;
-  std::vector<Image<FeedMark>> marks_;  ///< of each frustum
+  std::vector<FeedMarks> marks_;  ///< of each frustum
 };
 
 }  // namespace ocelli

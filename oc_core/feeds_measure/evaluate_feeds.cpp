@@ -79,13 +79,6 @@ uint8_t walkerAt(const WalkerMask& mask, const FeedPlace& place) {
   return mask((place.x + kHalf) >> FeedPlace::kFractionBits, (place.y + kHalf) >> FeedPlace::kFractionBits);
 }
 
-FeedMark markOf(const Image<FeedMark>& marks, const FeedPlace& place) {
-  constexpr int kHalf = 1 << (FeedPlace::kFractionBits - 1);
-  const int x = ((place.x + kHalf) >> FeedPlace::kFractionBits) / FeedBlobs::kMaskScale;
-  const int y = ((place.y + kHalf) >> FeedPlace::kFractionBits) / FeedBlobs::kMaskScale;
-  return marks.contains(x, y) ? marks(x, y) : FeedMark{};
-}
-
 /// Which walker each pixel of the composed image shows for the most part, and by which frustum; and which the cameras
 /// of its frusta see there.
 void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& masks, Areas& areas, Areas& seen) {
@@ -98,7 +91,7 @@ void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& mas
     for (const FeedPlace& place : map.placesAt(i)) {
       const WalkerMask& mask = masks[place.frustum];
       if (place.isInFeed() && !mask.empty()) {
-        const FeedMark mark = markOf(composer.marks(place.frustum), place);
+        const FeedMark mark = composer.marks(place.frustum).at(place);
         if (isLast ? mark.erased < 128 : mark.shown >= 128) {
           walker = walkerAt(mask, place);
           frustum = place.frustum;

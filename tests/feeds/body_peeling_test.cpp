@@ -16,7 +16,7 @@ constexpr size_t kStem = 0;  // looks along the stem, from above heads
 /// All bodies as one blob: the boxes of bodies 1.75 m high and 0.6 m wide.
 FeedBlobs oneBlob(const Feed& feed, const std::vector<glm::dvec3>& places) {
   FeedBlobs blobs;
-  blobs.core = Image<uint16_t>(feed.width / FeedBlobs::kMaskScale, feed.height / FeedBlobs::kMaskScale);
+  blobs.core = Image<uint16_t>(feed.width / blobs.scale, feed.height / blobs.scale);
   SubjectBlob blob;
   blob.lower = glm::dvec2(feed.width, feed.height);
   for (const glm::dvec3& place : places) {
@@ -27,8 +27,8 @@ FeedBlobs oneBlob(const Feed& feed, const std::vector<glm::dvec3>& places) {
     }
     blob.lower = glm::min(blob.lower, box->lower);
     blob.upper = glm::max(blob.upper, box->upper);
-    const glm::ivec2 from = glm::ivec2(box->lower) / FeedBlobs::kMaskScale;
-    const glm::ivec2 to = glm::ivec2(box->upper) / FeedBlobs::kMaskScale;
+    const glm::ivec2 from = glm::ivec2(box->lower) / blobs.scale;
+    const glm::ivec2 to = glm::ivec2(box->upper) / blobs.scale;
     for (int y = from.y; y < to.y; ++y) {
       for (int x = from.x; x < to.x; ++x) {
         blobs.core(x, y) = 1;
@@ -95,6 +95,21 @@ TEST(BodyPeeling, whoseFeetAreOutOfTheImageIsNearerThanTheFloorThere) {
   ASSERT_EQ(bodies.size(), 1u);
   EXPECT_TRUE(bodies[0].isByHead);
   EXPECT_LT(nearestOf(bodies, place), 0.06 * border->distance) << "a step of the search";
+}
+
+TEST(BodyPeeling, limbsOfWhoIsKnownAreNobody) {
+  const FeedSetup setup = test::tSetup();
+  const FeedBlobs blobs = oneBlob(setup.feeds[kStem], {{0.2, 0, -0.8}});
+  Image<uint16_t> known = blobs.core;
+  const SubjectBlob& blob = blobs.blobs[0];
+  // A strip on the left, of an arm that swings out.
+  const int left = static_cast<int>(blob.lower.x) / blobs.scale;
+  for (int y = 0; y < known.height(); ++y) {
+    for (int x = left; x < left + 4; ++x) {
+      known(x, y) = 0;
+    }
+  }
+  EXPECT_TRUE(peelBodies(setup, kStem, blobs, known).empty());
 }
 
 TEST(BodyPeeling, nothingIsThereWithoutBlobs) {

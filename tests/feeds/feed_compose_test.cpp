@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "tests/feeds/made_setup.h"
 
 namespace ocelli {
@@ -54,6 +56,35 @@ TEST(FeedCompose, samplesBetweenPixelsAsDoublesDo) {
   }
 }
 
+TEST(FeedCompose, sumsAreThoseOfEachChannel) {
+  MadeFeeds feeds;
+  for (Image<Rgb8>& frame : feeds.frames) {
+    for (size_t i = 0; i < frame.size(); ++i) {
+      frame[i] = Rgb8(i * 7919 % 256, i * 104729 % 256, i * 1299709 % 256);
+    }
+  }
+  Image<Rgb8> image;
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, image);
+  for (size_t pixel = 0; pixel < image.size(); ++pixel) {
+    const FeedPlace place = feeds.map.placesAt(pixel).front();
+    if (!place.isInFeed()) {
+      continue;
+    }
+    const Image<Rgb8>& frame = feeds.frames[place.frustum];
+    const int x = place.x / 256;
+    const int y = place.y / 256;
+    const int fx = place.x % 256;
+    const int fy = place.y % 256;
+    const int x1 = std::min(x + 1, frame.width() - 1);
+    const int y1 = std::min(y + 1, frame.height() - 1);
+    for (int c = 0; c < 3; ++c) {
+      const int sum = (frame(x, y)[c] * (256 - fx) + frame(x1, y)[c] * fx) * (256 - fy) +
+                      (frame(x, y1)[c] * (256 - fx) + frame(x1, y1)[c] * fx) * fy;
+      ASSERT_EQ(image[pixel][c], (sum + 32768) / 65536) << pixel;
+    }
+  }
+}
+
 TEST(FeedCompose, hatchesWhatNoFeedShows) {
   MadeFeeds feeds;
   feeds.pictures[1].frame = nullptr;
@@ -71,9 +102,11 @@ TEST(FeedCompose, hatchesWhatNoFeedShows) {
 TEST(FeedCompose, erasesAndOverlaysByTheMarks) {
   MadeFeeds feeds;
   const Image<Rgb8> still(640, 480, Rgb8(9, 9, 9));
-  Image<FeedMark> erased(320, 240, {255, 0});
-  Image<FeedMark> shown(320, 240, {0, 255});
-  feeds.pictures[1] = {&feeds.frames[1], &still, &erased};
+  FeedMarks erased(320, 240, 2);
+  erased.cells() = Image<FeedMark>(320, 240, {255, 0});
+  FeedMarks shown(320, 240, 2);
+  shown.cells() = Image<FeedMark>(320, 240, {0, 255});
+  feeds.pictures[1] = {&feeds.frames[1], &still, glm::dvec3(1), &erased};
   const int x = 120;
   const int y = 120;
   ASSERT_EQ(feeds.graph.chainAt({x + 0.5, y + 0.5}).back(), 1u);
@@ -82,7 +115,10 @@ TEST(FeedCompose, erasesAndOverlaysByTheMarks) {
   EXPECT_EQ(image(x, y), Rgb8(9, 9, 9));
   composeFeeds(feeds.map, feeds.pictures, ErasedLook::kRed, image);
   EXPECT_EQ(image(x, y), Rgb8(132, 5, 5));  // half red, half background
-  feeds.pictures[0] = {&feeds.frames[0], &still, &shown};
+  feeds.pictures[1].light = {2, 1, 100};
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, image);
+  EXPECT_EQ(image(x, y), Rgb8(18, 9, 255)) << "in the light of the frame";
+  feeds.pictures[0] = {&feeds.frames[0], &still, glm::dvec3(1), &shown};
   composeFeeds(feeds.map, feeds.pictures, ErasedLook::kRed, image);
   EXPECT_EQ(image(x, y).z, 50) << "the root's subject stands before the near face";
 }
