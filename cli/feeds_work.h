@@ -38,6 +38,7 @@ struct FeedsSimulateChoice {
   FeedSimulationOptions options;
   std::string output;
   std::string freeze;  ///< "FEED@SECONDS"
+  std::string size;    ///< "WIDTHxHEIGHT"; empty: as the rig has it
 };
 
 struct FeedsEvaluateChoice {

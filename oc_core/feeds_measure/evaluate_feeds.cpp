@@ -223,10 +223,8 @@ class FeedsJudge {
       for (size_t i = begin; i < end; ++i) {
         const size_t feed = graph_.feedIndexOf(i);
         if (std::isfinite(frame.feedSeconds[feed])) {
-          std::vector<uint8_t> walkerOfTriangle;
           const double shown = truth_.feeds[feed].shownAt(frame.feedSeconds[feed]);
-          const Mesh then = walkers_.meshAt(shown, walkerOfTriangle);
-          masks[i] = cameras_[i].mask(then, walkerOfTriangle);
+          masks[i] = cameras_[i].mask(walkers_, shown, truth_.rollingSeconds);
         }
       }
     });
