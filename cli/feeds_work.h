@@ -43,7 +43,7 @@ struct FeedsSimulateChoice {
 
 struct FeedsEvaluateChoice {
   std::string folder;
-  std::string pictures;
+  std::string page;  ///< a folder; empty: none
   FeedsEvaluationOptions options;
   std::string json;
 };
