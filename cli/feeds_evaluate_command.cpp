@@ -21,6 +21,11 @@ void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context,
       .add_option("--page", choice->page,
                   "A folder for a page about errors: kinds, times, pictures beside rendered ones")
       ->type_name("FOLDER");
+  command
+      .add_option("--stitcher", choice->options.stitchEvery,
+                  "Put each so manieth frame into OpenCV's stitcher, too, to compare")
+      ->check(CLI::Range(size_t{1}, size_t{1000000}))
+      ->type_name("N");
   addFiguresOption(command, choice->json);
   context.finish(command, "  ocelli feeds evaluate corridor --page errors --json figures.json",
                  [choice, context, work] { work(*choice, context); });

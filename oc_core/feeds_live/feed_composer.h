@@ -26,6 +26,8 @@ class FeedComposer {
   /// Of the last call of compose().
   const std::vector<SeenSubject>& subjects() const { return subjects_; }
   const Image<FeedMark>& marks(size_t frustum) const { return marks_[frustum]; }
+  /// The last frame of a feed, by index; empty where there is none yet.
+  const Image<Rgb8>& frame(size_t feed) const { return frames_[feed]; }
   bool hasFrame(size_t feed) const { return !frames_[feed].empty(); }
 
  private:

@@ -195,6 +195,15 @@ std::string seamsOf(const FeedsEvaluation& evaluation) {
       line("seam", [](const FeedSeams& seams) { return seams.levels; }));
 }
 
+std::string besideOf(const StitcherFigures& stitcher) {
+  return fmt::format(
+      "<h2>OpenCV's stitcher</h2>\n<p>Of {} frames it makes a picture of {}, {} of them with all feeds. It takes the "
+      "cameras for ones that turn about one point. In its pictures walkers are in the part of one feed {} times, of "
+      "several {} times, of none {} times. It takes {:.0f} ms a frame.</p>\n",
+      stitcher.frames, stitcher.pictures, stitcher.picturesOfAll, stitcher.seenOnce, stitcher.seenTwice,
+      stitcher.notSeen, 1e3 * stitcher.meanSeconds());
+}
+
 std::string picturesOf(const FeedsEvaluation& evaluation) {
   std::string html;
   for (const WalkerFate fate : allFates()) {
@@ -228,6 +237,9 @@ std::string errorsPage(const FeedsEvaluation& evaluation, const std::string& tit
   html += fatesTable(evaluation) + "</header>\n<main>\n";
   if (!evaluation.timeline.empty()) {
     html += "<h2>When</h2>\n" + keyList() + timelineOf(evaluation) + "<h2>Seams</h2>\n" + seamsOf(evaluation);
+  }
+  if (evaluation.stitcher.frames > 0) {
+    html += besideOf(evaluation.stitcher);
   }
   html +=
       "<h2>Pictures</h2>\n<p class=\"soft\">A yellow frame is around what an image shows of the walker; a broken "

@@ -92,7 +92,8 @@ class FeedsJudge {
         walkers_(truth.makeWalkers()),
         seams_(FeedMap(graph_)),
         hasPictures_(!options.pictures.empty()),
-        pictures_(options.pictures) {
+        pictures_(options.pictures),
+        stitchEvery_(hasStitcher() ? options.stitchEvery : 0) {
     for (size_t i = 0; i < graph_.frusta(); ++i) {
       cameras_.emplace_back(graph_.feedOf(i), place);
     }
@@ -104,8 +105,12 @@ class FeedsJudge {
     WalkerAreas shown = wanted;
     WalkerAreas seen = wanted;
     const Image<Rgb8> reference = rendered_.draw(walkers_, frame.seconds, wanted);
-    countShown(frame.composer, masksOf(frame), shown, seen);
+    const std::vector<WalkerMask> masks = masksOf(frame);
+    countShown(frame.composer, masks, shown, seen);
     squares_ += squaredError(frame.image, reference);
+    if (stitchEvery_ > 0 && result_.frames % stitchEvery_ == 0) {
+      stitch(frame, masks);
+    }
     ++result_.frames;
     FrameJudgement judgement{frame.seconds, {}, seams_.measure(frame.image, reference)};
     for (size_t w = 0; w < walkers_.count(); ++w) {
@@ -148,6 +153,17 @@ class FeedsJudge {
     return masks;
   }
 
+  void stitch(const ComposedFrame& frame, const std::vector<WalkerMask>& masks) {
+    std::vector<Image<Rgb8>> frames;
+    for (size_t i = 0; i < graph_.frusta(); ++i) {
+      if (masks[i].empty()) {
+        return;  // a feed has not come yet
+      }
+      frames.push_back(frame.composer.frame(graph_.feedIndexOf(i)));
+    }
+    addStitchedFrame(frames, masks, walkers_.count(), result_.stitcher);
+  }
+
   const SimulationTruth& truth_;
   FeedGraph graph_;
   RenderedGraph rendered_;
@@ -156,6 +172,7 @@ class FeedsJudge {
   SeamMeter seams_;
   bool hasPictures_;
   ErrorPictures pictures_;
+  size_t stitchEvery_;
   double squares_ = 0;
   FeedsEvaluation result_;
 };

@@ -10,6 +10,7 @@
 #include "oc_core/feeds_live/feeds_run.h"
 #include "oc_core/feeds_measure/error_pictures.h"
 #include "oc_core/feeds_measure/feed_seams.h"
+#include "oc_core/feeds_measure/stitcher_figures.h"
 #include "oc_core/feeds_measure/walker_fates.h"
 
 namespace ocelli {
@@ -29,6 +30,7 @@ struct FeedsEvaluation {
   std::vector<FrameJudgement> timeline;
   FeedSeams seams;                     ///< mean of all frames
   std::vector<ErrorPicture> pictures;  ///< in the folder of the options
+  StitcherFigures stitcher;            ///< of the frames that the options say; none without it
   FeedsRunFigures run;
 
   size_t count(WalkerFate fate) const;
@@ -40,6 +42,8 @@ struct FeedsEvaluationOptions {
   double seconds = 0;              ///< 0: all
   std::filesystem::path pictures;  ///< a folder for pictures of errors (error_pictures.h); empty: none
   FeedBackgroundOptions backgrounds;
+  /// Puts each so manieth frame into OpenCV's stitcher, too, where hasStitcher(); 0: none.
+  size_t stitchEvery = 0;
 };
 
 /// `folder` is one that simulateFeeds() wrote. Throws InputError where it is not.

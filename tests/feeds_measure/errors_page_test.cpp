@@ -32,6 +32,10 @@ TEST(ErrorsPage, SaysWhatHappenedAndWhen) {
   EXPECT_THAT(page, testing::HasSubstr("<title>right 0.00 to 1.00 s</title>"));
   EXPECT_THAT(page, testing::HasSubstr("src=\"missing-2-1.50s.png\""));
   EXPECT_THAT(page, testing::HasSubstr("10.0 % of the border"));
+  EXPECT_THAT(page, testing::Not(testing::HasSubstr("stitcher")));
+  FeedsEvaluation stitched = madeEvaluation();
+  stitched.stitcher.frames = 12;
+  EXPECT_THAT(errorsPage(stitched, "x"), testing::HasSubstr("Of 12 frames it makes a picture of 0"));
   for (const char* outside : {"http:", "https:", "<script", "//"}) {
     EXPECT_THAT(page, testing::Not(testing::HasSubstr(outside)));
   }
