@@ -48,6 +48,12 @@ struct FeedsEvaluateChoice {
   std::string json;
 };
 
+struct FeedsPanesChoice {
+  std::string setup;
+  std::string output;
+  double seconds = 0;
+};
+
 struct FeedsSheetChoice {
   std::string output;
   std::string board = kUsualBoard;
@@ -84,6 +90,7 @@ struct FeedsWork {
   FeedsWorkOf<FeedsRunChoice> run;
   FeedsWorkOf<FeedsSimulateChoice> simulate;
   FeedsWorkOf<FeedsEvaluateChoice> evaluate;
+  FeedsWorkOf<FeedsPanesChoice> panes;
   FeedsWorkOf<FeedsSheetChoice> sheet;
   FeedsWorkOf<FeedsLensChoice> lens;
   FeedsWorkOf<FeedsPoseChoice> pose;
