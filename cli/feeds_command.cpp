@@ -12,6 +12,7 @@ void addFeedsCommands(CLI::App& program, const CommandContext& context, const Fe
   addFeedsRunCommand(feeds, context, work.run);
   addFeedsSimulateCommand(feeds, context, work.simulate);
   addFeedsEvaluateCommand(feeds, context, work.evaluate);
+  addFeedsPanesCommand(feeds, context, work.panes);
 }
 
 }  // namespace ocelli

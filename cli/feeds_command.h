@@ -14,5 +14,6 @@ void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context,
                              const FeedsWorkOf<FeedsSimulateChoice>& work);
 void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context,
                              const FeedsWorkOf<FeedsEvaluateChoice>& work);
+void addFeedsPanesCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsPanesChoice>& work);
 
 }  // namespace ocelli

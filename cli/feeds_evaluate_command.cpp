@@ -17,10 +17,17 @@ void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context,
   command.add_option("--seconds", choice->options.seconds, "How much of it; all by default")
       ->check(numberCheck(1e-3, 1e9))
       ->type_name("S");
-  command.add_option("--pictures", choice->pictures, "A folder for pictures of errors: composed beside rendered")
+  command
+      .add_option("--page", choice->page,
+                  "A folder for a page about errors: kinds, times, pictures beside rendered ones")
       ->type_name("FOLDER");
+  command
+      .add_option("--stitcher", choice->options.stitchEvery,
+                  "Put each so manieth frame into OpenCV's stitcher, too, to compare")
+      ->check(CLI::Range(size_t{1}, size_t{1000000}))
+      ->type_name("N");
   addFiguresOption(command, choice->json);
-  context.finish(command, "  ocelli feeds evaluate corridor --pictures errors --json figures.json",
+  context.finish(command, "  ocelli feeds evaluate corridor --page errors --json figures.json",
                  [choice, context, work] { work(*choice, context); });
 }
 

@@ -7,6 +7,7 @@
 #include "cli/feeds_program.h"
 #include "cli/output_option.h"
 #include "oc_core/base/json_document.h"
+#include "oc_core/feeds_measure/errors_page.h"
 
 namespace ocelli {
 namespace {
@@ -19,12 +20,27 @@ std::string rowOf(const std::string& name, const std::array<size_t, kWalkerFates
   return row + "\n";
 }
 
+std::string stitcherRow(const FeedsEvaluationOptions& options, const StitcherFigures& stitcher) {
+  if (options.stitchEvery == 0) {
+    return "";
+  }
+  if (!hasStitcher()) {
+    return "  stitcher     not built: OCELLI_WITH_STITCHER (docs/install.md)\n";
+  }
+  return fmt::format(
+      "  stitcher     a picture of {} of {} frames, {} with all feeds; walkers in them: {} in the part of one feed, {} "
+      "of "
+      "several, {} of none; {:.0f} ms a frame\n",
+      stitcher.pictures, stitcher.frames, stitcher.picturesOfAll, stitcher.seenOnce, stitcher.seenTwice,
+      stitcher.notSeen, 1e3 * stitcher.meanSeconds());
+}
+
 }  // namespace
 
 void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContext& context) {
   checkFiguresOutput(choice.json);
   FeedsEvaluationOptions options = choice.options;
-  options.pictures = choice.pictures;
+  options.pictures = choice.page;
   const FeedsEvaluation result = evaluateFeeds(choice.folder, options, context.progress());
   context.clearProgress();
   std::string table = fmt::format("  {:<8}", "walker");
@@ -43,14 +59,33 @@ void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContex
   table += rowOf("all", sums);
   table += fmt::format(
       "\n  seen once    {:.2f} % of walkers and frames, or fading\n  PSNR         {:.2f} dB over {} "
-      "frames\n  speed        {:.1f} ms a frame, without reading feeds and comparing\n",
-      100 * result.rightShare(), result.psnrDecibels, result.frames, 1e3 * result.run.meanFrameSeconds);
-  const nlohmann::ordered_json figures{{"frames", result.frames},
-                                       {"walkers", result.walkers.size()},
-                                       {"fates", fates},
-                                       {"right_share", result.rightShare()},
-                                       {"psnr_db", result.psnrDecibels},
-                                       {"mean_frame_seconds", result.run.meanFrameSeconds}};
+      "frames\n  seams        {:.1f} levels more than rendered, {:.1f} beside them; over {:g} at {:.1f} %\n  speed     "
+      "   {:.1f} ms a frame, without reading feeds and comparing\n",
+      100 * result.rightShare(), result.psnrDecibels, result.frames, result.seams.levels, result.seams.insideLevels,
+      kSeamLevels, 100 * result.seams.visibleShare(), 1e3 * result.run.meanFrameSeconds);
+  table += stitcherRow(options, result.stitcher);
+  nlohmann::ordered_json figures{{"frames", result.frames},
+                                 {"walkers", result.walkers.size()},
+                                 {"fates", fates},
+                                 {"right_share", result.rightShare()},
+                                 {"psnr_db", result.psnrDecibels},
+                                 {"seam_levels", result.seams.levels},
+                                 {"seam_levels_beside", result.seams.insideLevels},
+                                 {"seam_visible_share", result.seams.visibleShare()},
+                                 {"mean_frame_seconds", result.run.meanFrameSeconds}};
+  if (result.stitcher.frames > 0) {
+    figures["stitcher"] = {{"frames", result.stitcher.frames},
+                           {"pictures", result.stitcher.pictures},
+                           {"pictures_of_all_feeds", result.stitcher.picturesOfAll},
+                           {"seen_once", result.stitcher.seenOnce},
+                           {"seen_in_several_feeds", result.stitcher.seenTwice},
+                           {"not_seen", result.stitcher.notSeen},
+                           {"mean_frame_seconds", result.stitcher.meanSeconds()}};
+  }
+  if (!choice.page.empty()) {
+    writeErrorsPage(result, "Errors of " + choice.folder, choice.page);
+    context.note("wrote " + choice.page + "/index.html");
+  }
   giveFigures(choice.json, textOfJson(figures, 2) + "\n", table, context);
 }
 

@@ -10,6 +10,7 @@ int main(int argumentCount, char** arguments) {
                      {.run = runFeedsCommand,
                       .simulate = simulateFeedsCommand,
                       .evaluate = evaluateFeedsCommand,
+                      .panes = showPanesCommand,
                       .sheet = writeCalibrationSheet,
                       .lens = calibrateLensCommand,
                       .pose = calibratePosesCommand,

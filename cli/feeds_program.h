@@ -15,6 +15,7 @@ const OwnProgram& feedsProgram();
 void runFeedsCommand(const FeedsRunChoice& choice, const CommandContext& context);
 void simulateFeedsCommand(const FeedsSimulateChoice& choice, const CommandContext& context);
 void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContext& context);
+void showPanesCommand(const FeedsPanesChoice& choice, const CommandContext& context);
 void writeCalibrationSheet(const FeedsSheetChoice& choice, const CommandContext& context);
 void calibrateLensCommand(const FeedsLensChoice& choice, const CommandContext& context);
 void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& context);

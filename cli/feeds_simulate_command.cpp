@@ -34,6 +34,10 @@ void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context,
   number("--distortion", options.distortion, "Of the lenses: 0 none, 1 usual", 0, 1.5, "SHARE");
   number("--clock-offset", options.maxClockOffset, "By how much clocks differ, at most", 0, 1000, "S");
   number("--dropped", options.droppedShare, "Share of the frames that are lost", 0, 0.9, "SHARE");
+  number("--rolling", options.rollingSeconds,
+         "Over which the rows of a frame are taken one after the other; 0: all at once", 0, kMaxRollingSeconds, "S");
+  command.add_option("--size", choice->size, "Of all feeds and the composed image; as the rig has them by default")
+      ->type_name("WxH");
   command.add_option("--masks", options.maskEvery, "Write what is a walker for each so manieth frame, too")
       ->check(CLI::Range(size_t{1}, size_t{1000000}))
       ->type_name("N");
@@ -41,6 +45,7 @@ void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context,
       ->type_name("FEED@SECONDS");
   context.finish(command,
                  "  ocelli feeds simulate -o corridor\n"
+                 "  ocelli feeds simulate builtin:courtyard --size 1280x720 --walkers 5 --rolling 0.02 -o court\n"
                  "  ocelli feeds simulate builtin:corridor_t --walkers 6 --seconds 60 --seed 7 --masks 30 -o corridor",
                  [choice, context, work] { work(*choice, context); });
 }

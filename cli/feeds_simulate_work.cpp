@@ -3,6 +3,7 @@
 
 #include "cli/command.h"
 #include "cli/feeds_program.h"
+#include "cli/values.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/number_text.h"
 
@@ -18,6 +19,11 @@ void simulateFeedsCommand(const FeedsSimulateChoice& choice, const CommandContex
     }
     options.frozenFeed = choice.freeze.substr(0, at);
     options.frozenSeconds = *seconds;
+  }
+  if (!choice.size.empty()) {
+    const ImageSize size = imageSizeFromText(choice.size, "--size");
+    options.width = size.width;
+    options.height = size.height;
   }
   const FeedSimulationFigures figures = simulateFeeds(options, choice.output, context.progress());
   context.clearProgress();

@@ -32,6 +32,7 @@ void addFeedsCommand(CLI::App& program, const CommandContext& context) {
                    {.run = start,
                     .simulate = start,
                     .evaluate = start,
+                    .panes = start,
                     .sheet = start,
                     .lens = start,
                     .pose = start,

@@ -38,13 +38,20 @@ struct FeedsSimulateChoice {
   FeedSimulationOptions options;
   std::string output;
   std::string freeze;  ///< "FEED@SECONDS"
+  std::string size;    ///< "WIDTHxHEIGHT"; empty: as the rig has it
 };
 
 struct FeedsEvaluateChoice {
   std::string folder;
-  std::string pictures;
+  std::string page;  ///< a folder; empty: none
   FeedsEvaluationOptions options;
   std::string json;
+};
+
+struct FeedsPanesChoice {
+  std::string setup;
+  std::string output;
+  double seconds = 0;
 };
 
 struct FeedsSheetChoice {
@@ -83,6 +90,7 @@ struct FeedsWork {
   FeedsWorkOf<FeedsRunChoice> run;
   FeedsWorkOf<FeedsSimulateChoice> simulate;
   FeedsWorkOf<FeedsEvaluateChoice> evaluate;
+  FeedsWorkOf<FeedsPanesChoice> panes;
   FeedsWorkOf<FeedsSheetChoice> sheet;
   FeedsWorkOf<FeedsLensChoice> lens;
   FeedsWorkOf<FeedsPoseChoice> pose;

@@ -113,6 +113,10 @@ if(OCELLI_WITH_FEEDS)
     LIBRARIES opencv_video opencv_imgproc opencv_core)
   ocelli_package(OpenCV::calibration         LIBRARY opencv_calibration HEADER opencv2/aruco/charuco.hpp FOLDER opencv4
     LIBRARIES opencv_aruco opencv_calib3d opencv_imgproc opencv_core)
+  if(OCELLI_WITH_STITCHER)
+    ocelli_package(OpenCV::stitching         LIBRARY opencv_stitching HEADER opencv2/stitching.hpp FOLDER opencv4
+      LIBRARIES opencv_stitching opencv_features2d opencv_imgproc opencv_core)
+  endif()
   ocelli_package(PkgConfig::apriltag         PKG_CONFIG apriltag)
   ocelli_package(PkgConfig::ffmpeg           PKG_CONFIG libavdevice libavformat libavcodec libavutil libswscale)
 endif()

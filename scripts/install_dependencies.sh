@@ -22,7 +22,7 @@ packages="cmake ninja-build g++ ccache pkg-config python3 git
   libjpeg62-turbo-dev libwebp-dev libjxl-dev
   libgtest-dev libgmock-dev libbenchmark-dev libosmesa6-dev libosmesa6 libegl-dev libegl1
   libgl1-mesa-dri libglfw3-dev libimgui-dev libfontconfig-dev libfribidi-dev fonts-dejavu-core fonts-droid-fallback python3-glad xvfb xauth libxtst6 xdotool
-  libopencv-calib3d-dev libopencv-contrib-dev libapriltag-dev
+  libopencv-calib3d-dev libopencv-stitching-dev libopencv-contrib-dev libapriltag-dev
   chromium ffmpeg"
 
 case "${1-}" in

@@ -28,6 +28,8 @@ class FeedComposer {
   /// Of the last call of compose().
   const SubjectTracks& subjects() const { return tracks_; }
   const FeedMarks& marks(size_t frustum) const { return marks_[frustum]; }
+  /// The last frame of a feed, by index; empty where there is none yet.
+  const Image<Rgb8>& frame(size_t feed) const { return frames_[feed]; }
   bool hasFrame(size_t feed) const { return !frames_[feed].empty(); }
 
  private:

@@ -3,31 +3,34 @@
 // was taken, and from the marks by which subjects were erased or shown.
 #pragma once
 
+#include <array>
 #include <filesystem>
 #include <vector>
 
 #include "oc_core/feeds_live/feeds_run.h"
+#include "oc_core/feeds_measure/error_pictures.h"
+#include "oc_core/feeds_measure/feed_seams.h"
+#include "oc_core/feeds_measure/stitcher_figures.h"
+#include "oc_core/feeds_measure/walker_fates.h"
 
 namespace ocelli {
 
-/// What became of one walker in one frame.
-enum class WalkerFate {
-  kRight,      ///< seen where the graph camera sees it, and nowhere else; or rightly not seen
-  kBetween,    ///< crosses a near face, so that it fades, and is seen
-  kDoubled,    ///< seen where it should be, and elsewhere too
-  kMisplaced,  ///< seen elsewhere alone
-  kMissing,    ///< not seen, though the camera of its frustum sees it
-  kHidden,     ///< not seen, as that camera sees hardly anything of it: somebody stands before it
-  kGhost,      ///< seen, though the graph camera does not see it
+/// One frame of the composed image.
+struct FrameJudgement {
+  double seconds = 0;
+  std::vector<WalkerFate> fates;  ///< of each walker
+  FeedSeams seams;
 };
-inline constexpr size_t kWalkerFates = 7;
-const char* nameOf(WalkerFate fate);
 
 struct FeedsEvaluation {
   size_t frames = 0;
   /// Of each walker: frames by fate.
   std::vector<std::array<size_t, kWalkerFates>> walkers;
   double psnrDecibels = 0;  ///< of all frames together, sRGB
+  std::vector<FrameJudgement> timeline;
+  FeedSeams seams;                     ///< mean of all frames
+  std::vector<ErrorPicture> pictures;  ///< in the folder of the options
+  StitcherFigures stitcher;            ///< of the frames that the options say; none without it
   FeedsRunFigures run;
 
   size_t count(WalkerFate fate) const;
@@ -37,8 +40,10 @@ struct FeedsEvaluation {
 
 struct FeedsEvaluationOptions {
   double seconds = 0;              ///< 0: all
-  std::filesystem::path pictures;  ///< a folder for pictures of errors, composed beside rendered; empty: none
+  std::filesystem::path pictures;  ///< a folder for pictures of errors (error_pictures.h); empty: none
   FeedBackgroundOptions backgrounds;
+  /// Puts each so manieth frame into OpenCV's stitcher, too, where hasStitcher(); 0: none.
+  size_t stitchEvery = 0;
 };
 
 /// `folder` is one that simulateFeeds() wrote. Throws InputError where it is not.

@@ -5,6 +5,7 @@
 //   2. oc_core/feeds_measure/feed_rigs.cpp: add it to the list.
 #pragma once
 
+#include <glm/vec2.hpp>
 #include <span>
 #include <string>
 #include <string_view>
@@ -25,6 +26,16 @@ std::span<const FeedRig> feedRigs();
 /// one.
 const FeedRig& feedRigOf(const std::string& scene);
 
+/// A feed NAME of a rig, with a lens without distortion.
+Feed rigFeed(const std::string& name, const glm::ivec2& size, double focal, const glm::dvec3& eye,
+             const glm::dvec3& target);
+/// The setup with all feeds and the output so many pixels wide and high. What its cameras saw they still see: where the
+/// new shape is wider or higher, they see more.
+FeedSetup resizedSetup(FeedSetup setup, int width, int height);
+
 FeedRig corridorRig();
+FeedRig corridorTRig();
+FeedRig courtyardRig();
+FeedRig shopRig();
 
 }  // namespace ocelli

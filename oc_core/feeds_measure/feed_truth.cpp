@@ -6,6 +6,7 @@
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/json_fields.h"
 #include "oc_core/feeds_measure/feed_rigs.h"
+#include "oc_core/feeds_measure/simulate_feeds.h"
 
 namespace ocelli {
 namespace {
@@ -84,6 +85,7 @@ std::string jsonText(const SimulationTruth& truth, const FeedSetup& setup) {
                        {"frames_per_second", truth.framesPerSecond},
                        {"exposure_swing", truth.exposureSwing},
                        {"noise_levels", truth.noiseLevels},
+                       {"rolling_seconds", truth.rollingSeconds},
                        {"feeds", feeds},
                        {"frames", frames}};
   return textOfJson(json) + "\n";
@@ -101,6 +103,7 @@ SimulationTruth readSimulationTruth(const std::filesystem::path& path) {
     truth.framesPerSecond = fields.number("frames_per_second", 1, 1000);
     truth.exposureSwing = fields.number("exposure_swing", 0, 1);
     truth.noiseLevels = fields.number("noise_levels", 0, 255);
+    truth.rollingSeconds = fields.number("rolling_seconds", 0, kMaxRollingSeconds, 0);
     fields.forEach("feeds", 1, kMaxFeeds, [&](JsonFields& each) { truth.feeds.push_back(readFeedTruth(each)); });
     return truth;
   });

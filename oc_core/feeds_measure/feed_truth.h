@@ -19,7 +19,7 @@ struct FeedTruth {
   double frozenFromSeconds = -1;  ///< from then on all frames show this moment; less than 0: never
   std::vector<size_t> dropped;    ///< frames that were taken, but are not in the video
 
-  /// When frame `k` is taken.
+  /// When the first row of frame `k` is taken.
   double takenAt(size_t k, double framesPerSecond) const { return (static_cast<double>(k) + phase) / framesPerSecond; }
   /// What a frame that is taken at a time shows: that moment, or the one at which the feed froze.
   double shownAt(double seconds) const {
@@ -37,6 +37,8 @@ struct SimulationTruth {
   double framesPerSecond = 30;
   double exposureSwing = 0.1;
   double noiseLevels = 2;
+  /// From the first row of a frame to its last: row y of h is taken at takenAt() + rollingSeconds y / h.
+  double rollingSeconds = 0;
   std::vector<FeedTruth> feeds;  ///< of the setup, in its order
 
   Walkers makeWalkers() const;

@@ -27,6 +27,7 @@ constexpr size_t kNoiseSamples = 1 << 16;
 constexpr float kMaxLight = 1.5f;
 constexpr double kFeedRateFactor = 17;  ///< of x264: hardly any loss
 constexpr int kMaskStep = 40;
+constexpr int kMinSide = 32;  ///< pixels
 
 /// Encoded values of linear light up to kMaxLight, before rounding.
 std::vector<float> encodedLight() {
@@ -84,8 +85,15 @@ void bendLens(FeedLens& lens, double share, RandomNumbers& random) {
 
 /// What is random of each feed; sets its lens and its clock.
 SimulationTruth truthOf(const FeedSimulationOptions& options, FeedSetup& setup) {
-  SimulationTruth truth{options.scene,           options.seed,          options.walkers,     options.seconds,
-                        options.framesPerSecond, options.exposureSwing, options.noiseLevels, {}};
+  SimulationTruth truth{options.scene,
+                        options.seed,
+                        options.walkers,
+                        options.seconds,
+                        options.framesPerSecond,
+                        options.exposureSwing,
+                        options.noiseLevels,
+                        options.rollingSeconds,
+                        {}};
   const auto frames = static_cast<size_t>(std::llround(options.seconds * options.framesPerSecond));
   for (size_t i = 0; i < setup.feeds.size(); ++i) {
     RandomNumbers random(options.seed, i);
@@ -137,7 +145,6 @@ void writeFeed(const FeedJob& job, const Feed& feed, size_t index, const std::fu
            quiet.expose(camera.background(), truth.exposureAt(0, job.options.exposureSwing)));
   VideoWriter video(job.folder / feed.source, feed.width, feed.height, {rate, kFeedRateFactor, false});
   const auto frames = static_cast<size_t>(std::llround(job.options.seconds * rate));
-  std::vector<uint8_t> walkerOfTriangle;
   Image<Rgb8> frozen;
   for (size_t k = 0; k < frames; ++k) {
     countFrame();
@@ -148,8 +155,7 @@ void writeFeed(const FeedJob& job, const Feed& feed, size_t index, const std::fu
     const bool isFrozen = truth.shownAt(taken) < taken;
     if (!isFrozen || frozen.empty()) {
       const double shown = truth.shownAt(taken);
-      const Mesh figures = job.walkers.meshAt(shown, walkerOfTriangle);
-      const SimulatedFrame frame = camera.frame(figures, walkerOfTriangle);
+      const SimulatedFrame frame = camera.frame(job.walkers, shown, job.options.rollingSeconds);
       frozen = sensor.expose(frame.colors, truth.exposureAt(shown, job.options.exposureSwing));
       if (job.options.maskEvery > 0 && k % job.options.maskEvery == 0) {
         writeMask(job.folder / "masks" / fmt::format("{}-{:06}.png", feed.name, k), frame.walkers);
@@ -161,6 +167,14 @@ void writeFeed(const FeedJob& job, const Feed& feed, size_t index, const std::fu
     }
   }
   video.finish();
+}
+
+int checkedSide(int pixels) {
+  if (pixels < kMinSide || pixels > kMaxFeedPixels || pixels % 2 != 0) {
+    throw InputError(fmt::format("feeds of {} pixels a side cannot be simulated", pixels), "--size",
+                     fmt::format("choose even numbers from {} to {}, as 1280x720", kMinSide, kMaxFeedPixels));
+  }
+  return pixels;
 }
 
 void writeTextTo(const std::filesystem::path& path, const std::string& text) {
@@ -175,6 +189,9 @@ FeedSimulationFigures simulateFeeds(const FeedSimulationOptions& options, const 
                                     const Progress& progress) {
   const FeedRig& rig = feedRigOf(options.scene);
   FeedSetup setup = rig.setup();
+  if (options.width > 0 && options.height > 0) {
+    setup = resizedSetup(setup, checkedSide(options.width), checkedSide(options.height));
+  }
   if (!options.frozenFeed.empty() && setup.feedIndex(options.frozenFeed) < 0) {
     throw InputError("the rig has no feed \"" + options.frozenFeed + "\"", "--freeze", "name one of its feeds");
   }

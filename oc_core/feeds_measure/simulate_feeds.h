@@ -25,8 +25,11 @@ struct FeedSimulationOptions {
   double maxClockOffset = 0.5;  ///< seconds
   double droppedShare = 0.01;   ///< of frames
   double distortion = 1;        ///< 0: pinholes; 1: lenses of usual cameras
-  size_t maskEvery = 0;         ///< masks of each so manieth frame; 0: none
-  std::string frozenFeed;       ///< shows nothing new from `frozenSeconds` on
+  double rollingSeconds = 0;    ///< over which the rows of a frame are taken one after the other; 0: all at once
+  int width = 0;                ///< of all feeds and the composed image, pixels; 0: as the rig has them
+  int height = 0;
+  size_t maskEvery = 0;    ///< masks of each so manieth frame; 0: none
+  std::string frozenFeed;  ///< shows nothing new from `frozenSeconds` on
   double frozenSeconds = 0;
 };
 
@@ -36,6 +39,7 @@ struct FeedSimulationFigures {
 };
 
 inline constexpr size_t kMaxWalkers = 100;
+inline constexpr double kMaxRollingSeconds = 1;
 
 /// Throws InputError for a scene without cameras and ways or a feed that does not exist, WorkError where a file cannot
 /// be written.

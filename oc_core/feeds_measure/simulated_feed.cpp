@@ -14,7 +14,9 @@
 namespace ocelli {
 namespace {
 
-constexpr int kBackgroundScale = 2;  ///< samples a side of each pixel of what stands still
+constexpr int kBackgroundScale = 2;          ///< samples a side of each pixel of what stands still
+constexpr double kMaxStripSeconds = 2.5e-3;  ///< within which rows are taken together: a walker moves 4 mm
+constexpr int kMaxStrips = 64;
 
 /// The pinhole that holds all that the feed sees through its lens.
 PinholeCamera idealCamera(const Feed& feed, int scale) {
@@ -94,15 +96,30 @@ struct SimulatedFeed::Impl {
   }
 
   template <class Visit>
-  void visitWalkers(const Mesh& walkers, const Visit& visit) const {
-    if (walkers.empty()) {
+  void visitWalkers(const Walkers& walkers, double seconds, double rollingSeconds, const Visit& visit) const {
+    const auto strips = static_cast<size_t>(std::clamp(std::ceil(rollingSeconds / kMaxStripSeconds), 1.0,
+                                                       static_cast<double>(std::min(kMaxStrips, feed.height))));
+    const auto rows = static_cast<size_t>(feed.height);
+    for (size_t k = 0; k < strips; ++k) {
+      // The time of the middle of the strip; all at once, that of the frame.
+      const double share = strips == 1 ? 0 : (static_cast<double>(k) + 0.5) / static_cast<double>(strips);
+      visitRows(walkers, seconds + share * rollingSeconds, k * rows / strips, (k + 1) * rows / strips, visit);
+    }
+  }
+
+  template <class Visit>
+  void visitRows(const Walkers& walkers, double seconds, size_t from, size_t to, const Visit& visit) const {
+    std::vector<uint8_t> walkerOfTriangle;
+    const Mesh figures = walkers.meshAt(seconds, walkerOfTriangle);
+    if (figures.empty()) {
       return;
     }
-    const FragmentImage seen = rasterize(camera, walkers);
-    for (size_t i = 0; i < places.size(); ++i) {
+    const FragmentImage seen = rasterize(camera, figures);
+    const auto width = static_cast<size_t>(feed.width);
+    for (size_t i = from * width; i < to * width; ++i) {
       const Fragment& fragment = seen[places[i]];
       if (fragment.covered() && fragment.t < depths[places[i]]) {
-        visit(i, fragment);
+        visit(i, fragment, figures, static_cast<uint8_t>(walkerOfTriangle[fragment.triangle] + 1));
       }
     }
   }
@@ -116,20 +133,20 @@ const Image<glm::vec3>& SimulatedFeed::background() const {
   return impl_->background;
 }
 
-SimulatedFrame SimulatedFeed::frame(const Mesh& walkers, const std::vector<uint8_t>& walkerOfTriangle) const {
+SimulatedFrame SimulatedFeed::frame(const Walkers& walkers, double seconds, double rollingSeconds) const {
   SimulatedFrame frame{impl_->background, WalkerMask(impl_->feed.width, impl_->feed.height)};
-  impl_->visitWalkers(walkers, [&](size_t i, const Fragment& fragment) {
-    frame.colors[i] = colorOf(fragment, walkers);
-    frame.walkers[i] = static_cast<uint8_t>(walkerOfTriangle[fragment.triangle] + 1);
-  });
+  impl_->visitWalkers(walkers, seconds, rollingSeconds,
+                      [&](size_t i, const Fragment& fragment, const Mesh& figures, uint8_t walker) {
+                        frame.colors[i] = colorOf(fragment, figures);
+                        frame.walkers[i] = walker;
+                      });
   return frame;
 }
 
-WalkerMask SimulatedFeed::mask(const Mesh& walkers, const std::vector<uint8_t>& walkerOfTriangle) const {
+WalkerMask SimulatedFeed::mask(const Walkers& walkers, double seconds, double rollingSeconds) const {
   WalkerMask mask(impl_->feed.width, impl_->feed.height);
-  impl_->visitWalkers(walkers, [&](size_t i, const Fragment& fragment) {
-    mask[i] = static_cast<uint8_t>(walkerOfTriangle[fragment.triangle] + 1);
-  });
+  impl_->visitWalkers(walkers, seconds, rollingSeconds,
+                      [&](size_t i, const Fragment&, const Mesh&, uint8_t walker) { mask[i] = walker; });
   return mask;
 }
 

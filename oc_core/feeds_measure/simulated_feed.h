@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oc_core/feeds/feed_setup.h"
+#include "oc_core/feeds_measure/walkers.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/render/fragment_image.h"
 
@@ -27,9 +28,11 @@ class SimulatedFeed {
   SimulatedFeed(SimulatedFeed&&) noexcept;
 
   const Image<glm::vec3>& background() const;
-  SimulatedFrame frame(const Mesh& walkers, const std::vector<uint8_t>& walkerOfTriangle) const;
+  /// What it sees of walkers when its first row is taken at `seconds`, the others one after the other within
+  /// `rollingSeconds`; 0 takes all at once. Rows within 2.5 ms are taken together.
+  SimulatedFrame frame(const Walkers& walkers, double seconds, double rollingSeconds = 0) const;
   /// The masks alone.
-  WalkerMask mask(const Mesh& walkers, const std::vector<uint8_t>& walkerOfTriangle) const;
+  WalkerMask mask(const Walkers& walkers, double seconds, double rollingSeconds = 0) const;
 
  private:
   struct Impl;

@@ -3,12 +3,11 @@
 //
 // The stem runs along z, from the crossing at z in [-2.4, 0] towards +z; the branches run along x.
 #include "oc_core/worlds/builtin_list.h"
+#include "oc_core/worlds/corridor_parts.h"
 #include "oc_core/worlds/palette.h"
 #include "oc_core/worlds/place_furniture.h"
 #include "oc_core/worlds/place_parameters.h"
 #include "oc_core/worlds/place_room.h"
-#include "oc_core/worlds/placement.h"
-#include "oc_core/worlds/printed_textures.h"
 
 namespace ocelli {
 namespace {
@@ -17,58 +16,19 @@ constexpr float kCorridorHalf = 1.2f;
 constexpr float kBranchEnd = 9;  ///< |x|
 constexpr float kStemEnd = 9;    ///< z
 constexpr float kCorridorHeight = 2.8f;
-constexpr float kWallThickness = 0.2f;
-
-/// A wall whose front runs from `start` along its turn (placement.h), as high as the corridors and a little lower.
-glm::mat4 addCorridorWall(PlaceBuilder& place, const glm::vec2& start, double turn, float length,
-                          const SurfaceTexture& front) {
-  PlaceWall wall;
-  wall.size = {length, kCorridorHeight + 0.1f};
-  wall.thickness = kWallThickness;
-  wall.front = front;
-  wall.back = front;
-  wall.rim = front;
-  wall.isBackPlain = true;
-  place.addWall(wall, placedAt({start.x, -0.05f, start.y}, turn));
-  return placedAt({start.x, 0, start.y}, turn);
-}
 
 void addFloorAndCeiling(PlaceBuilder& place, uint32_t seed) {
   const SurfaceTexture floor = marbleTilesTexture(palette::fromSrgbBytes(168, 160, 146), 0.6f, seed);
   const SurfaceTexture ceiling = ceilingTexture(palette::fromSrgbBytes(226, 226, 220), seed + 1);
-  const float branchDepth = 2 * kCorridorHalf + kWallThickness;
-  const float branchWidth = 2 * (kBranchEnd + kWallThickness);
-  const float stemWidth = 2 * (kCorridorHalf + kWallThickness);
-  const float stemDepth = kStemEnd + kWallThickness;
-  const auto slab = [&](float y, const BoxLook& look) {
-    place.addBox({branchWidth, 0.2f, branchDepth}, placedAt({0, y, -branchDepth / 2}), look);
-    place.addBox({stemWidth, 0.2f, stemDepth}, placedAt({0, y, stemDepth / 2}), look);
+  const float branch = kBranchEnd + kCorridorWallThickness;
+  const float stem = kCorridorHalf + kCorridorWallThickness;
+  const auto slabs = [&](float middle, const SurfaceTexture& texture, bool isFloor) {
+    addCorridorSlab(place,
+                    {{-branch, -2 * kCorridorHalf - kCorridorWallThickness}, {branch, 0}, middle, texture, isFloor});
+    addCorridorSlab(place, {{-stem, 0}, {stem, kStemEnd + kCorridorWallThickness}, middle, texture, isFloor});
   };
-  slab(-0.1f, BoxLook(floor).plain(BoxFace::kBottom).noShadow());
-  slab(kCorridorHeight + 0.1f, BoxLook(ceiling).plain(BoxFace::kTop).noShadow());
-}
-
-struct OnWall {
-  float along;
-  glm::vec2 size;
-  bool isFramed;
-};
-
-void hangOn(PlaceBuilder& place, const glm::mat4& wall, const std::vector<OnWall>& list, uint32_t seed) {
-  for (const OnWall& each : list) {
-    ++seed;
-    place.beginObject();
-    const glm::mat4 spot = wall * placedAt({each.along, 1.55f, 0});
-    if (each.isFramed) {
-      addFramedPicture(place,
-                       {each.size, 0.06f, paintingTexture(each.size, seed * 77),
-                        woodTexture(palette::fromSrgbBytes(92, 58, 36), seed)},
-                       spot);
-    } else {
-      addSheet(place, each.size, posterTexture(each.size, seed * 31), spot, 0.75f);
-    }
-  }
-  place.beginStructure();
+  slabs(-0.1f, floor, true);
+  slabs(kCorridorHeight + 0.1f, ceiling, false);
 }
 
 Scene buildCorridorT(const BuiltinValues& values) {
@@ -78,16 +38,19 @@ Scene buildCorridorT(const BuiltinValues& values) {
   const SurfaceTexture green = plasterTexture(palette::fromSrgbBytes(150, 172, 150), seed + 2);
   const SurfaceTexture red = brickTexture(palette::fromSrgbBytes(170, 104, 80), seed + 3);
   const float back = -2 * kCorridorHalf;
-  const float south = kBranchEnd - kCorridorHalf - kWallThickness;
+  const float south = kBranchEnd - kCorridorHalf - kCorridorWallThickness;
   addFloorAndCeiling(place, seed + 10);
-  const glm::mat4 north = addCorridorWall(place, {-kBranchEnd, back}, 0, 2 * kBranchEnd, cream);
-  const glm::mat4 southLeft = addCorridorWall(place, {-kCorridorHalf - kWallThickness, 0}, 180, south, green);
-  const glm::mat4 southRight = addCorridorWall(place, {kBranchEnd, 0}, 180, south, green);
-  const glm::mat4 stemLeft = addCorridorWall(place, {-kCorridorHalf, kStemEnd}, 90, kStemEnd, cream);
-  const glm::mat4 stemRight = addCorridorWall(place, {kCorridorHalf, 0}, -90, kStemEnd, green);
-  const glm::mat4 west = addCorridorWall(place, {-kBranchEnd, 0}, 90, 2 * kCorridorHalf, red);
-  const glm::mat4 east = addCorridorWall(place, {kBranchEnd, back}, -90, 2 * kCorridorHalf, red);
-  addCorridorWall(place, {kCorridorHalf, kStemEnd}, 180, 2 * kCorridorHalf, red);
+  const auto wall = [&](const glm::vec2& start, double turn, float length, const SurfaceTexture& front) {
+    return addCorridorWall(place, {start, turn, length, kCorridorHeight, front});
+  };
+  const glm::mat4 north = wall({-kBranchEnd, back}, 0, 2 * kBranchEnd, cream);
+  const glm::mat4 southLeft = wall({-kCorridorHalf - kCorridorWallThickness, 0}, 180, south, green);
+  const glm::mat4 southRight = wall({kBranchEnd, 0}, 180, south, green);
+  const glm::mat4 stemLeft = wall({-kCorridorHalf, kStemEnd}, 90, kStemEnd, cream);
+  const glm::mat4 stemRight = wall({kCorridorHalf, 0}, -90, kStemEnd, green);
+  const glm::mat4 west = wall({-kBranchEnd, 0}, 90, 2 * kCorridorHalf, red);
+  const glm::mat4 east = wall({kBranchEnd, back}, -90, 2 * kCorridorHalf, red);
+  wall({kCorridorHalf, kStemEnd}, 180, 2 * kCorridorHalf, red);
   place.light().setAmbient({0.5f, 0.51f, 0.53f});
   addCeilingLamps(place, kCorridorHeight,
                   {{-7.5f, -1.2f},

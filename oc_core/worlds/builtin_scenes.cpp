@@ -38,11 +38,12 @@ ParsedBuiltin parsed(const std::string& source) {
 
 const std::vector<BuiltinScene>& listBuiltinScenes() {
   static const std::vector<BuiltinScene> scenes{
-      teapotScene(),    roomScene(),   statuesScene(), crowdScene(),      fenceScene(),   doorsScene(),
-      boxesScene(),     mazeScene(),   townScene(),    canyonScene(),     sphereScene(),  torusScene(),
-      boxScene(),       wavingScene(), mirrorScene(),  mirrorMazeScene(), lensScene(),    parkingScene(),
-      cityScene(),      houseScene(),  barrelsScene(), lampScene(),       pergolaScene(), dnaScene(),
-      particlesScene(), treeScene(),   museumScene(),  officeScene(),     libraryScene(), corridorTScene()};
+      teapotScene(),    roomScene(),   statuesScene(),  crowdScene(),      fenceScene(),   doorsScene(),
+      boxesScene(),     mazeScene(),   townScene(),     canyonScene(),     sphereScene(),  torusScene(),
+      boxScene(),       wavingScene(), mirrorScene(),   mirrorMazeScene(), lensScene(),    parkingScene(),
+      cityScene(),      houseScene(),  barrelsScene(),  lampScene(),       pergolaScene(), dnaScene(),
+      particlesScene(), treeScene(),   museumScene(),   officeScene(),     libraryScene(), corridorTScene(),
+      corridorScene(),  shopScene(),   courtyardScene()};
   return scenes;
 }
 

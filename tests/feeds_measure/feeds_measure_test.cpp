@@ -46,18 +46,16 @@ TEST(FeedsMeasure, simulationFollowsItsSeed) {
 }
 
 TEST(FeedsMeasure, masksAreWhereTheTruthPutsWalkers) {
-  const FeedSetup setup = corridorRig().setup();
+  const FeedSetup setup = corridorTRig().setup();
   SceneOptions sceneOptions;
   sceneOptions.fit = false;
   sceneOptions.shading = Shading::kNone;
   const Mesh place = loadScene(kCoarse, sceneOptions);
-  const Walkers walkers(corridorRig().ways(), 1, 60, 3);
+  const Walkers walkers(corridorTRig().ways(), 1, 60, 3);
   const SimulatedFeed camera(setup.feeds[0], place);
   size_t seen = 0;
   for (double seconds = 0; seconds < 60; seconds += 1.5) {
-    std::vector<uint8_t> walkerOfTriangle;
-    const Mesh figure = walkers.meshAt(seconds, walkerOfTriangle);
-    const WalkerMask mask = camera.mask(figure, walkerOfTriangle);
+    const WalkerMask mask = camera.mask(walkers, seconds);
     const glm::dvec2 p = walkers.at(0, seconds).place;
     const auto chest = feedPixelOf(setup.feeds[0], {p.x, 1.1, p.y});
     // In the stem or the crossing, before the camera, nothing hides it.

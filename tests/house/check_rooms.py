@@ -37,6 +37,7 @@ THIRD_PARTIES = {
     "opencv2/": "OpenCV::video",
     "opencv2/aruco/": "OpenCV::calibration",
     "opencv2/calib3d.hpp": "OpenCV::calibration",
+    "opencv2/stitching.hpp": "OpenCV::stitching",
     "apriltag/": "PkgConfig::apriltag",
     "libavcodec/": "PkgConfig::ffmpeg",
     "libavdevice/": "PkgConfig::ffmpeg",

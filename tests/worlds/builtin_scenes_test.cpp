@@ -33,9 +33,13 @@ std::vector<std::string> allNames() {
   return names;
 }
 
+bool isLarge(const std::string& name) {
+  return name == "office" || name == "shop" || name == "corridor" || name == "courtyard";
+}
+
 /// A scene as these tests build it: not in its own size where that is a million triangles.
 std::string sourceOf(const std::string& name) {
-  return "builtin:" + name + (name == "city" ? ",size=60" : name == "office" ? ",texel=0.15" : "");
+  return "builtin:" + name + (name == "city" ? ",size=60" : isLarge(name) ? ",texel=0.15" : "");
 }
 
 class EveryBuiltin : public testing::TestWithParam<std::string> {};
