@@ -36,6 +36,11 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
       ->check(numberCheck(0, 3600))
       ->capture_default_str()
       ->type_name("S");
+  command
+      .add_option("--check-poses", choice->checkPoses,
+                  "Where the setup has places of tags: what to do about cameras that have moved")
+      ->check(CLI::IsMember({"warn", "error", "off"}))
+      ->capture_default_str();
   command.add_flag("--no-labels", choice->hasNoLabels, "Leave out the time of each feed");
   addFiguresOption(command, choice->json);
   context.finish(command,

@@ -40,9 +40,10 @@ const char* wordOf(FeedState state) {
   return "";
 }
 
-FeedsJson jsonOf(const FeedsRunFigures& figures) {
+FeedsJson jsonOf(const FeedsRunFigures& figures, const std::vector<std::optional<double>>& movedPixels) {
   FeedsJson feeds = FeedsJson::array();
-  for (const FeedRunFigures& feed : figures.feeds) {
+  for (size_t i = 0; i < figures.feeds.size(); ++i) {
+    const FeedRunFigures& feed = figures.feeds[i];
     feeds.push_back({{"name", feed.name},
                      {"state", wordOf(feed.state)},
                      {"message", feed.message},
@@ -51,7 +52,8 @@ FeedsJson jsonOf(const FeedsRunFigures& figures) {
                      {"frames_skipped", feed.framesSkipped},
                      {"outputs_without_a_new_frame", feed.outputsWithout},
                      {"mean_age_seconds", feed.meanAgeSeconds},
-                     {"max_age_seconds", feed.maxAgeSeconds}});
+                     {"max_age_seconds", feed.maxAgeSeconds},
+                     {"moved_pixels", movedPixels[i] ? FeedsJson(*movedPixels[i]) : FeedsJson()}});
   }
   return {{"frames", figures.frames},
           {"wall_seconds", figures.wallSeconds},
@@ -79,6 +81,39 @@ std::string tableOf(const FeedsRunFigures& figures) {
   }
   return table;
 }
+
+/// Says which cameras have moved since their poses were found, by the first frame of each feed.
+class StartPoseCheck {
+ public:
+  StartPoseCheck(const FeedsRunChoice& choice, const FeedSetup& setup, const CommandContext& context)
+      : choice_(choice), setup_(setup), context_(context), movedPixels_(setup.feeds.size()) {}
+
+  bool isWanted() const { return choice_.checkPoses != "off" && !setup_.places.tags.empty(); }
+
+  std::string operator()(size_t feed, const Image<Rgb8>& frame) {
+    const PoseCheck check = checkPose(setup_, feed, frame, setup_.places);
+    if (check.tags > 0) {
+      movedPixels_[feed] = check.medianPixels;
+    }
+    if (check.hasMoved && choice_.checkPoses == "error") {
+      throw WorkError(check.message, choice_.setup, "or go on with --check-poses warn");
+    }
+    if (check.hasMoved || (check.tags == 0 && check.shouldSeeTags)) {
+      context_.clearProgress();
+      context_.note("warning: " + check.message);
+    }
+    return check.hasMoved ? fmt::format("MOVED {:.0f} px", check.medianPixels) : "";
+  }
+
+  /// Of each feed; nothing where no tag was seen.
+  const std::vector<std::optional<double>>& movedPixels() const { return movedPixels_; }
+
+ private:
+  const FeedsRunChoice& choice_;
+  const FeedSetup& setup_;
+  const CommandContext& context_;
+  std::vector<std::optional<double>> movedPixels_;
+};
 
 /// Where the images go: a video or a folder, and a page.
 class RunOutput {
@@ -171,6 +206,10 @@ void runFeedsCommand(const FeedsRunChoice& choice, const CommandContext& context
   // Live feeds have no end: Ctrl-C is one, and what was made until then is finished.
   const InterruptGuard guard;
   options.isStopped = InterruptGuard::interrupted;
+  StartPoseCheck poses(choice, setup, context);
+  if (poses.isWanted()) {
+    options.remarkOn = std::ref(poses);
+  }
   const FeedsRunFigures figures = runFeeds(
       setup, options, [&](const ComposedFrame& frame) { output.add(frame); }, context.progress());
   if (InterruptGuard::interrupted() && !figures.isLive && !choice.output.empty()) {
@@ -178,7 +217,7 @@ void runFeedsCommand(const FeedsRunChoice& choice, const CommandContext& context
   }
   context.clearProgress();
   output.finish(context);
-  giveFigures(choice.json, textOfJson(jsonOf(figures), 2) + "\n", tableOf(figures), context);
+  giveFigures(choice.json, textOfJson(jsonOf(figures, poses.movedPixels()), 2) + "\n", tableOf(figures), context);
 }
 
 }  // namespace ocelli

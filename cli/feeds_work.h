@@ -30,6 +30,7 @@ struct FeedsRunChoice {
   std::optional<int> page;  ///< a port of 127.0.0.1; 0: any that is free
   std::string erased = "background";
   bool hasNoLabels = false;
+  std::string checkPoses = "warn";
   FeedsRunOptions options;
   std::string json;
 };
@@ -72,7 +73,7 @@ struct FeedsPoseChoice {
 
 struct FeedsCheckChoice {
   std::string setup;
-  std::string places;
+  std::string places;  ///< empty: those in the setup
   double movedPixels = kMovedPixels;
 };
 

@@ -38,6 +38,7 @@ class FeedsRun {
         graph_(setup),
         composer_(graph_, options.backgrounds),
         feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
+        remarks_(setup.feeds.size()),
         ages_(setup.feeds.size(), 0) {
     options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
     for (const Feed& feed : setup.feeds) {
@@ -152,6 +153,9 @@ class FeedsRun {
     for (size_t i = 0; i < streams_.size(); ++i) {
       FeedRunFigures& figures = figures_.feeds[i];
       if (auto frame = streams_[i]->take(seconds)) {
+        if (options_.remarkOn && !std::isfinite(feedSeconds_[i])) {
+          remarks_[i] = options_.remarkOn(i, frame->image);
+        }
         feedSeconds_[i] = frame->seconds;
         frames_[i] = std::move(frame->image);
         isAnyGoingOn = true;
@@ -182,7 +186,7 @@ class FeedsRun {
       if (state == FeedState::kLive && age >= options_.streams.frozenSeconds) {
         state = FeedState::kLate;  // its next frame has a later time: it left some out
       }
-      labels.push_back({state, hasFrame, age});
+      labels.push_back({state, hasFrame, age, remarks_[feed]});
     }
     return labels;
   }
@@ -209,6 +213,7 @@ class FeedsRun {
   std::vector<std::unique_ptr<FeedStream>> streams_;
   std::vector<Image<Rgb8>> frames_;
   std::vector<double> feedSeconds_;
+  std::vector<std::string> remarks_;
   std::vector<double> ages_;
   double composing_ = 0;
   Image<Rgb8> image_;
