@@ -26,8 +26,9 @@ class CommandContext;
 
 struct FeedsRunChoice {
   std::string setup;
-  std::string output;       ///< empty where the page shows it alone
+  std::string output;       ///< empty where the page or the window shows it alone
   std::optional<int> page;  ///< a port of 127.0.0.1; 0: any that is free
+  bool hasWindow = false;
   std::string erased = "background";
   bool hasNoLabels = false;
   std::string checkPoses = "warn";

@@ -44,6 +44,9 @@ endif()
 if(OCELLI_WITH_OPENGL)
   ocelli_component(opengl  oc_core/gl oc_core/gl_rays oc_core/volume_gl oc_core/window oc_core/explore_window display_sim/gl display_sim/viewer display_driver/picture_device study/screen)
   ocelli_component(sea_view oc_core/sea_window)
+  if(OCELLI_WITH_FEEDS)
+    ocelli_component(feeds_view oc_core/feeds_window)
+  endif()
 endif()
 
 # The component of a folder, in `result`.

@@ -26,11 +26,6 @@ double nowSeconds() {
   return secondsSince(0);
 }
 
-bool mayBeLive(const FeedSetup& setup) {
-  return std::any_of(setup.feeds.begin(), setup.feeds.end(),
-                     [](const Feed& feed) { return videoSourceKind(feed.source).mayBeLive; });
-}
-
 class FeedsRun {
  public:
   FeedsRun(const FeedSetup& setup, const FeedsRunOptions& options)
@@ -63,7 +58,7 @@ class FeedsRun {
       }
       const int64_t frameBegan = steadyNanoseconds();
       composer_.take(frames_);
-      composer_.compose(seconds, options_.erased, image_);
+      composer_.compose(seconds, options_.erasedNow ? options_.erasedNow() : options_.erased, image_);
       const std::vector<FeedLabel> shown = labels(seconds);
       if (options_.hasLabels) {
         drawFeedLabels(graph_, shown, image_);
@@ -221,6 +216,11 @@ class FeedsRun {
 };
 
 }  // namespace
+
+bool mayBeLive(const FeedSetup& setup) {
+  return std::any_of(setup.feeds.begin(), setup.feeds.end(),
+                     [](const Feed& feed) { return videoSourceKind(feed.source).mayBeLive; });
+}
 
 FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,
                          const std::function<void(const ComposedFrame&)>& sink, const Progress& progress) {
