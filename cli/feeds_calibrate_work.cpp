@@ -1,8 +1,6 @@
 // The work of `ocelli feeds calibrate`.
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "cli/command.h"
 #include "cli/feeds_program.h"
 #include "oc_core/base/error.h"
@@ -11,23 +9,6 @@
 #include "oc_core/feeds_calibration/calibration_sheet.h"
 
 namespace ocelli {
-namespace {
-
-/// A setup that is written beside another: its files stay those that they were.
-void writeSetup(FeedSetup setup, const std::string& output) {
-  const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
-  for (Feed& feed : setup.feeds) {
-    for (std::string* file : {&feed.source, &feed.background}) {
-      if (isFeedFile(*file)) {
-        *file = std::filesystem::absolute(*file).lexically_proximate(folder).string();
-      }
-    }
-  }
-  writeFile(output, jsonText(setup));
-}
-
-}  // namespace
-
 void writeCalibrationSheet(const FeedsSheetChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   const SheetPaper paper = paperFromText(choice.paper);
@@ -61,7 +42,7 @@ void calibrateLensCommand(const FeedsLensChoice& choice, const CommandContext& c
                        choice.views, "take views of the board with the size of the feed");
     }
     feed.lens = result.lens;
-    writeSetup(setup, choice.output);
+    writeFeedSetup(setup, choice.output);
   }
   context.print(fmt::format(
       "  focal        {:.2f} x {:.2f} pixels, known to {:.2f} %\n  center       {:.2f}, {:.2f}\n"
@@ -99,7 +80,7 @@ void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& 
     context.note("warning: " + warning);
   }
   if (failures < result.feeds.size()) {
-    writeSetup(setup, choice.output);
+    writeFeedSetup(setup, choice.output);
     context.note("wrote " + choice.output);
   }
   if (failures > 0) {

@@ -13,6 +13,7 @@ int main(int argumentCount, char** arguments) {
                       .sheet = writeCalibrationSheet,
                       .lens = calibrateLensCommand,
                       .pose = calibratePosesCommand,
-                      .check = checkPosesCommand});
+                      .check = checkPosesCommand,
+                      .faces = findFacesCommand});
   });
 }

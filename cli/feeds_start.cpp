@@ -35,7 +35,8 @@ void addFeedsCommand(CLI::App& program, const CommandContext& context) {
                     .sheet = start,
                     .lens = start,
                     .pose = start,
-                    .check = start});
+                    .check = start,
+                    .faces = start});
 }
 
 }  // namespace ocelli

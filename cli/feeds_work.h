@@ -78,6 +78,14 @@ struct FeedsCheckChoice {
   double movedPixels = kMovedPixels;
 };
 
+struct FeedsFacesChoice {
+  std::string setup;
+  std::string place;
+  std::optional<double> metre;
+  double maxTurnDegrees = 45;
+  std::string output;
+};
+
 template <typename Choice>
 using FeedsWorkOf = std::function<void(const Choice&, const CommandContext&)>;
 
@@ -89,6 +97,7 @@ struct FeedsWork {
   FeedsWorkOf<FeedsLensChoice> lens;
   FeedsWorkOf<FeedsPoseChoice> pose;
   FeedsWorkOf<FeedsCheckChoice> check;
+  FeedsWorkOf<FeedsFacesChoice> faces;
 };
 
 }  // namespace ocelli

@@ -91,6 +91,9 @@ bool isFeedFile(const std::string& source);
 FeedSetup readFeedSetup(const std::filesystem::path& path);
 FeedSetup feedSetupFromJsonText(const std::string& text, const std::string& where);
 std::string jsonText(const FeedSetup& setup);
+/// Its files stay those that they are: relative paths begin at the folder of `path`. Throws WorkError where it cannot
+/// be written.
+void writeFeedSetup(FeedSetup setup, const std::filesystem::path& path);
 
 /// Puts frusta into the order of the tree. Throws as above for what is no tree.
 void orderFrusta(FeedSetup& setup, const std::string& where);

@@ -3,6 +3,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/feeds/feed_fields.h"
 #include "oc_core/feeds/feed_setup.h"
 
@@ -157,6 +158,20 @@ FeedSetup readFeedSetup(const std::filesystem::path& path) {
     resolve(feed.background);
   }
   return setup;
+}
+
+void writeFeedSetup(FeedSetup setup, const std::filesystem::path& path) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  for (Feed& feed : setup.feeds) {
+    for (std::string* file : {&feed.source, &feed.background}) {
+      if (isFeedFile(*file)) {
+        *file = std::filesystem::absolute(*file).lexically_proximate(folder).string();
+      }
+    }
+  }
+  OutputFile file(path);
+  file.write(jsonText(setup));
+  file.commit();
 }
 
 std::string jsonText(const FeedSetup& setup) {
