@@ -14,6 +14,7 @@ int main(int argumentCount, char** arguments) {
                       .lens = calibrateLensCommand,
                       .pose = calibratePosesCommand,
                       .check = checkPosesCommand,
-                      .faces = findFacesCommand});
+                      .faces = findFacesCommand,
+                      .edit = editFacesCommand});
   });
 }

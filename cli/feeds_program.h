@@ -20,5 +20,6 @@ void calibrateLensCommand(const FeedsLensChoice& choice, const CommandContext& c
 void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& context);
 void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& context);
 void findFacesCommand(const FeedsFacesChoice& choice, const CommandContext& context);
+void editFacesCommand(const FeedsEditChoice& choice, const CommandContext& context);
 
 }  // namespace ocelli

@@ -36,7 +36,8 @@ void addFeedsCommand(CLI::App& program, const CommandContext& context) {
                     .lens = start,
                     .pose = start,
                     .check = start,
-                    .faces = start});
+                    .faces = start,
+                    .edit = start});
 }
 
 }  // namespace ocelli

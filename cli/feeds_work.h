@@ -86,6 +86,13 @@ struct FeedsFacesChoice {
   std::string output;
 };
 
+struct FeedsEditChoice {
+  std::string setup;
+  std::string place;  ///< empty: walls are unknown
+  std::optional<double> metre;
+  std::string output;
+};
+
 template <typename Choice>
 using FeedsWorkOf = std::function<void(const Choice&, const CommandContext&)>;
 
@@ -98,6 +105,7 @@ struct FeedsWork {
   FeedsWorkOf<FeedsPoseChoice> pose;
   FeedsWorkOf<FeedsCheckChoice> check;
   FeedsWorkOf<FeedsFacesChoice> faces;
+  FeedsWorkOf<FeedsEditChoice> edit;
 };
 
 }  // namespace ocelli
