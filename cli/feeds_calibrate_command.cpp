@@ -9,11 +9,9 @@
 namespace ocelli {
 namespace {
 
-void addPlacesOptions(CLI::App& command, std::string& setup, std::string& places) {
+CLI::Option* addPlacesOptions(CLI::App& command, std::string& setup, std::string& places, const std::string& help) {
   command.add_option("SETUP", setup, "The feeds")->required()->type_name("SETUP.json");
-  command.add_option("--places", places, "Tags at known places, and corners that were clicked")
-      ->required()
-      ->type_name("PLACES.json");
+  return command.add_option("--places", places, help)->type_name("PLACES.json");
 }
 
 void addBoardOption(CLI::App& command, std::string& board) {
@@ -59,7 +57,8 @@ void addLens(CLI::App& calibrate, const CommandContext& context, const FeedsWork
 void addPose(CLI::App& calibrate, const CommandContext& context, const FeedsWorkOf<FeedsPoseChoice>& work) {
   CLI::App& command = *calibrate.add_subcommand("pose", "Find where cameras stand, from tags that they see");
   const auto choice = std::make_shared<FeedsPoseChoice>();
-  addPlacesOptions(command, choice->setup, choice->places);
+  addPlacesOptions(command, choice->setup, choice->places, "Tags at known places, and corners that were clicked")
+      ->required();
   addOutputOption(command, choice->output, "The setup with poses", {".json"});
   command.add_flag("--without-lens", choice->options.hasNoLens,
                    "Find a focal length, too: 6 points or more, not in a plane");
@@ -70,12 +69,14 @@ void addPose(CLI::App& calibrate, const CommandContext& context, const FeedsWork
 void addCheck(CLI::App& calibrate, const CommandContext& context, const FeedsWorkOf<FeedsCheckChoice>& work) {
   CLI::App& command = *calibrate.add_subcommand("check", "Say whether cameras have moved");
   const auto choice = std::make_shared<FeedsCheckChoice>();
-  addPlacesOptions(command, choice->setup, choice->places);
+  addPlacesOptions(command, choice->setup, choice->places, "Tags at known places; those in the setup by default");
   command.add_option("--moved", choice->movedPixels, "From how far on")
       ->check(numberCheck(0.1, 1000))
       ->capture_default_str()
       ->type_name("PIXELS");
-  context.finish(command, "  ocelli feeds calibrate check setup.json --places places.json",
+  context.finish(command,
+                 "  ocelli feeds calibrate check setup.json\n"
+                 "  ocelli feeds calibrate check setup.json --places places.json --moved 5",
                  [choice, context, work] { work(*choice, context); });
 }
 

@@ -1,8 +1,6 @@
 // The work of `ocelli feeds calibrate`.
 #include <fmt/format.h>
 
-#include <filesystem>
-
 #include "cli/command.h"
 #include "cli/feeds_program.h"
 #include "oc_core/base/error.h"
@@ -11,23 +9,6 @@
 #include "oc_core/feeds_calibration/calibration_sheet.h"
 
 namespace ocelli {
-namespace {
-
-/// A setup that is written beside another: its files stay those that they were.
-void writeSetup(FeedSetup setup, const std::string& output) {
-  const std::filesystem::path folder = std::filesystem::absolute(output).parent_path();
-  for (Feed& feed : setup.feeds) {
-    for (std::string* file : {&feed.source, &feed.background}) {
-      if (isFeedFile(*file)) {
-        *file = std::filesystem::absolute(*file).lexically_proximate(folder).string();
-      }
-    }
-  }
-  writeFile(output, jsonText(setup));
-}
-
-}  // namespace
-
 void writeCalibrationSheet(const FeedsSheetChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
   const SheetPaper paper = paperFromText(choice.paper);
@@ -61,7 +42,7 @@ void calibrateLensCommand(const FeedsLensChoice& choice, const CommandContext& c
                        choice.views, "take views of the board with the size of the feed");
     }
     feed.lens = result.lens;
-    writeSetup(setup, choice.output);
+    writeFeedSetup(setup, choice.output);
   }
   context.print(fmt::format(
       "  focal        {:.2f} x {:.2f} pixels, known to {:.2f} %\n  center       {:.2f}, {:.2f}\n"
@@ -81,25 +62,44 @@ void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& 
   const PoseCalibration result =
       calibratePoses(setup, readKnownPlaces(choice.places), choice.places, choice.options, context.progress());
   context.clearProgress();
-  writeSetup(setup, choice.output);
   std::string table =
       fmt::format("  {:<12} {:>5} {:>7} {:>11} {:>11}  worst at\n", "feed", "tags", "points", "RMS pixels", "worst");
+  std::string failed;
+  size_t failures = 0;
   for (const FeedCalibration& feed : result.feeds) {
-    table += fmt::format("  {:<12} {:>5} {:>7} {:>11.3f} {:>11.3f}  {}\n", feed.feed, feed.tags, feed.points,
-                         feed.rmsPixels, feed.maxPixels, feed.worst);
+    if (feed.failure.empty()) {
+      table += fmt::format("  {:<12} {:>5} {:>7} {:>11.3f} {:>11.3f}  {}\n", feed.feed, feed.tags, feed.points,
+                           feed.rmsPixels, feed.maxPixels, feed.worst);
+      continue;
+    }
+    table += fmt::format("  {:<12} {:>5}  no pose\n", feed.feed, feed.tags);
+    failed += (failures++ > 0 ? "\n" : "") + feed.failure;
   }
   context.print(table);
   for (const std::string& warning : result.warnings) {
     context.note("warning: " + warning);
   }
-  context.note("wrote " + choice.output);
+  if (failures < result.feeds.size()) {
+    writeFeedSetup(setup, choice.output);
+    context.note("wrote " + choice.output);
+  }
+  if (failures > 0) {
+    throw WorkError(fmt::format("{} of {} feeds have no new pose:\n{}", failures, result.feeds.size(), failed),
+                    choice.setup, "do what is said of each, and run the same again");
+  }
 }
 
 void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& context) {
   const FeedSetup setup = readFeedSetup(choice.setup);
   std::string table = fmt::format("  {:<12} {:>5} {:>13}\n", "feed", "tags", "median pixels");
   std::string moved;
-  for (const PoseCheck& check : checkPoses(setup, readKnownPlaces(choice.places), choice.movedPixels, {})) {
+  const KnownPlaces places = choice.places.empty() ? setup.places : readKnownPlaces(choice.places);
+  if (places.tags.empty()) {
+    throw InputError(
+        "there are no places of tags", choice.places.empty() ? choice.setup : choice.places,
+        "give --places PLACES.json, or run `ocelli feeds calibrate pose`, which writes them into the setup");
+  }
+  for (const PoseCheck& check : checkPoses(setup, places, choice.movedPixels, {})) {
     table += fmt::format("  {:<12} {:>5} {:>13.2f}\n", check.feed, check.tags, check.medianPixels);
     if (check.hasMoved) {
       moved += (moved.empty() ? "" : "; ") + check.message;

@@ -9,6 +9,8 @@ namespace ocelli {
 void addFeedsCommands(CLI::App& program, const CommandContext& context, const FeedsWork& work);
 
 void addFeedsCalibrateCommand(CLI::App& feeds, const CommandContext& context, const FeedsWork& work);
+void addFeedsFacesCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsFacesChoice>& work);
+void addFeedsEditCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsEditChoice>& work);
 void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsRunChoice>& work);
 void addFeedsSimulateCommand(CLI::App& feeds, const CommandContext& context,
                              const FeedsWorkOf<FeedsSimulateChoice>& work);

@@ -14,6 +14,8 @@ int main(int argumentCount, char** arguments) {
                       .sheet = writeCalibrationSheet,
                       .lens = calibrateLensCommand,
                       .pose = calibratePosesCommand,
-                      .check = checkPosesCommand});
+                      .check = checkPosesCommand,
+                      .faces = findFacesCommand,
+                      .edit = editFacesCommand});
   });
 }

@@ -20,5 +20,7 @@ void writeCalibrationSheet(const FeedsSheetChoice& choice, const CommandContext&
 void calibrateLensCommand(const FeedsLensChoice& choice, const CommandContext& context);
 void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& context);
 void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& context);
+void findFacesCommand(const FeedsFacesChoice& choice, const CommandContext& context);
+void editFacesCommand(const FeedsEditChoice& choice, const CommandContext& context);
 
 }  // namespace ocelli

@@ -19,6 +19,7 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
                   "Show the image as it is made on a page at this port of 127.0.0.1; 0 takes a free one")
       ->check(CLI::Range(0, 65535))
       ->type_name("PORT");
+  command.add_flag("--window", choice->hasWindow, "Show the image as it is made in a window; its keys: H");
   FeedsRunOptions& options = choice->options;
   command
       .add_option("--seconds", options.seconds,
@@ -36,11 +37,17 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
       ->check(numberCheck(0, 3600))
       ->capture_default_str()
       ->type_name("S");
+  command
+      .add_option("--check-poses", choice->checkPoses,
+                  "Where the setup has places of tags: what to do about cameras that have moved")
+      ->check(CLI::IsMember({"warn", "error", "off"}))
+      ->capture_default_str();
   command.add_flag("--no-labels", choice->hasNoLabels, "Leave out the time of each feed");
   addFiguresOption(command, choice->json);
   context.finish(command,
                  "  ocelli feeds run corridor/setup.json -o corridor.mp4\n"
-                 "  ocelli feeds run corridor/setup.json --page 8765\n"
+                 "  ocelli feeds run corridor/setup.json --window\n"
+                 "  ocelli feeds run corridor/setup.json --page 8765 -o corridor.mp4\n"
                  "  ocelli feeds run corridor/setup.json --erased red --seconds 10 -o frames/ --json figures.json",
                  [choice, context, work] { work(*choice, context); });
 }

@@ -36,7 +36,9 @@ void addFeedsCommand(CLI::App& program, const CommandContext& context) {
                     .sheet = start,
                     .lens = start,
                     .pose = start,
-                    .check = start});
+                    .check = start,
+                    .faces = start,
+                    .edit = start});
 }
 
 }  // namespace ocelli

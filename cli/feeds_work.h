@@ -26,10 +26,12 @@ class CommandContext;
 
 struct FeedsRunChoice {
   std::string setup;
-  std::string output;       ///< empty where the page shows it alone
+  std::string output;       ///< empty where the page or the window shows it alone
   std::optional<int> page;  ///< a port of 127.0.0.1; 0: any that is free
+  bool hasWindow = false;
   std::string erased = "background";
   bool hasNoLabels = false;
+  std::string checkPoses = "warn";
   FeedsRunOptions options;
   std::string json;
 };
@@ -79,8 +81,23 @@ struct FeedsPoseChoice {
 
 struct FeedsCheckChoice {
   std::string setup;
-  std::string places;
+  std::string places;  ///< empty: those in the setup
   double movedPixels = kMovedPixels;
+};
+
+struct FeedsFacesChoice {
+  std::string setup;
+  std::string place;
+  std::optional<double> metre;
+  double maxTurnDegrees = 45;
+  std::string output;
+};
+
+struct FeedsEditChoice {
+  std::string setup;
+  std::string place;  ///< empty: walls are unknown
+  std::optional<double> metre;
+  std::string output;
 };
 
 template <typename Choice>
@@ -95,6 +112,8 @@ struct FeedsWork {
   FeedsWorkOf<FeedsLensChoice> lens;
   FeedsWorkOf<FeedsPoseChoice> pose;
   FeedsWorkOf<FeedsCheckChoice> check;
+  FeedsWorkOf<FeedsFacesChoice> faces;
+  FeedsWorkOf<FeedsEditChoice> edit;
 };
 
 }  // namespace ocelli

@@ -52,6 +52,7 @@ foreach(schema IN ITEMS
     oc_core/depth_views/views.schema.json
     oc_core/explore/explore_script.schema.json
     oc_core/feeds/feeds_setup.schema.json
+    oc_core/feeds/known_places.schema.json
     oc_core/frustum_editor/editor_script.schema.json
     oc_core/ocri/camera.schema.json
     oc_core/volume/transfer_function.schema.json

@@ -51,6 +51,18 @@ void checkNames(const FeedSetup& setup, const std::string& where) {
       failSetup(fmt::format("two frusta have the feed \"{}\"", frustum.feed), where, "give each frustum its own feed");
     }
   }
+  const auto checkPlace = [&](const std::string& feed) {
+    if (!feeds.contains(feed)) {
+      failSetup(fmt::format("\"places\" names the feed \"{}\", which does not exist", feed), where,
+                "use the name of one of the feeds");
+    }
+  };
+  for (const KnownTag& tag : setup.places.tags) {
+    std::ranges::for_each(tag.seenBy, checkPlace);
+  }
+  for (const ClickedCorner& corner : setup.places.corners) {
+    checkPlace(corner.feed);
+  }
   for (const FeedFrustum& frustum : setup.frusta) {
     if (!frustum.isRoot() && !frusta.contains(frustum.parent)) {
       failSetup(fmt::format("the parent \"{}\" of frustum \"{}\" is no frustum", frustum.parent, frustum.feed), where,

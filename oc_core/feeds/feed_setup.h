@@ -14,10 +14,10 @@
 
 #include "oc_core/camera/view.h"
 #include "oc_core/feeds/feed_lens.h"
+#include "oc_core/feeds/known_places.h"
 
 namespace ocelli {
 
-inline constexpr size_t kMaxFeeds = 64;
 inline constexpr int kMaxFeedPixels = 8192;  ///< a side
 
 /// Where a camera stands and how it is turned.
@@ -75,6 +75,7 @@ struct FeedSetup {
   FeedOutput output;
   double floorHeight = 0;   ///< y of the floor that subjects stand on
   double fadeMetres = 0.3;  ///< subjects fade over this far before and beyond a near face
+  KnownPlaces places;       ///< what poses were found by, so that runs see whether cameras have moved
 
   /// The index of a feed by its name; -1 where there is none.
   int feedIndex(const std::string& name) const;
@@ -85,10 +86,14 @@ struct FeedSetup {
 bool isFeedFile(const std::string& source);
 
 /// Throws InputError, naming the field, where a file is no setup: also where there is no root or more than one, where
-/// frusta are their own ancestors, where a feed or a parent is unknown, or where a near face is not flat.
+/// frusta are their own ancestors, where a feed or a parent is unknown, places name no feed, or where a near face is
+/// not flat.
 FeedSetup readFeedSetup(const std::filesystem::path& path);
 FeedSetup feedSetupFromJsonText(const std::string& text, const std::string& where);
 std::string jsonText(const FeedSetup& setup);
+/// Its files stay those that they are: relative paths begin at the folder of `path`. Throws WorkError where it cannot
+/// be written.
+void writeFeedSetup(FeedSetup setup, const std::filesystem::path& path);
 
 /// Puts frusta into the order of the tree. Throws as above for what is no tree.
 void orderFrusta(FeedSetup& setup, const std::string& where);

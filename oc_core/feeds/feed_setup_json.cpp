@@ -3,7 +3,8 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/base/json_fields.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/feeds/feed_fields.h"
 #include "oc_core/feeds/feed_setup.h"
 
 namespace ocelli {
@@ -12,19 +13,9 @@ namespace {
 using OrderedJson = nlohmann::ordered_json;
 
 constexpr const char* kSetupSchema = "oc_core/feeds/feeds_setup.schema.json";
-constexpr double kMaxMetres = 1e5;
-constexpr size_t kMaxNameLength = 64;
 constexpr size_t kMaxSourceLength = 4096;
 constexpr size_t kMaxOptions = 32;
 constexpr const char* kDevicePrefix = "v4l2:";
-
-glm::dvec3 pointOf(const std::vector<double>& p) {
-  return {p[0], p[1], p[2]};
-}
-
-glm::dvec3 readPoint(JsonFields& fields, const std::string& name) {
-  return pointOf(fields.numbers(name, 3, -kMaxMetres, kMaxMetres));
-}
 
 FeedLens readLens(JsonFields fields, const Feed& feed) {
   FeedLens lens;
@@ -46,10 +37,10 @@ FeedLens readLens(JsonFields fields, const Feed& feed) {
 
 FeedPose readPose(JsonFields fields) {
   FeedPose pose;
-  pose.eye = readPoint(fields, "eye");
-  pose.target = readPoint(fields, "target");
+  pose.eye = readFeedPoint(fields, "eye");
+  pose.target = readFeedPoint(fields, "target");
   if (fields.has("up")) {
-    pose.up = readPoint(fields, "up");
+    pose.up = readFeedPoint(fields, "up");
   }
   const glm::dvec3 ahead = pose.target - pose.eye;
   if (!(glm::length(ahead) > 0) || !(glm::length(glm::cross(ahead, pose.up)) > 1e-9 * glm::length(ahead))) {
@@ -61,7 +52,7 @@ FeedPose readPose(JsonFields fields) {
 
 Feed readFeed(JsonFields& fields) {
   Feed feed;
-  feed.name = fields.shortText("name", kMaxNameLength);
+  feed.name = fields.shortText("name", kMaxFeedNameLength);
   feed.source = fields.shortText("source", kMaxSourceLength);
   feed.ffmpegOptions = fields.texts("ffmpeg_options", 0, kMaxOptions, kMaxSourceLength);
   feed.framesPerSecond = fields.number("frames_per_second", 0, 1000, 0);
@@ -78,24 +69,10 @@ Feed readFeed(JsonFields& fields) {
 
 FeedFrustum readFrustum(JsonFields& fields) {
   FeedFrustum frustum;
-  frustum.feed = fields.shortText("feed", kMaxNameLength);
+  frustum.feed = fields.shortText("feed", kMaxFeedNameLength);
   if (fields.has("parent")) {
-    frustum.parent = fields.shortText("parent", kMaxNameLength);
-    const nlohmann::json& corners = fields.value("near");
-    if (!corners.is_array() || corners.size() != frustum.near.size()) {
-      fields.fail("near", "must be an array of 4 points");
-    }
-    for (size_t i = 0; i < frustum.near.size(); ++i) {
-      const nlohmann::json& corner = corners[i];
-      const bool isPoint = corner.is_array() && corner.size() == 3 &&
-                           std::all_of(corner.begin(), corner.end(), [](const nlohmann::json& x) {
-                             return x.is_number() && std::abs(x.get<double>()) <= kMaxMetres;
-                           });
-      if (!isPoint) {
-        fields.fail("near", "must be an array of 4 points, each of 3 numbers in [-100000, 100000]");
-      }
-      frustum.near[i] = pointOf(corner.get<std::vector<double>>());
-    }
+    frustum.parent = fields.shortText("parent", kMaxFeedNameLength);
+    frustum.near = readFeedCorners(fields, "near");
   }
   return frustum;
 }
@@ -110,11 +87,14 @@ FeedSetup readSetup(JsonFields fields, const std::string& where) {
   setup.output.fovVerticalDegrees = output.number("fov_vertical_degrees", 1, 170);
   const bool hasTarget = output.has("target");
   if (hasTarget) {
-    setup.output.target = readPoint(output, "target");
+    setup.output.target = readFeedPoint(output, "target");
   }
   output.rejectUnknown();
-  setup.floorHeight = fields.number("floor", -kMaxMetres, kMaxMetres, 0);
+  setup.floorHeight = fields.number("floor", -kMaxFeedMetres, kMaxFeedMetres, 0);
   setup.fadeMetres = fields.number("fade", 0, 100, 0.3);
+  if (fields.has("places")) {
+    setup.places = readPlacesFields(fields.inner("places"));
+  }
   fields.rejectUnknown();
   orderFrusta(setup, where);
   if (!hasTarget) {
@@ -123,27 +103,25 @@ FeedSetup readSetup(JsonFields fields, const std::string& where) {
   return setup;
 }
 
-OrderedJson jsonOf(const glm::dvec3& p) {
-  return OrderedJson::array({p.x, p.y, p.z});
-}
-
 OrderedJson jsonOf(const Feed& feed) {
   const FeedLens& lens = feed.lens;
-  OrderedJson json{
-      {"name", feed.name},
-      {"source", feed.source},
-      {"width", feed.width},
-      {"height", feed.height},
-      {"lens",
-       {{"focal", {lens.focal.x, lens.focal.y}},
-        {"center", {lens.center.x, lens.center.y}},
-        {"k1", lens.k1},
-        {"k2", lens.k2},
-        {"p1", lens.p1},
-        {"p2", lens.p2},
-        {"k3", lens.k3}}},
-      {"pose", {{"eye", jsonOf(feed.pose.eye)}, {"target", jsonOf(feed.pose.target)}, {"up", jsonOf(feed.pose.up)}}},
-      {"clock_offset_seconds", feed.clockOffsetSeconds}};
+  OrderedJson json{{"name", feed.name},
+                   {"source", feed.source},
+                   {"width", feed.width},
+                   {"height", feed.height},
+                   {"lens",
+                    {{"focal", {lens.focal.x, lens.focal.y}},
+                     {"center", {lens.center.x, lens.center.y}},
+                     {"k1", lens.k1},
+                     {"k2", lens.k2},
+                     {"p1", lens.p1},
+                     {"p2", lens.p2},
+                     {"k3", lens.k3}}},
+                   {"pose",
+                    {{"eye", jsonOfPoint(feed.pose.eye)},
+                     {"target", jsonOfPoint(feed.pose.target)},
+                     {"up", jsonOfPoint(feed.pose.up)}}},
+                   {"clock_offset_seconds", feed.clockOffsetSeconds}};
   if (!feed.ffmpegOptions.empty()) {
     json["ffmpeg_options"] = feed.ffmpegOptions;
   }
@@ -182,6 +160,20 @@ FeedSetup readFeedSetup(const std::filesystem::path& path) {
   return setup;
 }
 
+void writeFeedSetup(FeedSetup setup, const std::filesystem::path& path) {
+  const std::filesystem::path folder = std::filesystem::absolute(path).parent_path();
+  for (Feed& feed : setup.feeds) {
+    for (std::string* file : {&feed.source, &feed.background}) {
+      if (isFeedFile(*file)) {
+        *file = std::filesystem::absolute(*file).lexically_proximate(folder).string();
+      }
+    }
+  }
+  OutputFile file(path);
+  file.write(jsonText(setup));
+  file.commit();
+}
+
 std::string jsonText(const FeedSetup& setup) {
   OrderedJson feeds = OrderedJson::array();
   for (const Feed& feed : setup.feeds) {
@@ -192,22 +184,22 @@ std::string jsonText(const FeedSetup& setup) {
     OrderedJson json{{"feed", frustum.feed}};
     if (!frustum.isRoot()) {
       json["parent"] = frustum.parent;
-      json["near"] = OrderedJson::array();
-      for (const glm::dvec3& corner : frustum.near) {
-        json["near"].push_back(jsonOf(corner));
-      }
+      json["near"] = jsonOfCorners(frustum.near);
     }
     frusta.push_back(json);
   }
-  const OrderedJson json{{"feeds", feeds},
-                         {"frusta", frusta},
-                         {"output",
-                          {{"width", setup.output.width},
-                           {"height", setup.output.height},
-                           {"fov_vertical_degrees", setup.output.fovVerticalDegrees},
-                           {"target", jsonOf(setup.output.target)}}},
-                         {"floor", setup.floorHeight},
-                         {"fade", setup.fadeMetres}};
+  OrderedJson json{{"feeds", feeds},
+                   {"frusta", frusta},
+                   {"output",
+                    {{"width", setup.output.width},
+                     {"height", setup.output.height},
+                     {"fov_vertical_degrees", setup.output.fovVerticalDegrees},
+                     {"target", jsonOfPoint(setup.output.target)}}},
+                   {"floor", setup.floorHeight},
+                   {"fade", setup.fadeMetres}};
+  if (!setup.places.tags.empty() || !setup.places.corners.empty()) {
+    json["places"] = jsonOfPlaces(setup.places);
+  }
   return textOfJson(json, 2) + "\n";
 }
 

@@ -6,8 +6,8 @@
 #include <atomic>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <map>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
@@ -76,10 +76,11 @@ void addTag(NamedPoints& points, const SeenTag& seen, const KnownTag& known) {
   }
 }
 
-FeedCalibration calibrateFeed(Feed& feed, const KnownPlaces& places, const std::string& where,
-                              const PoseCalibrationOptions& options, std::set<int>& seenIds) {
-  FeedCalibration result;
-  result.feed = feed.name;
+/// The feeds that see each tag.
+using TagViews = std::map<int, std::vector<std::string>>;
+
+void calibrateFeed(Feed& feed, const KnownPlaces& places, const std::string& where,
+                   const PoseCalibrationOptions& options, TagViews& views, FeedCalibration& result) {
   NamedPoints points;
   std::vector<const KnownTag*> known;
   if (!places.tags.empty()) {
@@ -88,7 +89,7 @@ FeedCalibration calibrateFeed(Feed& feed, const KnownPlaces& places, const std::
       seen.push_back(tagsIn(image));
     }
     for (const SeenTag& tag : meanTags(seen)) {
-      seenIds.insert(tag.id);
+      views[tag.id].push_back(feed.name);
       const KnownTag* place = places.tag(tag.id);
       if (place == nullptr) {
         ++result.unknown;
@@ -129,7 +130,19 @@ FeedCalibration calibrateFeed(Feed& feed, const KnownPlaces& places, const std::
         "or calibrate the lens",
         feed.name, result.rmsPixels, result.worst, result.maxPixels);
   }
-  return result;
+}
+
+/// What runs will check poses by: the tags that were seen, and the corners.
+KnownPlaces usedPlaces(const KnownPlaces& places, const TagViews& views) {
+  KnownPlaces used;
+  for (const KnownTag& tag : places.tags) {
+    if (const auto seen = views.find(tag.id); seen != views.end()) {
+      used.tags.push_back(tag);
+      used.tags.back().seenBy = seen->second;
+    }
+  }
+  used.corners = places.corners;
+  return used;
 }
 
 }  // namespace
@@ -187,11 +200,17 @@ PoseCalibration calibratePoses(FeedSetup& setup, const KnownPlaces& places, cons
     }
   }
   PoseCalibration result;
-  std::set<int> seen;
+  TagViews seen;
   for (Feed& feed : setup.feeds) {
     report(progress, "looks for tags in feed \"" + feed.name + "\"",
            static_cast<double>(result.feeds.size()) / static_cast<double>(setup.feeds.size()));
-    result.feeds.push_back(calibrateFeed(feed, places, where, options, seen));
+    result.feeds.push_back({});
+    result.feeds.back().feed = feed.name;
+    try {
+      calibrateFeed(feed, places, where, options, seen, result.feeds.back());
+    } catch (const Error& error) {
+      result.feeds.back().failure = error.what();
+    }
     if (!result.feeds.back().warning.empty()) {
       result.warnings.push_back(result.feeds.back().warning);
     }
@@ -202,14 +221,20 @@ PoseCalibration calibratePoses(FeedSetup& setup, const KnownPlaces& places, cons
           "no camera sees tag {}: check its light, its white margin, and that it is 20 pixels wide", tag.id));
     }
   }
+  setup.places = usedPlaces(places, seen);
   return result;
 }
 
-PoseCheck checkPose(const Feed& feed, const Image<Rgb8>& image, const KnownPlaces& places, double movedPixels) {
+PoseCheck checkPose(const FeedSetup& setup, size_t index, const Image<Rgb8>& image, const KnownPlaces& places,
+                    double movedPixels) {
+  const Feed& feed = setup.feeds[index];
+  const std::string camera = fmt::format("camera {} ({})", index + 1, feed.name);
   checkSize(image, feed.width, feed.height, "feed \"" + feed.name + "\"",
             "a lens holds for one size of image: set the camera to it, or calibrate again");
   PoseCheck check;
   check.feed = feed.name;
+  check.shouldSeeTags = std::ranges::any_of(
+      places.tags, [&](const KnownTag& tag) { return std::ranges::find(tag.seenBy, feed.name) != tag.seenBy.end(); });
   std::vector<double> errors;
   for (const SeenTag& seen : tagsIn(image)) {
     const KnownTag* known = places.tag(seen.id);
@@ -223,8 +248,7 @@ PoseCheck checkPose(const Feed& feed, const Image<Rgb8>& image, const KnownPlace
     }
   }
   if (errors.empty()) {
-    check.message = fmt::format(
-        "camera \"{}\" sees no known tag: whether it has moved is unknown; look at its image for the tags", feed.name);
+    check.message = camera + " sees no known tag: whether it has moved is unknown; look at its image for the tags";
     return check;
   }
   const auto middle = errors.begin() + static_cast<std::ptrdiff_t>(errors.size() / 2);
@@ -232,9 +256,8 @@ PoseCheck checkPose(const Feed& feed, const Image<Rgb8>& image, const KnownPlace
   check.medianPixels = *middle;
   check.hasMoved = check.medianPixels > movedPixels;
   if (check.hasMoved) {
-    check.message =
-        fmt::format("camera \"{}\" has moved: {:.0f} pixels; put it back, or run `ocelli feeds calibrate pose`",
-                    feed.name, check.medianPixels);
+    check.message = fmt::format("{} has moved: {:.0f} pixels; put it back, or run `ocelli feeds calibrate pose`",
+                                camera, check.medianPixels);
   }
   return check;
 }
@@ -242,8 +265,9 @@ PoseCheck checkPose(const Feed& feed, const Image<Rgb8>& image, const KnownPlace
 std::vector<PoseCheck> checkPoses(const FeedSetup& setup, const KnownPlaces& places, double movedPixels,
                                   const PoseCalibrationOptions& options) {
   std::vector<PoseCheck> checks;
-  for (const Feed& feed : setup.feeds) {
-    checks.push_back(checkPose(feed, firstImages(feed, 1, options.maxWaitSeconds)[0], places, movedPixels));
+  for (size_t i = 0; i < setup.feeds.size(); ++i) {
+    checks.push_back(
+        checkPose(setup, i, firstImages(setup.feeds[i], 1, options.maxWaitSeconds)[0], places, movedPixels));
   }
   return checks;
 }

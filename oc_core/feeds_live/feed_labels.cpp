@@ -31,7 +31,7 @@ const char* wordOf(FeedState state) {
 }  // namespace
 
 std::string feedLabelText(const std::string& name, const FeedLabel& label) {
-  std::string text = name + " " + wordOf(label.state);
+  std::string text = name + " " + wordOf(label.state) + label.remark + (label.remark.empty() ? "" : " ");
   if (!label.hasFrame) {
     return text + "no picture";
   }
@@ -47,10 +47,9 @@ void drawFeedLabels(const FeedGraph& graph, const std::vector<FeedLabel>& labels
     for (const glm::dvec2& p : part) {
       corner = glm::min(corner, p);
     }
-    const bool isGood = labels[i].state == FeedState::kLive && labels[i].hasFrame;
     drawPictureText(image, feedLabelText(graph.setup().frusta[i].feed, labels[i]),
                     {static_cast<int>(corner.x) + height / 2, static_cast<int>(corner.y) + 2 * height}, height,
-                    isGood ? Rgb8(255, 255, 255) : Rgb8(255, 90, 70));
+                    labels[i].isGood() ? Rgb8(255, 255, 255) : Rgb8(255, 90, 70));
   }
 }
 

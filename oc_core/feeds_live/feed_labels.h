@@ -13,10 +13,14 @@ namespace ocelli {
 struct FeedLabel {
   FeedState state = FeedState::kLive;
   bool hasFrame = false;
-  double ageSeconds = 0;  ///< of the frame that is shown
+  double ageSeconds = 0;    ///< of the frame that is shown
+  std::string remark = {};  ///< what is wrong with the feed besides: "MOVED 14 px"
+
+  /// Frames come in, and nothing is wrong.
+  bool isGood() const { return state == FeedState::kLive && hasFrame && remark.empty(); }
 };
 
-/// "left 33 ms", "left LATE 2.4 s", "left LOST".
+/// "left 33 ms", "left LATE 2.4 s", "left LOST no picture", "left MOVED 14 px 33 ms".
 std::string feedLabelText(const std::string& name, const FeedLabel& label);
 
 /// Draws the label of each frustum into its part of the image.

@@ -26,11 +26,6 @@ double nowSeconds() {
   return secondsSince(0);
 }
 
-bool mayBeLive(const FeedSetup& setup) {
-  return std::any_of(setup.feeds.begin(), setup.feeds.end(),
-                     [](const Feed& feed) { return videoSourceKind(feed.source).mayBeLive; });
-}
-
 class FeedsRun {
  public:
   FeedsRun(const FeedSetup& setup, const FeedsRunOptions& options)
@@ -38,6 +33,7 @@ class FeedsRun {
         graph_(setup),
         composer_(graph_, options.backgrounds),
         feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
+        remarks_(setup.feeds.size()),
         ages_(setup.feeds.size(), 0) {
     options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
     for (const Feed& feed : setup.feeds) {
@@ -62,7 +58,7 @@ class FeedsRun {
       }
       const int64_t frameBegan = steadyNanoseconds();
       composer_.take(frames_);
-      composer_.compose(seconds, options_.erased, image_);
+      composer_.compose(seconds, options_.erasedNow ? options_.erasedNow() : options_.erased, image_);
       const std::vector<FeedLabel> shown = labels(seconds);
       if (options_.hasLabels) {
         drawFeedLabels(graph_, shown, image_);
@@ -152,6 +148,9 @@ class FeedsRun {
     for (size_t i = 0; i < streams_.size(); ++i) {
       FeedRunFigures& figures = figures_.feeds[i];
       if (auto frame = streams_[i]->take(seconds)) {
+        if (options_.remarkOn && !std::isfinite(feedSeconds_[i])) {
+          remarks_[i] = options_.remarkOn(i, frame->image);
+        }
         feedSeconds_[i] = frame->seconds;
         frames_[i] = std::move(frame->image);
         isAnyGoingOn = true;
@@ -182,7 +181,7 @@ class FeedsRun {
       if (state == FeedState::kLive && age >= options_.streams.frozenSeconds) {
         state = FeedState::kLate;  // its next frame has a later time: it left some out
       }
-      labels.push_back({state, hasFrame, age});
+      labels.push_back({state, hasFrame, age, remarks_[feed]});
     }
     return labels;
   }
@@ -209,6 +208,7 @@ class FeedsRun {
   std::vector<std::unique_ptr<FeedStream>> streams_;
   std::vector<Image<Rgb8>> frames_;
   std::vector<double> feedSeconds_;
+  std::vector<std::string> remarks_;
   std::vector<double> ages_;
   double composing_ = 0;
   Image<Rgb8> image_;
@@ -216,6 +216,11 @@ class FeedsRun {
 };
 
 }  // namespace
+
+bool mayBeLive(const FeedSetup& setup) {
+  return std::any_of(setup.feeds.begin(), setup.feeds.end(),
+                     [](const Feed& feed) { return videoSourceKind(feed.source).mayBeLive; });
+}
 
 FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,
                          const std::function<void(const ComposedFrame&)>& sink, const Progress& progress) {

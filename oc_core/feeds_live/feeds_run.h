@@ -17,7 +17,11 @@ struct FeedsRunOptions {
   double seconds = 0;           ///< 0: until the last feed ends, which live ones never do
   /// Asked between outputs; the run ends well where it says so. May be empty.
   std::function<bool()> isStopped = {};
+  /// Looks at the first frame of each feed, by index: what it returns stands in the feed's label from then on. May be
+  /// empty; where it throws, the run ends so.
+  std::function<std::string(size_t feed, const Image<Rgb8>& frame)> remarkOn = {};
   ErasedLook erased = ErasedLook::kBackground;
+  std::function<ErasedLook()> erasedNow = {};  ///< asked for each image, where given, instead of `erased`
   bool hasLabels = true;
   FeedStreamOptions streams;
   FeedBackgroundOptions backgrounds;
@@ -56,6 +60,9 @@ struct ComposedFrame {
   const std::vector<double>& feedSeconds;  ///< when the frame of each feed was taken; NaN where there is none
   const std::vector<FeedLabel>& labels;    ///< of each frustum
 };
+
+/// Whether a source of the setup may be live: outputs are then made when it is time for them.
+bool mayBeLive(const FeedSetup& setup);
 
 /// Feeds may be lost. Throws InputError where none gives a frame.
 FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,

@@ -1,6 +1,4 @@
-// A page that shows the composed image as it is made, to this computer alone: 127.0.0.1, GET, and only where the
-// browser asks for that very address, so that no page of the network reaches it through a name of its own (DNS
-// rebinding). Whoever else is logged in at this computer can see it.
+// A page that shows the composed image as it is made, to this computer alone (oc_core/local_server/).
 //
 // The image is a stream of JPEG files (multipart/x-mixed-replace, "MJPEG"), which browsers show by themselves. Each
 // browser is served by a thread of its own and gets the latest image there is, so that a slow one holds nobody up.

@@ -24,7 +24,7 @@ async function update() {
     const feeds = await (await fetch("/feeds.json", {cache: "no-store"})).json();
     while (list.children.length < feeds.length) list.append(document.createElement("li"));
     feeds.forEach((text, i) => {
-      const bad = / (LATE|FROZEN|ENDED|LOST) | no picture$/.test(text);
+      const bad = / (LATE|FROZEN|ENDED|LOST|MOVED) | no picture$/.test(text);
       if (list.children[i].textContent !== text) list.children[i].textContent = text;
       list.children[i].className = bad ? "bad" : "";
     });

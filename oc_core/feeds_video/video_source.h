@@ -8,7 +8,7 @@
 namespace ocelli {
 
 struct VideoSource {
-  /// A path, "v4l2:/dev/video0", or a URL: rtsp://, http://, udp://, tcp://, and what else FFmpeg knows.
+  /// A path, "v4l2:/dev/video0", or a URL: rtsp://, http://, https://, udp://, tcp://, and what else FFmpeg knows.
   std::string name;
   /// What a camera is asked for; 0 leaves it to the camera.
   int width = 0;

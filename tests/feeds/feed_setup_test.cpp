@@ -4,7 +4,6 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
-#include "tests/base/schema_agreement.h"
 #include "tests/feeds/made_setup.h"
 
 namespace ocelli {
@@ -34,9 +33,31 @@ TEST(FeedSetup, jsonComesBack) {
   EXPECT_EQ(feedSetupFromJsonText(jsonText(setup), "setup.json"), setup);
 }
 
+FeedSetup withPlaces() {
+  FeedSetup setup = test::tSetup();
+  setup.places.tags = {{3, {{{0, 2, -1}, {1, 2, -1}, {1, 1, -1}, {0, 1, -1}}}, {"left", "stem"}},
+                       {586, {{{0, 2, -2}, {1, 2, -2}, {1, 1, -2}, {0, 1, -2}}}, {}}};
+  setup.places.corners = {{"right", {10.5, 20}, {1, 2, 3}}};
+  return setup;
+}
+
+TEST(FeedSetup, keepsPlaces) {
+  const FeedSetup setup = withPlaces();
+  EXPECT_EQ(feedSetupFromJsonText(jsonText(setup), "setup.json"), setup);
+  FeedSetup wrong = setup;
+  wrong.places.tags[0].seenBy.push_back("attic");
+  EXPECT_THAT(setupError(jsonText(wrong)), testing::HasSubstr("\"places\" names the feed \"attic\""));
+  wrong = setup;
+  wrong.places.corners[0].feed = "cellar";
+  EXPECT_THAT(setupError(jsonText(wrong)), testing::HasSubstr("\"cellar\""));
+  nlohmann::json json = nlohmann::json::parse(jsonText(setup));
+  json["places"]["tags"][1]["id"] = 3;
+  EXPECT_THAT(setupError(json.dump()), testing::HasSubstr("which another tag has"));
+}
+
 TEST(FeedSetup, schemaAgreesWithTheReader) {
   const nlohmann::json schema = readJsonFile(OCELLI_FEEDS_SCHEMA);
-  const nlohmann::json whole = nlohmann::json::parse(jsonText(test::tSetup()));
+  const nlohmann::json whole = nlohmann::json::parse(jsonText(withPlaces()));
   for (const auto& [name, value] : whole.items()) {
     EXPECT_TRUE(schema.at("properties").contains(name)) << name;
   }

@@ -69,7 +69,7 @@ TEST_F(CalibratePoses, sayWhetherACameraHasMoved) {
   checks = checkPoses(setup_, rig_.places, kMovedPixels, {});
   EXPECT_TRUE(checks[0].hasMoved);
   EXPECT_NEAR(checks[0].medianPixels, rig_.lens.focal.x / 50, 0.3 * rig_.lens.focal.x / 50);
-  EXPECT_THAT(checks[0].message, testing::HasSubstr("\"left\" has moved"));
+  EXPECT_THAT(checks[0].message, testing::HasSubstr("camera 1 (left) has moved: "));
 }
 
 TEST_F(CalibratePoses, sayWhichTagsNoCameraSees) {
@@ -80,16 +80,46 @@ TEST_F(CalibratePoses, sayWhichTagsNoCameraSees) {
   EXPECT_THAT(result.warnings, testing::Contains(testing::HasSubstr("500")));
 }
 
-TEST_F(CalibratePoses, refuseImagesOfAnotherSize) {
+TEST_F(CalibratePoses, sayWhichFeedHasFailedAndGoOn) {
+  Feed other = setup_.feeds[0];
+  other.name = "other";
   setup_.feeds[0].width = 320;
-  EXPECT_THROW(calibratePoses(setup_, rig_.places, "places.json", {}), InputError);
+  setup_.feeds.push_back(other);
+  Feed gone = other;
+  gone.name = "gone";
+  gone.source = "/nowhere/it.mkv";
+  setup_.feeds.push_back(gone);
+  const FeedSetup before = setup_;
+  const PoseCalibration result = calibratePoses(setup_, rig_.places, "places.json", {});
+  EXPECT_THAT(result.feeds[0].failure, testing::HasSubstr("320x"));
+  EXPECT_EQ(result.feeds[1].failure, "");
+  EXPECT_THAT(result.feeds[2].failure, testing::HasSubstr("/nowhere/it.mkv"));
+  EXPECT_EQ(setup_.feeds[0], before.feeds[0]);
+  EXPECT_LT(errorOf(setup_.feeds[1]), 0.5);
+  EXPECT_EQ(setup_.feeds[2], before.feeds[2]);
 }
 
-TEST_F(CalibratePoses, refuseFeedsWithoutTags) {
+TEST_F(CalibratePoses, sayThatAFeedSeesNoTags) {
   KnownPlaces others;
   others.tags = {rig_.places.tags.front()};
   others.tags[0].id = 500;
-  EXPECT_THROW(calibratePoses(setup_, others, "places.json", {}), InputError);
+  const PoseCalibration result = calibratePoses(setup_, others, "places.json", {});
+  EXPECT_THAT(result.feeds[0].failure, testing::HasSubstr("0 points of known place"));
+}
+
+TEST_F(CalibratePoses, leaveWhatRunsCheckThemBy) {
+  KnownTag far = rig_.places.tags.front();
+  far.id = 500;
+  rig_.places.tags.push_back(far);
+  const PoseCalibration result = calibratePoses(setup_, rig_.places, "places.json", {});
+  ASSERT_EQ(setup_.places.tags.size(), result.feeds[0].tags) << "a tag that nobody sees is of no use";
+  EXPECT_EQ(setup_.places.tags[0].seenBy, std::vector<std::string>{"left"});
+  const Image<Rgb8> image = readPng(folder_ / "tags.png");
+  EXPECT_FALSE(checkPose(setup_, 0, image, setup_.places).hasMoved);
+  const PoseCheck blind = checkPose(setup_, 0, Image<Rgb8>(image.width(), image.height(), Rgb8(90)), setup_.places);
+  EXPECT_EQ(blind.tags, 0u);
+  EXPECT_TRUE(blind.shouldSeeTags);
+  EXPECT_THAT(blind.message, testing::HasSubstr("camera 1 (left) sees no known tag"));
 }
 
 }  // namespace

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "oc_core/feeds/feed_setup.h"
-#include "oc_core/feeds_calibration/known_places.h"
+#include "oc_core/feeds/known_places.h"
 #include "tests/feeds_calibration/rendered_sheet.h"
 
 namespace ocelli::test {

@@ -1,4 +1,4 @@
-// Boards, tables of places, poses: what they give, and what they refuse.
+// Boards and poses: what they give, and what they refuse.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -88,33 +88,6 @@ TEST(PoseSolver, refusesWhatGivesNoPose) {
   }
   EXPECT_NE(errorOf([&] { solvePose(line, kLens, "corners"); }).find("one line"), std::string::npos);
   EXPECT_NE(errorOf([] { solvePose(seenCorners(true), kLens, "corners"); }).find("mirrored"), std::string::npos);
-}
-
-TEST(KnownPlaces, haveCornersFromTheTopLeft) {
-  const KnownPlaces places = knownPlacesFromJsonText(
-      R"({"tag_size": 0.2, "tags": [{"id": 3, "center": [1, 2, -3], "normal": [0, 0, 2]}]})", "places");
-  EXPECT_LT(glm::distance(places.tags[0].corners[0], {0.9, 2.1, -3}), 1e-12);
-  EXPECT_LT(glm::distance(places.tags[0].corners[2], {1.1, 1.9, -3}), 1e-12);
-  EXPECT_LT(glm::distance(frontOf(places.tags[0]), {0, 0, 1}), 1e-12);
-}
-
-TEST(KnownPlaces, refuseBrokenTables) {
-  for (
-      const char* text :
-      {"", "[]", "{}", R"({"tags": [{"id": 1, "center": [0, 0, 0], "normal": [0, 0, 1]}]})",
-       R"({"tag_size": 1e400, "tags": []})",
-       R"({"tag_size": 1, "tags": [{"id": 587, "center": [0,0,0], "normal": [0,0,1]}]})",
-       R"({"tag_size": 1, "tags": [{"id": 1, "center": [0,0], "normal": [0,0,1]}]})",
-       R"({"tag_size": 1, "tags": [{"id": 1, "center": [0,0,0], "normal": [0,0,0]}]})",
-       R"({"tag_size": 1, "tags": [{"id": 1, "center": [0,0,0], "normal": [0,1,0]}]})",
-       R"({"tags": [{"id": 1, "corners": [[0,1,0], [1,1,0], [1,0,0], [0,0,0.5]]}]})",
-       R"({"tags": [{"id": 1, "corners": [[0,1,0], [1,1,0], [1,0,0]]}]})",
-       R"({"tag_size": 1, "tags": [{"id": 1, "center": [0,0,0], "normal": [0,0,1]}, {"id": 1, "center": [2,0,0], "normal": [0,0,1]}]})",
-       R"({"corners": [{"feed": "", "pixel": [1, 2], "point": [0, 0, 0]}]})",
-       R"({"corners": [{"feed": "a", "pixel": ["x", 2], "point": [0, 0, 0]}]})"}) {
-    EXPECT_NE(errorOf([&] { knownPlacesFromJsonText(text, "places.json"); }).find("places.json"), std::string::npos)
-        << text;
-  }
 }
 
 /// The views of a chessboard that OpenCV's documentation brings along, and what its own file says of their lens:

@@ -124,6 +124,10 @@ TEST(FeedLabels, sayTheTimeAndTheState) {
   EXPECT_EQ(feedLabelText("left", {FeedState::kLive, true, 0.033}), "left 33 ms");
   EXPECT_EQ(feedLabelText("left", {FeedState::kLate, true, 2.42}), "left LATE 2.4 s");
   EXPECT_EQ(feedLabelText("left", {FeedState::kLost, false, 0}), "left LOST no picture");
+  const FeedLabel moved{FeedState::kLive, true, 0.033, "MOVED 14 px"};
+  EXPECT_EQ(feedLabelText("left", moved), "left MOVED 14 px 33 ms");
+  EXPECT_FALSE(moved.isGood());
+  EXPECT_TRUE((FeedLabel{FeedState::kLive, true, 0.033}.isGood()));
 }
 
 }  // namespace

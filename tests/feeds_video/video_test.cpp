@@ -105,6 +105,7 @@ TEST(VideoSource, saysWhatToDo) {
   EXPECT_THAT(openError({"v4l2:/dev/null"}), HasSubstr("try:"));
   EXPECT_THAT(openError({"tcp://127.0.0.1:1"}), HasSubstr("start what sends it"));
   EXPECT_THAT(openError({"http://127.0.0.1:1/feed"}), HasSubstr("start what sends it"));
+  EXPECT_THAT(openError({"https://127.0.0.1:1/feed"}), HasSubstr("the certificate of the server"));
   EXPECT_THAT(openError({"gopher-nine://127.0.0.1/"}), HasSubstr("cannot read such sources"));
   EXPECT_THAT(openError({"/nowhere/a.mkv"}), HasSubstr("paths begin in its folder"));
 }
@@ -122,6 +123,7 @@ TEST(VideoSource, namesOptionsThatFfmpegDoesNotKnow) {
 
 TEST(VideoSource, kindsAreKnownByTheirBeginnings) {
   EXPECT_TRUE(videoSourceKind("rtsp://camera/left").mayBeLive);
+  EXPECT_TRUE(videoSourceKind("https://camera/left").mayBeLive);
   EXPECT_TRUE(videoSourceKind("v4l2:/dev/video0").takesSize);
   EXPECT_FALSE(videoSourceKind("v4l2.mkv").mayBeLive);
   EXPECT_FALSE(videoSourceKind("/videos/rtsp.mkv").mayBeLive);

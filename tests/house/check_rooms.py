@@ -110,6 +110,7 @@ PUBLIC_HEADER_EXCEPTIONS = {
     "oc_core/base/json_document.h": {"nlohmann/"},
     "oc_core/base/json_fields.h": {"nlohmann/"},
     "oc_core/constructor/camera_fields.h": {"nlohmann/"},
+    "oc_core/feeds/feed_fields.h": {"nlohmann/"},
     "oc_core/scene/import/gltf_file.h": {"nlohmann/"},
     "oc_core/gl/gl_api.h": {"glad/"},
     "oc_core/volume_render/march_field-inl.h": {"hwy/"},

@@ -1,7 +1,7 @@
 # find_package(Ocelli COMPONENTS ...) against the package in PREFIX, as projects call it that build nothing: each finds
 # what it asks for and looks for nothing that only others need, and what is not there is said. WORK_DIR, GENERATOR: as
 # in build_project.cmake. WITH_OPENGL, WITH_MPI, WITH_LIVE_PAGE, WITH_REMOTE, WITH_VOLUME_IMPORT, WITH_FEEDS:
-# whether there is a component "opengl", "mpi", "live", "serving", "volumes", "video". DOCUMENTATION: docs/install.md.
+# whether there is a component "opengl", "mpi", "live" and "local_pages", "serving", "volumes", "video". DOCUMENTATION: docs/install.md.
 
 # Configures a new project with these lines, with options of CMake; leaves what was printed in `said` and the status in
 # `failed`.
@@ -119,6 +119,10 @@ if(NOT TARGET Ocelli::core OR NOT TARGET Ocelli::analysis OR TARGET Ocelli::devi
   message(FATAL_ERROR \"other targets\")
 endif()")
 
+set(local_pages "")
+if(WITH_LIVE_PAGE)
+  set(local_pages "local_pages, ")
+endif()
 set(video "")
 if(WITH_FEEDS)
   set(video "video, ")
@@ -137,7 +141,7 @@ foreach(target IN ITEMS foundation mazes pages core streaming seas import displa
 endforeach()")
 must_configure("${all}")
 
-must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, streaming, seas, ${video}import, display, driver, trials, study, analysis, power"
+must_fail_saying("There is no component \"graphics\" here. Those of this installation: foundation, mazes, pages, core, ${local_pages}streaming, seas, ${video}import, display, driver, trials, study, analysis, power"
   "find_package(Ocelli REQUIRED COMPONENTS core graphics)")
 must_fail_saying("SQLiteCpp, which \"study\" needs" "find_package(Ocelli REQUIRED COMPONENTS study)"
   -DCMAKE_DISABLE_FIND_PACKAGE_SQLiteCpp=ON)
@@ -165,7 +169,9 @@ else()
   must_fail_saying("There is no component \"mpi\"" "find_package(Ocelli REQUIRED COMPONENTS mpi)")
 endif()
 if(WITH_LIVE_PAGE)
-  find_needs(live TARGETS Ocelli::study_live Ocelli::study_live_server PACKAGES Eigen3 Boost assimp glfw3
+  find_needs(local_pages TARGETS Ocelli::foundation Ocelli::local_server PACKAGES glm PNG SQLiteCpp Eigen3 Boost assimp glfw3
+    LACKS glm::glm PNG::PNG assimp::assimp ${windows} ${usb} ${statistics})
+  find_needs(live TARGETS Ocelli::local_pages Ocelli::study_live Ocelli::study_live_server PACKAGES Eigen3 Boost assimp glfw3
     LACKS assimp::assimp ${windows} ${usb} ${statistics})
 else()
   must_fail_saying("There is no component \"live\"" "find_package(Ocelli REQUIRED COMPONENTS live)")

@@ -1,11 +1,10 @@
-// Serves the experimenter's page to this computer alone: 127.0.0.1, GET, and only where the browser asks for that very
-// address, so that no page of the network reaches it through a name of its own (DNS rebinding). Whoever else is logged
-// in at this computer can read it.
+// Serves the experimenter's page to this computer alone (oc_core/local_server/).
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <string>
+
+#include "oc_core/local_server/local_server.h"
 
 namespace ocelli {
 
@@ -14,17 +13,13 @@ class LiveServer {
   /// Answers on a thread of its own until it is destroyed; `status` is called there. Port 0 takes a free one. Throws
   /// WorkError where the port is in use, or may not be used.
   LiveServer(int port, std::function<std::string()> status);
-  ~LiveServer();
-  LiveServer(const LiveServer&) = delete;
-  LiveServer& operator=(const LiveServer&) = delete;
 
-  int port() const;
+  int port() const { return server_.port(); }
   /// "http://127.0.0.1:8765/".
-  std::string address() const;
+  std::string address() const { return server_.address(); }
 
  private:
-  struct State;
-  std::unique_ptr<State> state_;
+  LocalServer server_;
 };
 
 }  // namespace ocelli

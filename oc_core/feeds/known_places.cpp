@@ -1,4 +1,4 @@
-#include "oc_core/feeds_calibration/known_places.h"
+#include "oc_core/feeds/known_places.h"
 
 #include <fmt/format.h>
 
@@ -8,41 +8,19 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
-#include "oc_core/base/json_fields.h"
+#include "oc_core/feeds/feed_fields.h"
 
 namespace ocelli {
 namespace {
 
-constexpr const char* kDescription = "oc_core/feeds_calibration/known_places.h";
-constexpr double kMaxMetres = 1e5;
+constexpr const char* kPlacesSchema = "oc_core/feeds/known_places.schema.json";
 constexpr double kMaxPixel = 1e5;
-constexpr size_t kMaxNameLength = 64;
 constexpr int kMaxTagId = static_cast<int>(kMaxKnownTags) - 1;
 /// Sides and diagonals of a tag that was measured agree to within this share.
 constexpr double kSquareness = 0.05;
 
-glm::dvec3 readPoint(JsonFields& fields, const std::string& name) {
-  const std::vector<double> p = fields.numbers(name, 3, -kMaxMetres, kMaxMetres);
-  return {p[0], p[1], p[2]};
-}
-
-std::array<glm::dvec3, 4> readCorners(JsonFields& fields) {
-  std::array<glm::dvec3, 4> corners{};
-  const nlohmann::json& given = fields.value("corners");
-  if (!given.is_array() || given.size() != corners.size()) {
-    fields.fail("corners", "must be an array of 4 points");
-  }
-  for (size_t i = 0; i < corners.size(); ++i) {
-    const bool isPoint =
-        given[i].is_array() && given[i].size() == 3 && std::ranges::all_of(given[i], [](const nlohmann::json& x) {
-          return x.is_number() && std::abs(x.get<double>()) <= kMaxMetres;
-        });
-    if (!isPoint) {
-      fields.fail("corners", "must be an array of 4 points, each of 3 numbers in [-100000, 100000]");
-    }
-    const auto p = given[i].get<std::vector<double>>();
-    corners[i] = {p[0], p[1], p[2]};
-  }
+std::array<glm::dvec3, 4> readTagCorners(JsonFields& fields) {
+  const std::array<glm::dvec3, 4> corners = readFeedCorners(fields, "corners");
   const double side = glm::distance(corners[0], corners[1]);
   const double diagonal = std::sqrt(2.0) * side;
   const auto differs = [&](double length, double wanted) {
@@ -60,9 +38,9 @@ std::array<glm::dvec3, 4> readCorners(JsonFields& fields) {
 }
 
 std::array<glm::dvec3, 4> readCenteredSquare(JsonFields& fields, double size) {
-  const glm::dvec3 center = readPoint(fields, "center");
-  const glm::dvec3 normal = readPoint(fields, "normal");
-  const glm::dvec3 upGiven = fields.has("up") ? readPoint(fields, "up") : glm::dvec3(0, 1, 0);
+  const glm::dvec3 center = readFeedPoint(fields, "center");
+  const glm::dvec3 normal = readFeedPoint(fields, "normal");
+  const glm::dvec3 upGiven = fields.has("up") ? readFeedPoint(fields, "up") : glm::dvec3(0, 1, 0);
   if (!(glm::length(normal) > 0)) {
     fields.fail("normal", "has no length");
   }
@@ -80,11 +58,12 @@ KnownTag readTag(JsonFields& fields, double commonSize) {
   tag.id = fields.integer("id", 0, kMaxTagId);
   const bool hasSize = fields.has("size");
   const double size = hasSize ? fields.number("size", 1e-3, 100) : commonSize;
+  tag.seenBy = fields.texts("seen_by", 0, kMaxFeeds, kMaxFeedNameLength);
   if (fields.has("corners")) {
     if (fields.has("center") || fields.has("normal") || hasSize) {
       fields.fail("corners", "say all of a tag: leave out center, normal, up and size, or the corners");
     }
-    tag.corners = readCorners(fields);
+    tag.corners = readTagCorners(fields);
     return tag;
   }
   if (!(size > 0)) {
@@ -94,7 +73,9 @@ KnownTag readTag(JsonFields& fields, double commonSize) {
   return tag;
 }
 
-KnownPlaces readPlaces(JsonFields fields) {
+}  // namespace
+
+KnownPlaces readPlacesFields(JsonFields fields) {
   KnownPlaces places;
   const double commonSize = fields.has("tag_size") ? fields.number("tag_size", 1e-3, 100) : 0;
   std::set<int> ids;
@@ -106,17 +87,31 @@ KnownPlaces readPlaces(JsonFields fields) {
   });
   fields.forEach("corners", 0, kMaxClickedCorners, [&](JsonFields& each) {
     ClickedCorner corner;
-    corner.feed = each.shortText("feed", kMaxNameLength);
+    corner.feed = each.shortText("feed", kMaxFeedNameLength);
     const std::vector<double> pixel = each.numbers("pixel", 2, -kMaxPixel, kMaxPixel);
     corner.pixel = {pixel[0], pixel[1]};
-    corner.point = readPoint(each, "point");
+    corner.point = readFeedPoint(each, "point");
     places.corners.push_back(corner);
   });
   fields.rejectUnknown();
   return places;
 }
 
-}  // namespace
+nlohmann::ordered_json jsonOfPlaces(const KnownPlaces& places) {
+  auto json = nlohmann::ordered_json::object();
+  for (const KnownTag& tag : places.tags) {
+    nlohmann::ordered_json each{{"id", tag.id}, {"corners", jsonOfCorners(tag.corners)}};
+    if (!tag.seenBy.empty()) {
+      each["seen_by"] = tag.seenBy;
+    }
+    json["tags"].push_back(each);
+  }
+  for (const ClickedCorner& corner : places.corners) {
+    json["corners"].push_back(
+        {{"feed", corner.feed}, {"pixel", {corner.pixel.x, corner.pixel.y}}, {"point", jsonOfPoint(corner.point)}});
+  }
+  return json;
+}
 
 const KnownTag* KnownPlaces::tag(int id) const {
   const auto found = std::ranges::find(tags, id, &KnownTag::id);
@@ -129,9 +124,9 @@ glm::dvec3 frontOf(const KnownTag& tag) {
 
 KnownPlaces knownPlacesFromJsonText(const std::string& text, const std::string& where) {
   const JsonDocument document(text, where);
-  KnownPlaces places = readAs(kDescription, [&] { return readPlaces(JsonFields(document)); });
+  KnownPlaces places = readAs(kPlacesSchema, [&] { return readPlacesFields(JsonFields(document)); });
   if (places.tags.empty() && places.corners.empty()) {
-    throw InputError("it names no tags and no corners", where, std::string("see ") + kDescription);
+    throw InputError("it names no tags and no corners", where, std::string("see ") + kPlacesSchema);
   }
   return places;
 }

@@ -1,0 +1,94 @@
+#include "cli/feeds_run_output.h"
+
+#include <fmt/format.h>
+
+#include <thread>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/output_folder.h"
+#ifdef OCELLI_WITH_LIVE_PAGE
+#include "oc_core/feeds_page/feeds_page.h"
+#endif
+
+namespace ocelli {
+
+FeedsRunOutput::FeedsRunOutput(const FeedsRunChoice& choice, const FeedSetup& setup, const RunWatcher& watcher,
+                               const CommandContext& context)
+    : watcher_(watcher), drawsLabels_(watcher.show && !choice.hasNoLabels), path_(choice.output) {
+  const std::filesystem::path ending = path_.extension();
+  if (ending == ".mp4" || ending == ".mkv") {
+    video_ = std::make_unique<VideoWriter>(path_, setup.output.width, setup.output.height,
+                                           VideoWriterOptions{choice.options.framesPerSecond, 20, false});
+  } else if (!path_.empty()) {
+    makeFolder(path_);
+  }
+  if (choice.page) {
+    openPage(*choice.page, choice.setup, context);
+  }
+}
+
+void FeedsRunOutput::add(const ComposedFrame& frame) {
+  firstSeconds_ = frames_ == 0 ? frame.seconds : firstSeconds_;
+  const double seconds = frame.seconds - firstSeconds_;
+  Image<Rgb8> labelled;
+  if (drawsLabels_ && (!path_.empty() || page_)) {
+    labelled = frame.image;
+    drawFeedLabels(frame.composer.graph(), frame.labels, labelled);
+  }
+  const Image<Rgb8>& image = labelled.empty() ? frame.image : labelled;
+  if (video_) {
+    video_->add(image, seconds);
+  } else if (!path_.empty()) {
+    writePng(path_ / fmt::format("frame-{:06}.png", frames_), image);
+  }
+  ++frames_;
+  if (page_ || watcher_.show) {
+    std::this_thread::sleep_until(pace_.due(seconds, RunPace::Clock::now()));
+  }
+  showOnPage(frame, image);
+  if (watcher_.show) {
+    watcher_.show(frame);
+  }
+}
+
+void FeedsRunOutput::finish(const CommandContext& context) {
+  if (video_) {
+    video_->finish();
+  }
+  if (!path_.empty()) {
+    context.note(fmt::format("wrote {} ({} frames)", path_.string(), frames_));
+  }
+}
+
+#ifdef OCELLI_WITH_LIVE_PAGE
+FeedsRunOutput::~FeedsRunOutput() = default;
+
+void FeedsRunOutput::openPage(int port, const std::string& title, const CommandContext& context) {
+  page_ = std::make_unique<FeedsPage>(port, title);
+  context.note("page " + page_->address());
+}
+
+void FeedsRunOutput::showOnPage(const ComposedFrame& frame, const Image<Rgb8>& image) {
+  if (!page_) {
+    return;
+  }
+  std::vector<std::string> feeds;
+  for (size_t i = 0; i < frame.labels.size(); ++i) {
+    feeds.push_back(feedLabelText(frame.composer.graph().feedOf(i).name, frame.labels[i]));
+  }
+  page_->show(image, feeds);
+}
+#else
+class FeedsPage {};
+
+FeedsRunOutput::~FeedsRunOutput() = default;
+
+void FeedsRunOutput::openPage(int /*port*/, const std::string& /*title*/, const CommandContext& /*context*/) {
+  throw InputError("this program was built without pages", "--page",
+                   "build it with -DOCELLI_WITH_LIVE_PAGE=ON (docs/install.md)");
+}
+
+void FeedsRunOutput::showOnPage(const ComposedFrame& /*frame*/, const Image<Rgb8>& /*image*/) {}
+#endif
+
+}  // namespace ocelli

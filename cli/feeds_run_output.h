@@ -1,0 +1,52 @@
+// Where the images of `ocelli feeds run` go: a video or a folder, a page, and whoever watches.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "cli/command.h"
+#include "cli/feeds_work.h"
+#include "oc_core/feeds_live/run_pace.h"
+#include "oc_core/feeds_video/video_writer.h"
+
+namespace ocelli {
+
+class FeedsPage;
+
+/// Who watches a run and may change it: the window. Without one all are empty.
+struct RunWatcher {
+  std::function<void(const ComposedFrame& frame)> show;  ///< gets images without labels
+  std::function<ErasedLook()> erased;
+  std::function<bool()> isClosed;
+};
+
+class FeedsRunOutput {
+ public:
+  /// Throws InputError where this program was built without what is asked for, WorkError where it cannot be written.
+  FeedsRunOutput(const FeedsRunChoice& choice, const FeedSetup& setup, const RunWatcher& watcher,
+                 const CommandContext& context);
+  ~FeedsRunOutput();
+  FeedsRunOutput(const FeedsRunOutput&) = delete;
+  FeedsRunOutput& operator=(const FeedsRunOutput&) = delete;
+
+  /// Waits until it is time for the image where somebody watches.
+  void add(const ComposedFrame& frame);
+  void finish(const CommandContext& context);
+
+ private:
+  void openPage(int port, const std::string& title, const CommandContext& context);
+  void showOnPage(const ComposedFrame& frame, const Image<Rgb8>& image);
+
+  const RunWatcher& watcher_;
+  bool drawsLabels_;  ///< into the images that are kept: those that come have none
+  std::filesystem::path path_;
+  std::unique_ptr<VideoWriter> video_;
+  std::unique_ptr<FeedsPage> page_;
+  size_t frames_ = 0;
+  double firstSeconds_ = 0;
+  RunPace pace_;
+};
+
+}  // namespace ocelli

@@ -1,0 +1,316 @@
+#include "oc_core/feeds_window/feeds_window.h"
+
+#include <fmt/format.h>
+#include <imgui.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+#include "oc_core/base/error.h"
+#include "oc_core/base/free_file_name.h"
+#include "oc_core/feeds_window/feed_marks.h"
+#include "oc_core/gl/gl_api.h"
+#include "oc_core/gl/gl_image.h"
+#include "oc_core/image/png_file.h"
+
+namespace ocelli {
+namespace {
+
+constexpr double kMessageSeconds = 4;
+constexpr double kRateSmoothing = 0.1;  ///< share of the newest image in the rate that is shown
+constexpr float kRim = 10;              ///< screen coordinates at 96 dots an inch, here and below
+constexpr float kHelpWidth = 520;
+constexpr float kOutlineWidth = 2;
+
+}  // namespace
+
+FeedsWindow::FeedsWindow(GlContext& context, const FeedGraph& graph, FeedsScreen& screen, std::filesystem::path folder)
+    : context_(context), graph_(graph), screen_(screen), folder_(std::move(folder)), gui_(context, 1) {}
+
+FeedsWindow::~FeedsWindow() {
+  const GlScope scope(context_);
+  texture_ = ImageTexture();
+  framebuffer_ = GlObject();
+  color_ = GlObject();
+}
+
+void FeedsWindow::press(const KeyEvent& event) {
+  if (!event.pressed) {
+    return;
+  }
+  const bool wasRed = state_.hasRedErased;
+  for (const FeedsKeyAction& row : feedsKeyActions()) {
+    if (std::ranges::find(row.keys, event.key) != row.keys.end()) {
+      row.act(state_);
+    }
+  }
+  if (wasRed != state_.hasRedErased) {
+    screen_.setErased(state_.hasRedErased ? ErasedLook::kRed : ErasedLook::kBackground);
+  }
+}
+
+void FeedsWindow::handle(const InputEvent& event) {
+  isChanged_ = true;
+  gui_.handle(event);
+  if (const auto* resized = std::get_if<ResizeEvent>(&event)) {
+    window_ = {resized->width, resized->height};
+    pixelsPerUnit_ = resized->pixelsPerUnit;
+    pixels_ = {static_cast<int>(std::lround(resized->width * resized->pixelsPerUnit)),
+               static_cast<int>(std::lround(resized->height * resized->pixelsPerUnit))};
+  } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
+    press(*key);
+  } else if (std::holds_alternative<CloseEvent>(event)) {
+    state_.wantsClose = true;
+  }
+}
+
+void FeedsWindow::update(double seconds) {
+  sinceDrawn_ += seconds;
+  sinceImage_ += seconds;
+  if (auto newest = screen_.take()) {
+    if (shown_ && !screen_.isPaused()) {
+      imageSeconds_ += (imageSeconds_ > 0 ? kRateSmoothing : 1) * (sinceImage_ - imageSeconds_);
+    }
+    sinceImage_ = 0;
+    shown_ = std::move(newest);
+    isUploaded_ = false;
+    isChanged_ = true;
+  }
+  if (!message_.empty() && (messageLeft_ -= seconds) <= 0) {
+    message_.clear();
+    isChanged_ = true;
+  }
+  if (std::exchange(state_.wantsPause, false)) {
+    if (screen_.isLive()) {
+      say("live feeds cannot be paused");
+    } else {
+      screen_.setPaused(!screen_.isPaused());
+    }
+  }
+  if (std::exchange(state_.wantsStep, false)) {
+    screen_.step();
+  }
+  if (std::exchange(state_.wantsSave, false)) {
+    save();
+  }
+  isChanged_ = isChanged_ || wasEnded_ != screen_.hasEnded();
+  wasEnded_ = screen_.hasEnded();
+}
+
+bool FeedsWindow::takeFullscreenWish() {
+  return std::exchange(state_.wantsFullscreen, false);
+}
+
+void FeedsWindow::say(const std::string& message) {
+  message_ = message;
+  messageLeft_ = kMessageSeconds;
+  isChanged_ = true;
+}
+
+void FeedsWindow::save() {
+  const Image<Rgb8> image = picture();
+  if (image.empty()) {
+    say("there is no image yet");
+    return;
+  }
+  try {
+    const std::filesystem::path path = makeFreeFile(folder_, "feeds", ".png");
+    writePng(path, image);
+    say("wrote " + path.string());
+  } catch (const Error& error) {
+    say(error.what());
+  }
+}
+
+void FeedsWindow::layOut(float barHeight) {
+  const glm::ivec2 room(pixels_.x, std::max(1, pixels_.y - static_cast<int>(std::ceil(barHeight * pixelsPerUnit_))));
+  const glm::dvec2 image(graph_.setup().output.width, graph_.setup().output.height);
+  const double scale = std::min(room.x / image.x, room.y / image.y);
+  size_ = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(image * scale) + 0.5));
+  corner_ = (room - size_) / 2;
+}
+
+void FeedsWindow::draw() {
+  if (pixels_.x <= 0 || pixels_.y <= 0) {
+    return;
+  }
+  isChanged_ = false;
+  drawFrame(true);
+}
+
+void FeedsWindow::drawFrame(bool hasPanels) {
+  const GlScope scope(context_);
+  const GladGLContext& gl = context_.gl();
+  if (!framebuffer_ || drawn_ != pixels_) {
+    framebuffer_ = GlObject();
+    color_ = makeTexture(context_, GL_RGBA8, pixels_.x, pixels_.y);
+    framebuffer_ = makeFramebuffer(context_, std::array{color_.id()}, 0);
+    drawn_ = pixels_;
+  }
+  gui_.beginFrame(std::exchange(sinceDrawn_, 0));
+  const float bar = barHeight();
+  layOut(bar);
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  const std::array<float, 3> background = kGuiBackground.floats();
+  gl.ClearColor(background[0], background[1], background[2], 1);
+  gl.Clear(GL_COLOR_BUFFER_BIT);
+  if (shown_) {
+    if (!std::exchange(isUploaded_, true)) {
+      texture_.upload(context_, shown_->image);
+    }
+    texture_.copyTo(context_, framebuffer_, corner_, size_);
+  }
+  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
+  gl.Viewport(0, 0, pixels_.x, pixels_.y);
+  if (shown_ && state_.hasOutlines) {
+    drawOutlines();
+  }
+  if (shown_ && state_.hasLabels) {
+    drawLabels();
+  }
+  if (hasPanels) {
+    drawBar(bar);
+    if (state_.hasHelp) {
+      drawHelp();
+    }
+  }
+  gui_.endFrame();
+}
+
+void FeedsWindow::drawOutlines() {
+  ImDrawList& list = *ImGui::GetBackgroundDrawList();
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  const double perPixel = size_.x / (pixelsPerUnit_ * graph_.setup().output.width);
+  for (size_t i = 1; i < graph_.frusta(); ++i) {
+    std::vector<ImVec2> points;
+    for (const glm::dvec2& p : graph_.camera().frusta()[i].part) {
+      const glm::vec2 at(glm::dvec2(corner_) / pixelsPerUnit_ + p * perPixel);
+      points.emplace_back(at.x, at.y);
+    }
+    const int count = static_cast<int>(points.size());
+    list.AddPolyline(points.data(), count, kOkabeItoBlack.packed(), ImDrawFlags_Closed, 2 * kOutlineWidth * scale);
+    list.AddPolyline(points.data(), count, kOkabeItoYellow.packed(), ImDrawFlags_Closed, kOutlineWidth * scale);
+  }
+}
+
+void FeedsWindow::drawLabels() {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  const double perPixel = size_.x / (pixelsPerUnit_ * graph_.setup().output.width);
+  for (size_t i = 0; i < shown_->labels.size(); ++i) {
+    glm::dvec2 corner(graph_.setup().output.width, graph_.setup().output.height);
+    for (const glm::dvec2& p : graph_.camera().frusta()[i].part) {
+      corner = glm::min(corner, p);
+    }
+    const glm::vec2 at(glm::dvec2(corner_) / pixelsPerUnit_ + corner * perPixel);
+    drawFeedPlate(*ImGui::GetBackgroundDrawList(), at + 0.5f * kRim * scale, graph_.feedOf(i).name, shown_->labels[i],
+                  scale);
+  }
+}
+
+float FeedsWindow::barHeight() const {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  const float line = ImGui::GetTextLineHeightWithSpacing();
+  float lines = 2;
+  float x = 0;
+  const float width = static_cast<float>(window_.x) - 2 * kRim * scale;
+  for (size_t i = 0; shown_ && i < shown_->labels.size(); ++i) {
+    const float each = feedStateWidth(graph_.feedOf(i).name, shown_->labels[i], scale);
+    if (x > 0 && x + each > width) {
+      ++lines;
+      x = 0;
+    }
+    x += each;
+  }
+  return lines * line + kRim * scale;
+}
+
+void FeedsWindow::drawBar(float height) {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  const glm::vec2 size(window_);
+  ImGui::SetNextWindowPos({0, size.y - height});
+  ImGui::SetNextWindowSize({size.x, height});
+  ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kRim * scale, kRim * scale / 2});
+  ImGui::Begin(
+      "bar", nullptr,
+      ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoInputs);
+  std::string line = shown_ ? fmt::format("{:.1f} s", shown_->seconds) : "waits for the feeds";
+  if (imageSeconds_ > 0) {
+    line += fmt::format("   {:.0f} images a second", 1 / imageSeconds_);
+  }
+  line += state_.hasRedErased ? "   red: erased, not live" : "";
+  line += screen_.isPaused() ? "   PAUSED" : "";
+  line += screen_.hasEnded() ? "   ENDED" : "";
+  line += "   H: help";
+  line += message_.empty() ? "" : "   " + message_;
+  ImGui::TextUnformatted(line.c_str());
+  glm::vec2 at(ImGui::GetCursorScreenPos().x, ImGui::GetCursorScreenPos().y);
+  const float left = at.x;
+  for (size_t i = 0; shown_ && i < shown_->labels.size(); ++i) {
+    const std::string& name = graph_.feedOf(i).name;
+    const float width = feedStateWidth(name, shown_->labels[i], scale);
+    if (at.x > left && at.x + width > size.x - kRim * scale) {
+      at = {left, at.y + ImGui::GetTextLineHeightWithSpacing()};
+    }
+    drawFeedState(*ImGui::GetWindowDrawList(), at, name, shown_->labels[i], scale);
+    at.x += width;
+  }
+  ImGui::End();
+  ImGui::PopStyleVar();
+}
+
+void FeedsWindow::drawHelp() {
+  const auto scale = static_cast<float>(gui_.lengthScale());
+  ImGui::SetNextWindowPos({static_cast<float>(window_.x) / 2, static_cast<float>(window_.y) / 2}, 0, {0.5f, 0.5f});
+  ImGui::SetNextWindowSize({kHelpWidth * scale, 0});
+  ImGui::SetNextWindowBgAlpha(0.95f);
+  ImGui::Begin("help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
+  ImGui::TextUnformatted("One image of several cameras' feeds");
+  ImGui::Separator();
+  if (ImGui::BeginTable("keys", 2)) {
+    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 110 * scale);
+    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
+    for (const FeedsKeyAction& row : feedsKeyActions()) {
+      ImGui::TableNextRow();
+      ImGui::TableNextColumn();
+      ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoYellow.packed());
+      ImGui::TextUnformatted(row.shown);
+      ImGui::PopStyleColor();
+      ImGui::TableNextColumn();
+      ImGui::TextWrapped("%s", row.meaning);
+    }
+    ImGui::EndTable();
+  }
+  ImGui::Separator();
+  for (const FeedStateMeaning& row : feedStateMeanings()) {
+    const ImVec2 at = ImGui::GetCursorScreenPos();
+    drawFeedMark(*ImGui::GetWindowDrawList(), {at.x, at.y}, row.state, scale);
+    ImGui::SetCursorScreenPos({at.x + 20 * scale, at.y});
+    ImGui::TextUnformatted(row.meaning);
+  }
+  ImGui::End();
+}
+
+Image<Rgb8> FeedsWindow::screenshot() const {
+  const GlScope scope(context_);
+  return readRgb8(context_, color_, pixels_.x, pixels_.y);
+}
+
+Image<Rgb8> FeedsWindow::picture() {
+  if (!shown_ || pixels_.x <= 0 || pixels_.y <= 0) {
+    return {};
+  }
+  drawFrame(false);
+  isChanged_ = true;
+  const Image<Rgb8> whole = screenshot();
+  Image<Rgb8> image(size_.x, size_.y);
+  for (int y = 0; y < size_.y; ++y) {
+    for (int x = 0; x < size_.x; ++x) {
+      image(x, y) = whole(corner_.x + x, corner_.y + y);
+    }
+  }
+  return image;
+}
+
+}  // namespace ocelli

@@ -1,0 +1,63 @@
+// What a run of feeds asks of who started it.
+#include "oc_core/feeds_live/feeds_run.h"
+
+#include <gtest/gtest.h>
+
+#include "oc_core/base/error.h"
+#include "oc_core/feeds_video/video_writer.h"
+#include "tests/base/temporary_folder.h"
+
+namespace ocelli {
+namespace {
+
+class FeedsRunTest : public testing::Test {
+ protected:
+  FeedsRunTest() {
+    Feed feed;
+    feed.name = "door";
+    feed.source = (folder_.path() / "a.mkv").string();
+    feed.width = 64;
+    feed.height = 48;
+    feed.lens = {{60, 60}, {32, 24}};
+    feed.pose = {{0, 1.5, 0}, {0, 1, -3}, {0, 1, 0}};
+    setup_.feeds = {feed};
+    setup_.frusta = {{"door", "", {}}};
+    setup_.output = {64, 48, 40, {0, 1, -3}};
+    VideoWriter writer(feed.source, 64, 48, {10, 20, true});
+    for (int k = 0; k < 10; ++k) {
+      writer.add(Image<Rgb8>(64, 48, Rgb8(static_cast<uint8_t>(20 * k))), 0.1 * k);
+    }
+    writer.finish();
+    options_.framesPerSecond = 10;
+  }
+
+  test::TemporaryFolder folder_;
+  FeedSetup setup_;
+  FeedsRunOptions options_;
+};
+
+TEST_F(FeedsRunTest, remarksOnTheFirstFrameStandInTheLabels) {
+  std::vector<int> tones;
+  options_.remarkOn = [&](size_t feed, const Image<Rgb8>& frame) {
+    EXPECT_EQ(feed, 0u);
+    tones.push_back(frame(5, 5).x);
+    return std::string("MOVED 14 px");
+  };
+  size_t shown = 0;
+  runFeeds(setup_, options_, [&](const ComposedFrame& frame) {
+    EXPECT_EQ(frame.labels.at(0).remark, "MOVED 14 px");
+    ++shown;
+  });
+  EXPECT_EQ(tones, std::vector<int>{0}) << "the first frame, and no other one";
+  EXPECT_GE(shown, 9u);
+}
+
+TEST_F(FeedsRunTest, aRemarkMayEndIt) {
+  options_.remarkOn = [](size_t, const Image<Rgb8>&) -> std::string {
+    throw WorkError("camera 1 (door) has moved", "setup.json", "put it back");
+  };
+  EXPECT_THROW(runFeeds(setup_, options_, [](const ComposedFrame&) { FAIL() << "an image was composed"; }), WorkError);
+}
+
+}  // namespace
+}  // namespace ocelli
