@@ -20,22 +20,6 @@ namespace {
 
 using FeedsJson = nlohmann::ordered_json;
 
-const char* wordOf(FeedState state) {
-  switch (state) {
-    case FeedState::kLive:
-      return "live";
-    case FeedState::kLate:
-      return "late";
-    case FeedState::kFrozen:
-      return "frozen";
-    case FeedState::kEnded:
-      return "ended";
-    case FeedState::kLost:
-      return "lost";
-  }
-  return "";
-}
-
 FeedsJson jsonOf(const FeedsRunFigures& figures, const std::vector<std::optional<double>>& movedPixels) {
   FeedsJson feeds = FeedsJson::array();
   for (size_t i = 0; i < figures.feeds.size(); ++i) {

@@ -14,9 +14,11 @@ constexpr int kPrimingFrames = 30;
 constexpr double kVarianceThreshold = 25;  ///< squared deviations, per channel sum, as MOG2 counts them
 /// A shadow leaves at least so much of the light: darker pixels of the same colour are trousers on a floor.
 constexpr double kShadowLight = 0.8;
-constexpr int kGainStep = 4;  ///< the median takes each fourth mask pixel along both axes
-constexpr int kDarkest = 24;  ///< darker pixels tell nothing of a ratio
-constexpr int kCutRows = 2;   ///< a blob that comes this near to the lower border is cut, in mask pixels
+constexpr int kGainStep = 4;            ///< the median takes each fourth mask pixel along both axes
+constexpr int kDarkest = 24;            ///< darker pixels tell nothing of a ratio
+constexpr int kCutRows = 2;             ///< a blob that comes this near to the lower border is cut, in mask pixels
+constexpr double kCoveredShare = 0.75;  ///< of a mask that is no background: no subjects fill so much
+constexpr int kCoveredFrames = 5;
 constexpr double kMinNewGain = 0.4;
 constexpr double kMaxNewGain = 2.5;
 
@@ -113,6 +115,7 @@ struct FeedBackground::Impl {
   Image<Rgb8> still;  ///< full size: the background, in the light of the reference
   cv::Scalar gains{1, 1, 1};
   size_t frames = 0;
+  int coveredFrames = 0;
   bool isKnown = false;
 
   /// A background that was not known follows what MOG2 holds, enlarged: less sharp than a known one.
@@ -199,12 +202,18 @@ FeedBlobs FeedBackground::update(const Image<Rgb8>& frame) {
   const double history = self.options.learnSeconds * self.options.framesPerSecond;
   const bool isBeginning = !self.isKnown && self.frames < kPrimingFrames;
   cv::Mat mask;
-  self.model->apply(level, mask, isBeginning ? 1.0 / static_cast<double>(self.frames + 1) : 1 / history);
+  const double rate = self.coveredFrames > 0 ? 0 : 1 / history;
+  self.model->apply(level, mask, isBeginning ? 1.0 / static_cast<double>(self.frames + 1) : rate);
   cv::threshold(mask, mask, 200, 255, cv::THRESH_BINARY);  // 127 are shadows
+  const bool isAway = !isBeginning && cv::countNonZero(mask) >= kCoveredShare * static_cast<double>(mask.total());
+  self.coveredFrames = isAway ? self.coveredFrames + 1 : 0;
+  if (isAway) {
+    mask = cv::Scalar(0);
+  }
   FeedBlobs blobs = self.blobsIn(mask);
   blobs.colors = Image<Rgb8>(level.cols, level.rows);
   level.copyTo(viewOf(blobs.colors));
-  if (!self.isKnown) {
+  if (!self.isKnown && !isAway) {
     const cv::Mat isSubject(mask.rows, mask.cols, CV_16U, blobs.wide.data());
     cv::Mat subject8;
     cv::compare(isSubject, 0, subject8, cv::CMP_GT);
@@ -216,6 +225,10 @@ FeedBlobs FeedBackground::update(const Image<Rgb8>& frame) {
 
 const Image<Rgb8>& FeedBackground::image() const {
   return impl_->still;
+}
+
+bool FeedBackground::isCovered() const {
+  return impl_->coveredFrames >= kCoveredFrames;
 }
 
 glm::dvec3 FeedBackground::light() const {

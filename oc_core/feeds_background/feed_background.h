@@ -27,11 +27,14 @@ class FeedBackground {
   FeedBackground(const FeedBackground&) = delete;
   FeedBackground& operator=(const FeedBackground&) = delete;
 
-  /// Finds the subjects of the next frame.
+  /// Finds the subjects of the next frame; none where the feed is covered.
   FeedBlobs update(const Image<Rgb8>& frame);
   /// The background in a light that stays the same; of the size of the feed. Empty before the first frame of a feed
   /// whose background is not known.
   const Image<Rgb8>& image() const;
+  /// Whether hardly anything of the background is seen, for some frames: the camera is covered, was turned away, or it
+  /// is dark.
+  bool isCovered() const;
   /// How much of that light the last frame has, per channel.
   glm::dvec3 light() const;
 

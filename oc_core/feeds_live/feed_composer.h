@@ -30,6 +30,8 @@ class FeedComposer {
   const FeedMarks& marks(size_t frustum) const { return marks_[frustum]; }
   /// The last frame of a feed, by index; empty where there is none yet.
   const Image<Rgb8>& frame(size_t feed) const { return frames_[feed]; }
+  /// Whether what a feed shows is hardly anything of the place.
+  bool isCovered(size_t feed) const { return backgrounds_[feed]->isCovered(); }
   bool hasFrame(size_t feed) const { return !frames_[feed].empty(); }
 
  private:

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cctype>
 
 #include "oc_core/feeds_background/picture_text.h"
 
@@ -12,26 +13,20 @@ namespace {
 constexpr int kMinTextHeight = 7;
 constexpr int kTextShare = 44;  ///< of the height of the image
 
-const char* wordOf(FeedState state) {
-  switch (state) {
-    case FeedState::kLive:
-      return "";
-    case FeedState::kLate:
-      return "LATE ";
-    case FeedState::kFrozen:
-      return "FROZEN ";
-    case FeedState::kEnded:
-      return "ENDED ";
-    case FeedState::kLost:
-      return "LOST ";
+/// "LATE ", for states that are worth a word.
+std::string shoutOf(FeedState state) {
+  if (state == FeedState::kLive) {
+    return "";
   }
-  return "";
+  std::string word = wordOf(state);
+  std::transform(word.begin(), word.end(), word.begin(), [](char c) { return static_cast<char>(std::toupper(c)); });
+  return word + " ";
 }
 
 }  // namespace
 
 std::string feedLabelText(const std::string& name, const FeedLabel& label) {
-  std::string text = name + " " + wordOf(label.state) + label.remark + (label.remark.empty() ? "" : " ");
+  std::string text = name + " " + shoutOf(label.state) + label.remark + (label.remark.empty() ? "" : " ");
   if (!label.hasFrame) {
     return text + "no picture";
   }

@@ -13,17 +13,10 @@
 #include <vector>
 
 #include "oc_core/feeds/feed_setup.h"
+#include "oc_core/feeds_live/feed_state.h"
 #include "oc_core/feeds_video/video_reader.h"
 
 namespace ocelli {
-
-enum class FeedState {
-  kLive,    ///< frames come in
-  kLate,    ///< no frame has come for its time, though it was waited for
-  kFrozen,  ///< frames come in that are all the same
-  kEnded,   ///< it was read to its end
-  kLost,    ///< it broke off, or cannot be read; a live one is tried again
-};
 
 struct FeedStreamOptions {
   double maxWaitSeconds = 2;      ///< how long a feed is waited for, once

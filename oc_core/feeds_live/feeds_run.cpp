@@ -60,6 +60,10 @@ class FeedsRun {
       composer_.take(frames_);
       composer_.compose(seconds, options_.erasedNow ? options_.erasedNow() : options_.erased, image_);
       const std::vector<FeedLabel> shown = labels(seconds);
+      for (size_t i = 0; i < shown.size(); ++i) {
+        FeedRunFigures& figures = figures_.feeds[graph_.feedIndexOf(i)];
+        figures.wasCovered = figures.wasCovered || shown[i].state == FeedState::kCovered;
+      }
       if (options_.hasLabels) {
         drawFeedLabels(graph_, shown, image_);
       }
@@ -180,6 +184,9 @@ class FeedsRun {
       FeedState state = streams_[feed]->state();
       if (state == FeedState::kLive && age >= options_.streams.frozenSeconds) {
         state = FeedState::kLate;  // its next frame has a later time: it left some out
+      }
+      if (state == FeedState::kLive && composer_.isCovered(feed)) {
+        state = FeedState::kCovered;
       }
       labels.push_back({state, hasFrame, age, remarks_[feed]});
     }

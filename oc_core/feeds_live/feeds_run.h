@@ -33,6 +33,7 @@ struct FeedRunFigures {
   bool wasFrozen = false;              ///< at any time
   bool wasLate = false;
   bool wasLost = false;
+  bool wasCovered = false;
   std::string message;
   size_t reconnections = 0;
   size_t framesRead = 0;

@@ -14,10 +14,11 @@ constexpr float kMarkRoom = 20;
 constexpr float kBetween = 24;
 constexpr float kPlateRim = 5;
 
-constexpr std::array<FeedStateMeaning, 5> kMeanings{{
+constexpr std::array<FeedStateMeaning, 6> kMeanings{{
     {FeedState::kLive, "frames come in"},
     {FeedState::kLate, "LATE: its frame is overdue"},
     {FeedState::kFrozen, "FROZEN: frames come in that are all the same"},
+    {FeedState::kCovered, "COVERED: what it shows is not the place"},
     {FeedState::kEnded, "ENDED: it was read to its end"},
     {FeedState::kLost, "LOST: it broke off; a live one is tried again"},
 }};
@@ -44,6 +45,10 @@ void drawFeedMark(ImDrawList& list, const glm::vec2& at, FeedState state, float 
       break;
     case FeedState::kFrozen:
       list.AddRectFilled({c.x - r, c.y - r}, {c.x + r, c.y + r}, kOkabeItoSkyBlue.packed());
+      break;
+    case FeedState::kCovered:
+      list.AddCircleFilled(c, r, kOkabeItoReddishPurple.packed());
+      list.AddLine({c.x - r, c.y}, {c.x + r, c.y}, kGuiPanel.packed(), 2 * scale);
       break;
     case FeedState::kEnded:
       list.AddCircle(c, r, kGuiTextDim.packed(), 0, 2 * scale);

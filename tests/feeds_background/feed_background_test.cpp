@@ -52,6 +52,22 @@ TEST(FeedBackground, findsNothingWhereNothingIs) {
   }
 }
 
+TEST(FeedBackground, aHandBeforeTheCameraIsNoSubject) {
+  FeedBackground background(kWide, kHigh, scene(1, -1, 0));
+  for (uint64_t k = 1; k < 10; ++k) {
+    background.update(scene(1, 30, k));
+    EXPECT_FALSE(background.isCovered());
+  }
+  for (const Rgb8& hand : {Rgb8(12, 8, 6), Rgb8(190, 150, 130)}) {
+    for (int k = 0; k < 60; ++k) {
+      EXPECT_TRUE(background.update(Image<Rgb8>(kWide, kHigh, hand)).blobs.empty());
+      EXPECT_EQ(background.isCovered(), k >= 4) << k;
+    }
+    EXPECT_EQ(background.update(scene(1, 60, 99)).blobs.size(), 1u) << "and the place is still known";
+    EXPECT_FALSE(background.isCovered());
+  }
+}
+
 TEST(FeedBackground, learnsWhatItIsNotTold) {
   FeedBackground background(kWide, kHigh, {});
   for (int k = 0; k < 40; ++k) {
