@@ -1,6 +1,7 @@
 #include "oc_core/feeds/feed_compose.h"
 
 #include <cstdint>
+#include <vector>
 
 #include "oc_core/base/parallel.h"
 
@@ -48,45 +49,71 @@ Sum mixed(const Sum& a, const Sum& b, int share) {
   return a + (b - a) / 255 * share;
 }
 
-/// What is seen in the light of another frame.
-Sum inLight(const Sum& sum, const glm::dvec3& light) {
-  constexpr int kMost = 255 * kOne * kOne;
-  const glm::dvec3 lit = glm::dvec3(sum) * light;
-  return {glm::min(lit, glm::dvec3(kMost))};
-}
+/// A factor of light for sums.
+class LightScale {
+ public:
+  explicit LightScale(const glm::dvec3& light)
+      : scale_(glm::round(glm::clamp(light, 0.0, kMaxLight) * static_cast<double>(1 << kBits))) {}
+
+  Sum of(const PackedSum& sum) const {
+    if (scale_ == glm::uvec3(1u << kBits)) {
+      return sum.unpacked();
+    }
+    // Levels in 1/256 times the factor fit into 32 bits.
+    const glm::uvec3 lit = (glm::uvec3(sum.unpacked()) >> kFraction) * scale_ >> (kBits - kFraction);
+    return {glm::min(lit, glm::uvec3(255u << (2 * kFraction)))};
+  }
+
+ private:
+  static constexpr unsigned kBits = 12;
+  static constexpr unsigned kFraction = FeedPlace::kFractionBits;
+  static constexpr double kMaxLight = 4;
+
+  glm::uvec3 scale_;
+};
+
+/// A picture with what is the same for all of its pixels.
+struct LitPicture {
+  const FeedPicture& picture;
+  LightScale frameLight{picture.frameLight};
+  LightScale backgroundLight{picture.backgroundLight};
+
+  Sum live(const FeedPlace& place) const { return frameLight.of(sampleOf(*picture.frame, place)); }
+  Sum still(const FeedPlace& place) const { return backgroundLight.of(sampleOf(*picture.background, place)); }
+};
 
 Rgb8 hatchAt(int x, int y) {
   return (x + y) % 16 < 8 ? Rgb8(40) : Rgb8(64);
 }
 
 /// What the last frustum of a ray shows there.
-Sum shownBy(const FeedPicture& picture, const FeedPlace& place, ErasedLook look) {
-  const Sum live = sampleOf(*picture.frame, place).unpacked();
-  if (picture.marks == nullptr || picture.background == nullptr) {
+Sum shownBy(const LitPicture& lit, const FeedPlace& place, ErasedLook look) {
+  const Sum live = lit.live(place);
+  if (lit.picture.marks == nullptr || lit.picture.background == nullptr) {
     return live;
   }
-  const FeedMark mark = picture.marks->at(place);
+  const FeedMark mark = lit.picture.marks->at(place);
   if (mark.erased == 0) {
     return live;
   }
-  Sum still = inLight(sampleOf(*picture.background, place).unpacked(), picture.light);
+  Sum still = lit.still(place);
   if (look == ErasedLook::kRed) {
     still += (Sum(255 << 16, 0, 0) - still) / 256 * kRedShare;
   }
   return mixed(live, still, mark.erased);
 }
 
-Rgb8 pixelAt(std::span<const FeedPlace> places, std::span<const FeedPicture> pictures, ErasedLook look, int x, int y) {
-  const FeedPicture& last = pictures[places.front().frustum];
-  const bool isShown = last.frame != nullptr && places.front().isInFeed();
+Rgb8 pixelAt(std::span<const FeedPlace> places, std::span<const LitPicture> pictures, ErasedLook look, int x, int y) {
+  const LitPicture& last = pictures[places.front().frustum];
+  const bool isShown = last.picture.frame != nullptr && places.front().isInFeed();
   Sum sum = isShown ? shownBy(last, places.front(), look) : Sum(hatchAt(x, y)) * (kOne * kOne);
   for (const FeedPlace& place : places.subspan(1)) {
-    const FeedPicture& picture = pictures[place.frustum];
-    if (picture.frame == nullptr || picture.marks == nullptr || !place.isInFeed()) {
+    const LitPicture& lit = pictures[place.frustum];
+    if (lit.picture.frame == nullptr || lit.picture.marks == nullptr || !place.isInFeed()) {
       continue;
     }
-    if (const FeedMark mark = picture.marks->at(place); mark.shown > 0) {
-      sum = mixed(sum, sampleOf(*picture.frame, place).unpacked(), mark.shown);
+    if (const FeedMark mark = lit.picture.marks->at(place); mark.shown > 0) {
+      sum = mixed(sum, lit.live(place), mark.shown);
     }
   }
   return Rgb8((sum + Sum(kOne * kOne / 2)) / (kOne * kOne));
@@ -98,12 +125,13 @@ void composeFeeds(const FeedMap& map, std::span<const FeedPicture> pictures, Era
   if (image.width() != map.width() || image.height() != map.height()) {
     image = Image<Rgb8>(map.width(), map.height());
   }
+  const std::vector<LitPicture> lit(pictures.begin(), pictures.end());
   parallelFor(static_cast<size_t>(map.height()), 16, [&](size_t begin, size_t end) {
     for (size_t row = begin; row < end; ++row) {
       for (int x = 0; x < map.width(); ++x) {
         const int y = static_cast<int>(row);
         const size_t pixel = image.index(x, y);
-        image[pixel] = pixelAt(map.placesAt(pixel), pictures, erased, x, y);
+        image[pixel] = pixelAt(map.placesAt(pixel), lit, erased, x, y);
       }
     }
   });

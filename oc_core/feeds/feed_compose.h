@@ -14,8 +14,10 @@ namespace ocelli {
 struct FeedPicture {
   const Image<Rgb8>* frame = nullptr;
   const Image<Rgb8>* background = nullptr;  ///< without subjects
-  glm::dvec3 light{1};                      ///< of the frame: so much that of the background, per channel
   const FeedMarks* marks = nullptr;
+  // Factors of light, per channel, at most 4: cameras choose exposures of their own, the image has one.
+  glm::dvec3 frameLight{1};
+  glm::dvec3 backgroundLight{1};
 };
 
 /// How pixels look from which a subject was erased, which are not live.

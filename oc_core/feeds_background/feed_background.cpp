@@ -197,7 +197,7 @@ FeedBlobs FeedBackground::update(const Image<Rgb8>& frame) {
   if (self.reference.empty()) {
     self.reference = small.clone();
   }
-  const cv::Scalar gains = self.gains = gainsBetween(small, self.reference);
+  const cv::Scalar gains = gainsBetween(small, self.reference);
   const cv::Mat level = scaled(small, {1 / gains[0], 1 / gains[1], 1 / gains[2]});
   const double history = self.options.learnSeconds * self.options.framesPerSecond;
   const bool isBeginning = !self.isKnown && self.frames < kPrimingFrames;
@@ -209,6 +209,8 @@ FeedBlobs FeedBackground::update(const Image<Rgb8>& frame) {
   self.coveredFrames = isAway ? self.coveredFrames + 1 : 0;
   if (isAway) {
     mask = cv::Scalar(0);
+  } else {
+    self.gains = gains;
   }
   FeedBlobs blobs = self.blobsIn(mask);
   blobs.colors = Image<Rgb8>(level.cols, level.rows);

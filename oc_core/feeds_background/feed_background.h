@@ -35,7 +35,7 @@ class FeedBackground {
   /// Whether hardly anything of the background is seen, for some frames: the camera is covered, was turned away, or it
   /// is dark.
   bool isCovered() const;
-  /// How much of that light the last frame has, per channel.
+  /// How much of that light the last frame has that was not covered, per channel.
   glm::dvec3 light() const;
 
  private:

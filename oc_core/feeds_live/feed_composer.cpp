@@ -46,12 +46,25 @@ void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
   });
 }
 
+glm::dvec3 FeedComposer::commonLight() const {
+  glm::dvec3 sum(0);
+  double feeds = 0;
+  for (size_t i = 0; i < graph_.frusta(); ++i) {
+    if (const size_t feed = graph_.feedIndexOf(i); !frames_[feed].empty()) {
+      sum += backgrounds_[feed]->light();
+      ++feeds;
+    }
+  }
+  return feeds > 0 ? sum / feeds : glm::dvec3(1);
+}
+
 void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image) {
   tracks_.update(blobs_, seconds);
   std::vector<glm::dvec3> places;
   for (size_t i = 0; i < tracks_.count(); ++i) {
     places.push_back(tracks_.place(i));
   }
+  const glm::dvec3 common = commonLight();
   std::vector<FeedPicture> pictures(graph_.frusta());
   parallelFor(pictures.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
@@ -59,7 +72,7 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
       if (!frames_[feed].empty()) {
         marks_[i] = markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
         const FeedBackground& background = *backgrounds_[feed];
-        pictures[i] = {&frames_[feed], &background.image(), background.light(), &marks_[i]};
+        pictures[i] = {&frames_[feed], &background.image(), &marks_[i], common / background.light(), common};
       }
     }
   });

@@ -22,7 +22,8 @@ class FeedComposer {
 
   /// Takes frames for feeds, by index; empty ones stand for no new frame. Works on all cores.
   void take(std::vector<Image<Rgb8>>& frames);
-  /// Sets `image` to what the feeds show at `seconds`, which grow from call to call.
+  /// Sets `image` to what the feeds show at `seconds`, which grow from call to call. All have the mean of their lights,
+  /// so that exposures of their own make no seams.
   void compose(double seconds, ErasedLook erased, Image<Rgb8>& image);
 
   /// Of the last call of compose().
@@ -35,6 +36,8 @@ class FeedComposer {
   bool hasFrame(size_t feed) const { return !frames_[feed].empty(); }
 
  private:
+  glm::dvec3 commonLight() const;
+
   FeedGraph graph_;
   FeedMap map_;
   std::vector<std::unique_ptr<FeedBackground>> backgrounds_;  ///< of each feed

@@ -85,6 +85,27 @@ TEST(FeedCompose, sumsAreThoseOfEachChannel) {
   }
 }
 
+TEST(FeedCompose, framesAreLit) {
+  MadeFeeds feeds;
+  Image<Rgb8> plain;
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, plain);
+  const glm::dvec3 light(1.1, 0.9, 1.7);
+  for (FeedPicture& picture : feeds.pictures) {
+    picture.frameLight = light;
+  }
+  Image<Rgb8> lit;
+  composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, lit);
+  for (size_t i = 0; i < lit.size(); ++i) {
+    if (!feeds.map.placesAt(i).front().isInFeed()) {
+      continue;
+    }
+    for (int c = 0; c < 3; ++c) {
+      // Both are rounded.
+      ASSERT_NEAR(lit[i][c], std::min(255.0, plain[i][c] * light[c]), 0.5 + 0.5 * light[c] + 0.1) << i;
+    }
+  }
+}
+
 TEST(FeedCompose, hatchesWhatNoFeedShows) {
   MadeFeeds feeds;
   feeds.pictures[1].frame = nullptr;
@@ -106,7 +127,7 @@ TEST(FeedCompose, erasesAndOverlaysByTheMarks) {
   erased.cells() = Image<FeedMark>(320, 240, {255, 0});
   FeedMarks shown(320, 240, 2);
   shown.cells() = Image<FeedMark>(320, 240, {0, 255});
-  feeds.pictures[1] = {&feeds.frames[1], &still, glm::dvec3(1), &erased};
+  feeds.pictures[1] = {&feeds.frames[1], &still, &erased};
   const int x = 120;
   const int y = 120;
   ASSERT_EQ(feeds.graph.chainAt({x + 0.5, y + 0.5}).back(), 1u);
@@ -115,10 +136,10 @@ TEST(FeedCompose, erasesAndOverlaysByTheMarks) {
   EXPECT_EQ(image(x, y), Rgb8(9, 9, 9));
   composeFeeds(feeds.map, feeds.pictures, ErasedLook::kRed, image);
   EXPECT_EQ(image(x, y), Rgb8(132, 5, 5));  // half red, half background
-  feeds.pictures[1].light = {2, 1, 100};
+  feeds.pictures[1].backgroundLight = {2, 1, 100};
   composeFeeds(feeds.map, feeds.pictures, ErasedLook::kBackground, image);
-  EXPECT_EQ(image(x, y), Rgb8(18, 9, 255)) << "in the light of the frame";
-  feeds.pictures[0] = {&feeds.frames[0], &still, glm::dvec3(1), &shown};
+  EXPECT_EQ(image(x, y), Rgb8(18, 9, 36)) << "in another light, at most 4 times as bright";
+  feeds.pictures[0] = {&feeds.frames[0], &still, &shown};
   composeFeeds(feeds.map, feeds.pictures, ErasedLook::kRed, image);
   EXPECT_EQ(image(x, y).z, 50) << "the root's subject stands before the near face";
 }
