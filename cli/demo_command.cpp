@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "cli/command.h"
+#include "cli/feeds_demo.h"
 #include "cli/values.h"
 #include "display_driver/demo/demo_page.h"
 #include "display_driver/demo/portal_demo.h"
@@ -102,6 +103,12 @@ void runDemo(const DemoChoice& choice, const CommandContext& context) {
     }
     scenes.push_back(runDemoScene(each.title, each.source, choice.output, each.name, options, context.progress()));
     context.print(each.title + "\n" + evaluationTable(scenes.back().figures) + "\n");
+  }
+  if (!choice.only) {
+    context.note("Graph cameras from video (builtin:corridor_t)");
+    if (auto feeds = runFeedsDemo(choice.output, context)) {
+      scenes.push_back(std::move(*feeds));
+    }
   }
   const std::filesystem::path page = std::filesystem::path(choice.output) / "index.html";
   writeFile(page, demoPage(scenes, options, OCELLI_VERSION));

@@ -20,7 +20,8 @@ constexpr double kMinTiltDegrees = 10;
 constexpr double kFewTiltDegrees = 25;
 constexpr double kFewCovered = 0.5;
 constexpr double kMaxFocalSpread = 0.01;
-constexpr double kOutlier = 4;  ///< times the median error of a view
+constexpr double kOutlier = 4;  ///< times the median error of views, or of corners
+constexpr int kCornerPasses = 3;
 constexpr int kGridAcross = 8;
 constexpr int kGridDown = 6;
 
@@ -28,6 +29,7 @@ struct Solution {
   cv::Mat camera;
   cv::Mat distortion;
   std::vector<cv::Mat> rotations;
+  std::vector<cv::Mat> moves;
   std::vector<double> viewErrors;
   double rms = 0;
   double focalDeviation = 0;
@@ -45,12 +47,11 @@ Solution solve(const std::vector<BoardView>& views, int width, int height) {
     }
   }
   Solution result;
-  std::vector<cv::Mat> moves;
   cv::Mat deviations;
   cv::Mat viewDeviations;
   cv::Mat errors;
   result.rms = cv::calibrateCamera(points, pixels, {width, height}, result.camera, result.distortion, result.rotations,
-                                   moves, deviations, viewDeviations, errors);
+                                   result.moves, deviations, viewDeviations, errors);
   result.focalDeviation = std::max(deviations.at<double>(0), deviations.at<double>(1));
   result.viewErrors.assign(errors.begin<double>(), errors.end<double>());
   return result;
@@ -88,6 +89,56 @@ std::vector<BoardView> usualViews(const std::vector<BoardView>& views, const std
     }
   }
   return usual;
+}
+
+/// How far each corner of a view is from where a solution has it, pixels.
+std::vector<double> cornerErrors(const BoardView& view, const Solution& solution, size_t index) {
+  std::vector<cv::Point3d> points;
+  for (const BoardCorner& corner : view) {
+    points.emplace_back(corner.board.x, corner.board.y, 0);
+  }
+  std::vector<cv::Point2d> pixels;
+  cv::projectPoints(points, solution.rotations[index], solution.moves[index], solution.camera, solution.distortion,
+                    pixels);
+  std::vector<double> errors;
+  for (size_t i = 0; i < view.size(); ++i) {
+    errors.push_back(glm::distance(view[i].pixel - 0.5, glm::dvec2(pixels[i].x, pixels[i].y)));
+  }
+  return errors;
+}
+
+/// Without corners whose error is far above the median of all: something else was taken for them. A view that keeps
+/// too few is left out, too.
+std::vector<BoardView> usualCorners(const std::vector<BoardView>& views, const Solution& solution) {
+  std::vector<std::vector<double>> errors;
+  std::vector<double> sorted;
+  for (size_t i = 0; i < views.size(); ++i) {
+    errors.push_back(cornerErrors(views[i], solution, i));
+    sorted.insert(sorted.end(), errors.back().begin(), errors.back().end());
+  }
+  std::nth_element(sorted.begin(), sorted.begin() + static_cast<std::ptrdiff_t>(sorted.size() / 2), sorted.end());
+  const double limit = kOutlier * sorted[sorted.size() / 2];
+  std::vector<BoardView> usual;
+  for (size_t i = 0; i < views.size(); ++i) {
+    BoardView kept;
+    for (size_t c = 0; c < views[i].size(); ++c) {
+      if (errors[i][c] <= limit) {
+        kept.push_back(views[i][c]);
+      }
+    }
+    if (kept.size() >= kMinViewCorners) {
+      usual.push_back(std::move(kept));
+    }
+  }
+  return usual;
+}
+
+size_t countCorners(const std::vector<BoardView>& views) {
+  size_t count = 0;
+  for (const BoardView& view : views) {
+    count += view.size();
+  }
+  return count;
 }
 
 std::vector<std::string> warningsOf(const LensCalibration& result) {
@@ -149,9 +200,19 @@ LensCalibration calibrateLens(const std::vector<BoardView>& views, int width, in
   checkCount(views.size());
   try {
     Solution solution = solve(views, width, height);
-    const std::vector<BoardView> usual = usualViews(views, solution.viewErrors);
+    std::vector<BoardView> usual = usualViews(views, solution.viewErrors);
     if (usual.size() < views.size()) {
       checkCount(usual.size());
+      solution = solve(usual, width, height);
+    }
+    // Wrong corners pull a solution to themselves: without the worst, others show.
+    for (int pass = 0; pass < kCornerPasses; ++pass) {
+      std::vector<BoardView> kept = usualCorners(usual, solution);
+      if (countCorners(kept) == countCorners(usual)) {
+        break;
+      }
+      checkCount(kept.size());
+      usual = std::move(kept);
       solution = solve(usual, width, height);
     }
     LensCalibration result;

