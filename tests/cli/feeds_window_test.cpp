@@ -30,6 +30,7 @@ TEST(FeedsWindowCommand, saysWhatIsMissing) {
   EXPECT_NE(result.exitCode, 0);
   EXPECT_THAT(result.error, testing::AnyOf(testing::HasSubstr("display"), testing::HasSubstr("OCELLI_WITH_OPENGL")));
   EXPECT_THAT(result.error, testing::HasSubstr("try:"));
+  EXPECT_THAT(result.error, testing::Not(testing::HasSubstr("--offscreen"))) << "it has no such option";
   EXPECT_FALSE(std::filesystem::exists(folder / "video.mp4")) << "nothing was begun";
   const ProgramResult edit = runShell("env -u DISPLAY -u WAYLAND_DISPLAY \"$OCELLI\" feeds edit " +
                                       inQuotes(folder / "setup.json") + " -o " + inQuotes(folder / "edited.json"));
