@@ -8,6 +8,7 @@
 #include "oc_core/feeds_editor_window/face_window.h"
 #include "oc_core/feeds_live/first_frames.h"
 #include "oc_core/feeds_place/feed_place.h"
+#include "oc_core/gl/gl_error.h"
 #include "oc_core/multiperspective/plan_section.h"
 #endif
 
@@ -47,7 +48,12 @@ void editFacesCommand(const FeedsEditChoice& choice, const CommandContext& conte
   };
   FaceEditor editor(setup, corners);
   const InterruptGuard guard;
-  runFaceWindow(editor, options, [] { return !InterruptGuard::interrupted(); });
+  try {
+    runFaceWindow(editor, options, [] { return !InterruptGuard::interrupted(); });
+  } catch (const GlError& error) {
+    throw WorkError(error.reason(), "feeds edit",
+                    "set DISPLAY to a running X server, or find near faces with `ocelli feeds faces`");
+  }
 }
 #else
 void editFacesCommand(const FeedsEditChoice& /*choice*/, const CommandContext& /*context*/) {

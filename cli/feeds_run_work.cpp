@@ -13,6 +13,7 @@
 #include "oc_core/base/json_document.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "oc_core/feeds_window/feeds_window.h"
+#include "oc_core/gl/gl_error.h"
 #endif
 
 namespace ocelli {
@@ -126,12 +127,16 @@ FeedsRunFigures runInWindow(const FeedsRunChoice& choice, const FeedSetup& setup
   options.hasLabels = !choice.hasNoLabels;
   options.goesOn = [] { return !InterruptGuard::interrupted(); };
   FeedsRunFigures figures;
-  runFeedsWindow(FeedGraph(setup), options, [&](FeedsScreen& screen) {
-    figures = runWatched(choice, setup, context, poses,
-                         {.show = [&](const ComposedFrame& frame) { screen.show(frame); },
-                          .erased = [&] { return screen.erased(); },
-                          .isClosed = [&] { return screen.isClosed(); }});
-  });
+  try {
+    runFeedsWindow(FeedGraph(setup), options, [&](FeedsScreen& screen) {
+      figures = runWatched(choice, setup, context, poses,
+                           {.show = [&](const ComposedFrame& frame) { screen.show(frame); },
+                            .erased = [&] { return screen.erased(); },
+                            .isClosed = [&] { return screen.isClosed(); }});
+    });
+  } catch (const GlError& error) {
+    throw WorkError(error.reason(), "--window", "set DISPLAY to a running X server, or use --page or -o without it");
+  }
   return figures;
 }
 #else

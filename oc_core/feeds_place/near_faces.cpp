@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <compare>
 #include <glm/geometric.hpp>
 #include <map>
 #include <optional>
@@ -30,11 +31,7 @@ class FaceFinder {
 
   NearFaces find() {
     for (size_t parent = 0; parent < setup_.frusta.size(); ++parent) {
-      for (const Feed& feed : setup_.feeds) {
-        if (!isPlaced(feed.name)) {
-          place(feed, setup_.frusta[parent].feed);
-        }
-      }
+      placeChildrenOf(std::string(setup_.frusta[parent].feed));
     }
     turnFaces();
     const FeedMap map{FeedGraph(setup_)};
@@ -74,25 +71,38 @@ class FaceFinder {
     }
   }
 
-  /// Makes a feed a frustum of a parent, at the nearest opening to that where it can be one.
-  void place(const Feed& feed, std::string parent) {
-    const glm::dvec3 eye = this->feed(parent).pose.eye;
-    std::vector<std::pair<double, size_t>> candidates;
-    for (size_t i = 0; i < map_.portals.size(); ++i) {
-      if (!map_.portals[i].isJoint && looksThrough(feed, eye, map_.portals[i].opening, walls_)) {
-        candidates.emplace_back(glm::distance(eye, glm::dvec3(map_.portals[i].opening.center)), i);
+  /// Makes feeds children of a parent, beginning with the opening that is nearest to it: what lies behind is seen
+  /// through that.
+  void placeChildrenOf(const std::string& parent) {
+    const glm::dvec3 eye = feed(parent).pose.eye;
+    struct Candidate {
+      double distance;
+      size_t opening;
+      std::string feed;
+      auto operator<=>(const Candidate&) const = default;
+    };
+    std::vector<Candidate> candidates;
+    for (const Feed& feed : setup_.feeds) {
+      for (size_t i = 0; i < map_.portals.size(); ++i) {
+        const WalkPortal& portal = map_.portals[i];
+        if (!isPlaced(feed.name) && !portal.isJoint && looksThrough(feed, eye, portal.opening, walls_)) {
+          candidates.push_back({glm::distance(eye, glm::dvec3(portal.opening.center)), i, feed.name});
+        }
       }
     }
     std::ranges::sort(candidates);
-    for (const auto& [distance, opening] : candidates) {
+    for (const Candidate& each : candidates) {
+      if (isPlaced(each.feed)) {
+        continue;
+      }
       std::vector<FeedFrustum> frusta = setup_.frusta;
-      frusta.push_back({feed.name, parent, faceOf(map_.portals[opening].opening, walls_)});
+      frusta.push_back({each.feed, parent, faceOf(map_.portals[each.opening].opening, walls_)});
       if (coverageOf(frusta)) {
         setup_.frusta = std::move(frusta);
-        found_.faces.push_back({feed.name, parent, opening, 0, 0});
-        return;
+        found_.faces.push_back({each.feed, parent, each.opening, 0, 0});
+      } else {
+        refusals_[each.feed] = fmt::format("{} is refused: {}", nameOfOpening(each.opening), refusal_);
       }
-      refusals_[feed.name] = fmt::format("{} is refused: {}", nameOfOpening(opening), refusal_);
     }
   }
 

@@ -9,7 +9,9 @@
 namespace ocelli {
 namespace {
 
-constexpr double kToWalls = 0.5;       ///< metres: walls so near to the sides of an opening are its jambs
+constexpr double kToWalls = 0.5;  ///< metres: walls so near to the sides of an opening are its jambs
+constexpr double kSlide = 0.25;   ///< metres that an opening is moved to where it has jambs: maps are made of squares
+constexpr double kSlideStep = 0.01;
 constexpr double kMinBefore = 0.1;     ///< metres that a camera stands before an opening
 constexpr double kJustBefore = 0.995;  ///< of a line of sight, so that what stands at its end hides nothing
 constexpr double kOffJamb = 0.05;      ///< metres from a jamb, so that rays do not begin in the wall
@@ -26,6 +28,26 @@ glm::dvec3 turnedLevel(const glm::dvec3& v, double angle) {
   return {c * v.x + s * v.z, v.y, -s * v.x + c * v.z};
 }
 
+bool isNearWall(const glm::dvec3& center, const glm::dvec3& half, const PlaceWalls& walls) {
+  const double length = glm::length(half);
+  return walls.distance(center, half / length, length + kToWalls) < length + kToWalls;
+}
+
+/// The middle of an opening where walls stand on both of its sides, as near as there is such a place.
+glm::dvec3 betweenJambs(const Portal& opening, const PlaceWalls& walls) {
+  const glm::dvec3 center(opening.center);
+  const glm::dvec3 right(opening.halfRight);
+  for (double way = 0; way <= kSlide; way += kSlideStep) {
+    for (const double sign : {1.0, -1.0}) {
+      const glm::dvec3 moved = center + sign * way * glm::dvec3(opening.normal);
+      if (isNearWall(moved, right, walls) && isNearWall(moved, -right, walls)) {
+        return moved;
+      }
+    }
+  }
+  return center;
+}
+
 }  // namespace
 
 double PlaceWalls::distance(const glm::dvec3& from, const glm::dvec3& direction, double reach) const {
@@ -38,7 +60,7 @@ bool PlaceWalls::isFree(const glm::dvec3& from, const glm::dvec3& to) const {
 }
 
 FaceCorners faceOf(const Portal& opening, const PlaceWalls& walls) {
-  const glm::dvec3 center(opening.center);
+  const glm::dvec3 center = betweenJambs(opening, walls);
   const auto reach = [&](const glm::dvec3& half) {
     const double length = glm::length(half);
     const double limit = length + kToWalls;

@@ -26,7 +26,8 @@ class PlaceWalls {
 /// Corners of an upright near face: the bottom and the top of one jamb, then the top and the bottom of the other.
 using FaceCorners = std::array<glm::dvec3, 4>;
 
-/// The opening as far as the walls around it, where these are near.
+/// The opening as far as the walls around it, where these are near; moved by some centimetres to where it has both
+/// jambs.
 FaceCorners faceOf(const Portal& opening, const PlaceWalls& walls);
 
 /// Whether the feed shows the middle of the opening.

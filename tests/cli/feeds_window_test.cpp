@@ -1,4 +1,4 @@
-// `ocelli feeds run --window` where there is no display.
+// `ocelli feeds run --window` and `ocelli feeds edit` where there is no display.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -30,7 +30,12 @@ TEST(FeedsWindowCommand, saysWhatIsMissing) {
   EXPECT_NE(result.exitCode, 0);
   EXPECT_THAT(result.error, testing::AnyOf(testing::HasSubstr("display"), testing::HasSubstr("OCELLI_WITH_OPENGL")));
   EXPECT_THAT(result.error, testing::HasSubstr("try:"));
+  EXPECT_THAT(result.error, testing::Not(testing::HasSubstr("--offscreen"))) << "it has no such option";
   EXPECT_FALSE(std::filesystem::exists(folder / "video.mp4")) << "nothing was begun";
+  const ProgramResult edit = runShell("env -u DISPLAY -u WAYLAND_DISPLAY \"$OCELLI\" feeds edit " +
+                                      inQuotes(folder / "setup.json") + " -o " + inQuotes(folder / "edited.json"));
+  EXPECT_NE(edit.exitCode, 0);
+  EXPECT_THAT(edit.error, testing::AnyOf(testing::HasSubstr("display"), testing::HasSubstr("OCELLI_WITH_OPENGL")));
   const ProgramResult nowhere = runProgram("feeds run " + inQuotes(folder / "setup.json"));
   EXPECT_EQ(nowhere.exitCode, 2);
   EXPECT_THAT(nowhere.error, testing::HasSubstr("nowhere for the image to go"));
