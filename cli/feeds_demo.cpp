@@ -36,8 +36,8 @@ DemoScene feedsScene(const std::filesystem::path& program, const std::filesystem
   const DemoFolder images(folder, "feeds");
   const std::filesystem::path work = folder / "feeds" / "work";
   const std::string setup = (work / "setup.json").string();
-  runFeedsStep(program, {"simulate", "builtin:corridor_t", "--seconds", "1", "--frames-per-second", "10", "--seed", "3",
-                         "-o", work.string()});
+  runFeedsStep(program, {"simulate", "builtin:corridor_t", "--seconds", "1", "--frames-per-second", "10", "--size",
+                         "480x480", "-o", work.string()});
   runFeedsStep(program, {"run", setup, "--no-labels", "--frames-per-second", "5", "-o", (work / "composed").string()});
   runFeedsStep(program, {"panes", setup, "-o", (work / "panes.png").string()});
   DemoScene scene;
@@ -45,8 +45,9 @@ DemoScene feedsScene(const std::filesystem::path& program, const std::filesystem
   scene.source = "ocelli feeds simulate builtin:corridor_t";
   scene.rows.push_back(
       {"Watch corridors",
-       "A graph camera made of video feeds shows both branches of the corridors in one image that "
-       "goes on around the corners. Who walks there is seen once.",
+       "A graph camera made of video feeds shows both branches of the corridors in one image that goes on around the "
+       "corners. Who stands before the part of a branch that its feed shows is erased from it; pieces may stay where "
+       "bodies overlap.",
        {images.write("panes", readPng(work / "panes.png"), "Panes", "Each feed by itself: who is where takes thought."),
         images.write("composed", readPng(lastImageIn(work / "composed")), "Graph camera",
                      "One continuous image of the same feeds.")}});
