@@ -241,7 +241,7 @@ void FeedsWindow::drawBar(float height) {
   }
   line += state_.hasRedErased ? "   red: erased, not live" : "";
   line += screen_.isPaused() ? "   PAUSED" : "";
-  line += screen_.hasEnded() ? "   ENDED" : "";
+  line += screen_.hasEnded() ? "   the run has ended" : "";
   line += "   H: help";
   line += message_.empty() ? "" : "   " + message_;
   ImGui::TextUnformatted(line.c_str());

@@ -4,6 +4,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_fields.h"
+#include "tests/base/temporary_folder.h"
 #include "tests/feeds/made_setup.h"
 
 namespace ocelli {
@@ -67,6 +68,23 @@ TEST(FeedSetup, schemaAgreesWithTheReader) {
   for (const auto& [name, value] : whole.at("frusta").at(1).items()) {
     EXPECT_TRUE(schema.at("properties").at("frusta").at("items").at("properties").contains(name)) << name;
   }
+}
+
+/// A setup that is written elsewhere names the same files.
+TEST(FeedSetup, keepsItsFilesInAnotherFolder) {
+  const test::TemporaryFolder folder;
+  std::filesystem::create_directories(folder / "a");
+  std::filesystem::create_directories(folder / "b");
+  FeedSetup setup = test::tSetup();
+  setup.feeds[1].source = "rtsp://127.0.0.1:8554/left";
+  setup.feeds[2].background = "right.png";
+  folder.write("a/setup.json", jsonText(setup));
+  const FeedSetup read = readFeedSetup(folder / "a" / "setup.json");
+  writeFeedSetup(read, folder / "b" / "setup.json");
+  const FeedSetup again = readFeedSetup(folder / "b" / "setup.json");
+  EXPECT_EQ(std::filesystem::weakly_canonical(again.feeds[0].source), folder / "a" / "stem.mkv");
+  EXPECT_EQ(again.feeds[1].source, "rtsp://127.0.0.1:8554/left");
+  EXPECT_EQ(std::filesystem::weakly_canonical(again.feeds[2].background), folder / "a" / "right.png");
 }
 
 TEST(FeedSetup, putsParentsFirst) {
