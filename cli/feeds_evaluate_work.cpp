@@ -58,16 +58,18 @@ void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContex
   }
   table += rowOf("all", sums);
   table += fmt::format(
-      "\n  seen once    {:.2f} % of walkers and frames, or fading\n  PSNR         {:.2f} dB over {} "
+      "\n  seen once    {:.2f} % of walkers and frames, or fading; {:.2f} % could be, with these cameras\n  PSNR       "
+      "  {:.2f} dB over {} "
       "frames\n  seams        {:.1f} levels more than rendered, {:.1f} beside them; over {:g} at {:.1f} %\n  speed     "
       "   {:.1f} ms a frame, without reading feeds and comparing\n",
-      100 * result.rightShare(), result.psnrDecibels, result.frames, result.seams.levels, result.seams.insideLevels,
-      kSeamLevels, 100 * result.seams.visibleShare(), 1e3 * result.run.meanFrameSeconds);
+      100 * result.rightShare(), 100 * result.possibleShare(), result.psnrDecibels, result.frames, result.seams.levels,
+      result.seams.insideLevels, kSeamLevels, 100 * result.seams.visibleShare(), 1e3 * result.run.meanFrameSeconds);
   table += stitcherRow(options, result.stitcher);
   nlohmann::ordered_json figures{{"frames", result.frames},
                                  {"walkers", result.walkers.size()},
                                  {"fates", fates},
                                  {"right_share", result.rightShare()},
+                                 {"possible_share", result.possibleShare()},
                                  {"psnr_db", result.psnrDecibels},
                                  {"seam_levels", result.seams.levels},
                                  {"seam_levels_beside", result.seams.insideLevels},

@@ -231,9 +231,10 @@ std::string errorsPage(const FeedsEvaluation& evaluation, const std::string& tit
   std::string html = pageBegin(title, {kErrorsStyle}) +
                      fmt::format(
                          "<header>\n<h1>{}</h1>\n<p>{:.1f} % of {} walkers in {} frames are right, or fade "
-                         "between two feeds. {:.1f} dB against the graph camera's own rendering of the scene.</p>\n",
+                         "between two feeds; with these cameras {:.1f} % could be. {:.1f} dB against the graph "
+                         "camera's own rendering of the scene.</p>\n",
                          htmlFromText(title), 100 * evaluation.rightShare(), evaluation.walkers.size(),
-                         evaluation.frames, evaluation.psnrDecibels);
+                         evaluation.frames, 100 * evaluation.possibleShare(), evaluation.psnrDecibels);
   html += fatesTable(evaluation) + "</header>\n<main>\n";
   if (!evaluation.timeline.empty()) {
     html += "<h2>When</h2>\n" + keyList() + timelineOf(evaluation) + "<h2>Seams</h2>\n" + seamsOf(evaluation);

@@ -22,35 +22,59 @@ uint8_t walkerAt(const WalkerMask& mask, const FeedPlace& place) {
   return mask((place.x + kHalf) >> FeedPlace::kFractionBits, (place.y + kHalf) >> FeedPlace::kFractionBits);
 }
 
-/// Which walker each pixel of the composed image shows for the most part, and by which frustum; and which the cameras
-/// of its frusta see there.
-void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& masks, WalkerAreas& areas,
-                WalkerAreas& seen) {
+/// Where the pixels of one composed image show walkers.
+struct ShownWalkers {
+  WalkerAreas composed;  ///< as the image is
+  WalkerAreas possible;  ///< as it would be if all that the cameras see were erased and shown by the true places
+  WalkerAreas seen;      ///< by the cameras of the frusta, erased or not
+};
+
+/// How much each frustum shows of each walker where it truly stands.
+using TrueShares = std::vector<std::vector<double>>;
+
+/// A walker that a pixel shows for the most part, and by which frustum; the nearer frusta come later.
+struct PixelWalker {
+  uint8_t walker = 0;  ///< its number plus 1; 0: none
+  size_t frustum = 0;
+
+  void take(bool isShown, uint8_t there, size_t by) {
+    if (isShown) {
+      walker = there;
+      frustum = by;
+    }
+  }
+  void addTo(WalkerAreas& areas, int x, int y) const {
+    if (walker > 0) {
+      areas[walker - 1u].add(frustum, x, y);
+    }
+  }
+};
+
+void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& masks, const TrueShares& shares,
+                ShownWalkers& result) {
   const FeedMap& map = composer.map();
   const auto width = static_cast<size_t>(map.width());
   for (size_t i = 0; i < width * static_cast<size_t>(map.height()); ++i) {
     const auto x = static_cast<int>(i % width);
     const auto y = static_cast<int>(i / width);
-    uint8_t walker = 0;
-    size_t frustum = 0;
+    PixelWalker composed;
+    PixelWalker possible;
     bool isLast = true;
     for (const FeedPlace& place : map.placesAt(i)) {
       const WalkerMask& mask = masks[place.frustum];
       if (place.isInFeed() && !mask.empty()) {
         const FeedMark mark = composer.marks(place.frustum).at(place);
-        if (isLast ? mark.erased < 128 : mark.shown >= 128) {
-          walker = walkerAt(mask, place);
-          frustum = place.frustum;
-        }
-        if (const uint8_t there = walkerAt(mask, place); there > 0) {
-          seen[there - 1u].add(place.frustum, x, y);
+        const uint8_t there = walkerAt(mask, place);
+        composed.take(isLast ? mark.erased < 128 : mark.shown >= 128, there, place.frustum);
+        if (there > 0) {
+          possible.take(shares[there - 1u][place.frustum] >= 0.5, there, place.frustum);
+          result.seen[there - 1u].add(place.frustum, x, y);
         }
       }
       isLast = false;
     }
-    if (walker > 0) {
-      areas[walker - 1u].add(frustum, x, y);
-    }
+    composed.addTo(result.composed, x, y);
+    possible.addTo(result.possible, x, y);
   }
 }
 
@@ -95,11 +119,10 @@ class FeedsJudge {
 
   void look(const ComposedFrame& frame) {
     WalkerAreas wanted = emptyAreas(walkers_.count(), graph_.frusta());
-    WalkerAreas shown = wanted;
-    WalkerAreas seen = wanted;
+    ShownWalkers shown{wanted, wanted, wanted};
     const Image<Rgb8> reference = rendered_.draw(walkers_, frame.seconds, wanted);
     const std::vector<WalkerMask> masks = masksOf(frame);
-    countShown(frame.composer, masks, shown, seen);
+    countShown(frame.composer, masks, trueShares(frame.seconds), shown);
     squares_ += squaredError(frame.image, reference);
     if (stitchEvery_ > 0 && result_.frames % stitchEvery_ == 0) {
       stitch(frame, masks);
@@ -108,11 +131,14 @@ class FeedsJudge {
     FrameJudgement judgement{frame.seconds, {}, seams_.measure(frame.image, reference)};
     for (size_t w = 0; w < walkers_.count(); ++w) {
       const glm::dvec2 p = walkers_.at(w, frame.seconds).place;
-      const WalkerFate fate = fateOf(wanted[w], shown[w], seen[w], isFading(graph_, {p.x, 0, p.y}));
+      const bool fades = isFading(graph_, {p.x, 0, p.y});
+      const WalkerFate fate = fateOf(wanted[w], shown.composed[w], shown.seen[w], fades);
+      const WalkerFate possible = fateOf(wanted[w], shown.possible[w], shown.seen[w], fades);
+      result_.possible += possible == WalkerFate::kRight || possible == WalkerFate::kBetween ? 1 : 0;
       ++result_.walkers[w][static_cast<size_t>(fate)];
       judgement.fates.push_back(fate);
       if (hasPictures_ && pictures_.wants(fate, frame.seconds)) {
-        pictures_.add(fate, w, frame.seconds, markedPair(frame.image, shown[w], reference, wanted[w]));
+        pictures_.add(fate, w, frame.seconds, markedPair(frame.image, shown.composed[w], reference, wanted[w]));
       }
     }
     result_.timeline.push_back(std::move(judgement));
@@ -132,6 +158,17 @@ class FeedsJudge {
   }
 
  private:
+  TrueShares trueShares(double seconds) const {
+    TrueShares shares(walkers_.count());
+    for (size_t w = 0; w < walkers_.count(); ++w) {
+      const glm::dvec2 p = walkers_.at(w, seconds).place;
+      for (size_t i = 0; i < graph_.frusta(); ++i) {
+        shares[w].push_back(shareShown(graph_, i, {p.x, 0, p.y}));
+      }
+    }
+    return shares;
+  }
+
   std::vector<WalkerMask> masksOf(const ComposedFrame& frame) const {
     std::vector<WalkerMask> masks(graph_.frusta());
     parallelFor(masks.size(), 1, [&](size_t begin, size_t end) {
@@ -183,6 +220,11 @@ size_t FeedsEvaluation::count(WalkerFate fate) const {
 double FeedsEvaluation::rightShare() const {
   const auto all = static_cast<double>(frames * walkers.size());
   return all > 0 ? static_cast<double>(count(WalkerFate::kRight) + count(WalkerFate::kBetween)) / all : 1;
+}
+
+double FeedsEvaluation::possibleShare() const {
+  const auto all = static_cast<double>(frames * walkers.size());
+  return all > 0 ? static_cast<double>(possible) / all : 1;
 }
 
 FeedsEvaluation evaluateFeeds(const std::filesystem::path& folder, const FeedsEvaluationOptions& options,

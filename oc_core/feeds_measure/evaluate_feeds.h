@@ -26,6 +26,9 @@ struct FeedsEvaluation {
   size_t frames = 0;
   /// Of each walker: frames by fate.
   std::vector<std::array<size_t, kWalkerFates>> walkers;
+  /// Walkers and frames that would be right or fade, if it were known of each pixel of a feed whom it shows and where
+  /// that one stands: the others are hidden, for the most part, from the camera that should show them.
+  size_t possible = 0;
   double psnrDecibels = 0;  ///< of all frames together, sRGB
   std::vector<FrameJudgement> timeline;
   FeedSeams seams;                     ///< mean of all frames
@@ -36,6 +39,8 @@ struct FeedsEvaluation {
   size_t count(WalkerFate fate) const;
   /// The share of all walkers and frames that are right or fade.
   double rightShare() const;
+  /// The share that would be, with these cameras.
+  double possibleShare() const;
 };
 
 struct FeedsEvaluationOptions {

@@ -119,12 +119,15 @@ TEST(FeedsMeasure, walkersAreSeenOnceForTheMostPart) {
   const FeedsEvaluation found = evaluateFeeds(folder.path(), {});
   EXPECT_GT(found.frames, 50u);
   EXPECT_GT(found.rightShare(), 0.94);  // 0.972 when this was written
+  EXPECT_GE(found.possibleShare(), found.rightShare());
+  EXPECT_GT(found.possibleShare(), 0.97);
   EXPECT_GT(found.psnrDecibels, 18);
   // Without the backgrounds' subtraction walkers are doubled: what is measured can fail.
   FeedsEvaluationOptions blind;
   blind.backgrounds.minBlobPixels = 1e9;
   const FeedsEvaluation worse = evaluateFeeds(folder.path(), blind);
   EXPECT_LT(worse.rightShare(), found.rightShare());
+  EXPECT_EQ(worse.possibleShare(), found.possibleShare()) << "what cameras see is the same";
 }
 
 TEST(FeedsMeasure, namesScenesWithoutCameras) {
