@@ -11,6 +11,7 @@
 #include "oc_core/base/error.h"
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_image.h"
+#include "oc_core/window/gui_help.h"
 
 namespace ocelli {
 namespace {
@@ -260,30 +261,9 @@ void FaceWindow::drawBar() {
 }
 
 void FaceWindow::drawHelp() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  ImGui::SetNextWindowPos({static_cast<float>(window_.x) / 2, static_cast<float>(window_.y) / 2}, 0, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({kHelpWidth * scale, 0});
-  ImGui::SetNextWindowBgAlpha(0.95f);
-  ImGui::Begin("help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-  ImGui::TextUnformatted("Near faces: where one camera's image goes on in another's");
-  ImGui::Separator();
-  if (ImGui::BeginTable("keys", 2)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 130 * scale);
-    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
-    const auto line = [](const auto& row) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoYellow.packed());
-      ImGui::TextUnformatted(row.shown);
-      ImGui::PopStyleColor();
-      ImGui::TableNextColumn();
-      ImGui::TextWrapped("%s", row.meaning);
-    };
-    std::ranges::for_each(facePointerLines(), line);
-    std::ranges::for_each(faceKeyActions(), line);
-    ImGui::EndTable();
-  }
-  ImGui::End();
+  GuiHelp help(window_, static_cast<float>(gui_.lengthScale()), kHelpWidth, 130,
+               "Near faces: where one camera's image goes on in another's");
+  help.rows(facePointerLines(), faceKeyActions());
 }
 
 Image<Rgb8> FaceWindow::screenshot() const {

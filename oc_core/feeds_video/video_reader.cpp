@@ -246,7 +246,8 @@ size_t VideoReader::damagedFrames() const {
 }
 
 bool VideoReader::isLive() const {
-  return videoSourceKind(impl_->source).mayBeLive && impl_->input->duration == AV_NOPTS_VALUE;
+  const VideoSourceKind& kind = videoSourceKind(impl_->source);
+  return kind.isAlwaysLive || (kind.mayBeLive && impl_->input->duration == AV_NOPTS_VALUE);
 }
 
 bool VideoReader::next(VideoFrame& frame) {

@@ -14,17 +14,17 @@ namespace {
 constexpr const char* kStartCamera = "start what sends it, and check the address, the port and the firewall";
 
 constexpr std::array<VideoSourceKind, 7> kKinds{{
-    {"v4l2:", "v4l2", true, true, true, "connect the camera; `ls /dev/video*` shows the devices that are there",
+    {"v4l2:", "v4l2", true, true, true, true, "connect the camera; `ls /dev/video*` shows the devices that are there",
      "close other programs that use the camera, and join the group `video` (adduser USER video)"},
-    {"rtsp://", nullptr, false, true, false, "check the path in the address: the server has no such feed",
+    {"rtsp://", nullptr, false, true, false, false, "check the path in the address: the server has no such feed",
      kStartCamera},
-    {"http://", nullptr, false, true, false, "check the path in the address: the server has no such page",
+    {"http://", nullptr, false, true, false, false, "check the path in the address: the server has no such page",
      kStartCamera},
-    {"https://", nullptr, false, true, false, "check the path in the address: the server has no such page",
+    {"https://", nullptr, false, true, false, false, "check the path in the address: the server has no such page",
      "start what sends it, and check the address, the port, the firewall and the certificate of the server"},
-    {"udp://", nullptr, false, true, false, kStartCamera, kStartCamera},
-    {"tcp://", nullptr, false, true, false, kStartCamera, kStartCamera},
-    {"", nullptr, false, false, false, "check \"source\" in the setup: paths begin in its folder",
+    {"udp://", nullptr, false, true, true, false, kStartCamera, kStartCamera},
+    {"tcp://", nullptr, false, true, true, false, kStartCamera, kStartCamera},
+    {"", nullptr, false, false, false, false, "check \"source\" in the setup: paths begin in its folder",
      "check \"source\" in the setup; `ffprobe` says what FFmpeg makes of it"},
 }};
 

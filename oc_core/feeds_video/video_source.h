@@ -22,7 +22,8 @@ struct VideoSourceKind {
   const char* prefix;       ///< what sources of this kind begin with; the last row has none, and is for files
   const char* format;       ///< FFmpeg's name of the input; null where it finds out itself
   bool isPrefixOurs;        ///< FFmpeg gets the rest alone
-  bool mayBeLive;           ///< frames come when they are taken; live where it has no known length
+  bool mayBeLive;           ///< frames come when they are taken; live where it has no known length,
+  bool isAlwaysLive;        ///< or whatever length its sender says
   bool takesSize;           ///< the size and the rate are asked for
   const char* whenMissing;  ///< what to do where there is no such thing
   const char* whenRefused;  ///< where it does not answer, or may not be used

@@ -14,6 +14,7 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_image.h"
 #include "oc_core/image/png_file.h"
+#include "oc_core/window/gui_help.h"
 
 namespace ocelli {
 namespace {
@@ -262,26 +263,8 @@ void FeedsWindow::drawBar(float height) {
 
 void FeedsWindow::drawHelp() {
   const auto scale = static_cast<float>(gui_.lengthScale());
-  ImGui::SetNextWindowPos({static_cast<float>(window_.x) / 2, static_cast<float>(window_.y) / 2}, 0, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({kHelpWidth * scale, 0});
-  ImGui::SetNextWindowBgAlpha(0.95f);
-  ImGui::Begin("help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-  ImGui::TextUnformatted("One image of several cameras' feeds");
-  ImGui::Separator();
-  if (ImGui::BeginTable("keys", 2)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 110 * scale);
-    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
-    for (const FeedsKeyAction& row : feedsKeyActions()) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoYellow.packed());
-      ImGui::TextUnformatted(row.shown);
-      ImGui::PopStyleColor();
-      ImGui::TableNextColumn();
-      ImGui::TextWrapped("%s", row.meaning);
-    }
-    ImGui::EndTable();
-  }
+  GuiHelp help(window_, scale, kHelpWidth, 110, "One image of several cameras' feeds");
+  help.rows(feedsKeyActions());
   ImGui::Separator();
   for (const FeedStateMeaning& row : feedStateMeanings()) {
     const ImVec2 at = ImGui::GetCursorScreenPos();
@@ -289,7 +272,6 @@ void FeedsWindow::drawHelp() {
     ImGui::SetCursorScreenPos({at.x + 20 * scale, at.y});
     ImGui::TextUnformatted(row.meaning);
   }
-  ImGui::End();
 }
 
 Image<Rgb8> FeedsWindow::screenshot() const {

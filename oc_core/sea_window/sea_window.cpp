@@ -12,6 +12,7 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/gl/gl_image.h"
 #include "oc_core/sea_window/sea_keys.h"
+#include "oc_core/window/gui_help.h"
 
 namespace ocelli {
 namespace {
@@ -216,35 +217,12 @@ void SeaWindow::drawStatus() {
 }
 
 void SeaWindow::drawHelp() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  ImGui::SetNextWindowPos({static_cast<float>(size_.x) / 2, static_cast<float>(size_.y) / 2}, 0, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({520 * scale, 0});
-  ImGui::SetNextWindowBgAlpha(0.95f);
-  ImGui::Begin("help", nullptr, ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove);
-  ImGui::TextUnformatted("A sea of images: walk between them");
-  ImGui::Separator();
-  if (ImGui::BeginTable("keys", 2)) {
-    ImGui::TableSetupColumn("keys", ImGuiTableColumnFlags_WidthFixed, 150 * scale);
-    ImGui::TableSetupColumn("meaning", ImGuiTableColumnFlags_WidthStretch);
-    const auto line = [](const auto& row) {
-      ImGui::TableNextRow();
-      ImGui::TableNextColumn();
-      ImGui::PushStyleColor(ImGuiCol_Text, kOkabeItoYellow.packed());
-      ImGui::TextUnformatted(row.shown);
-      ImGui::PopStyleColor();
-      ImGui::TableNextColumn();
-      ImGui::TextUnformatted(row.meaning);
-    };
-    std::ranges::for_each(seaPointerLines(), line);
-    std::ranges::for_each(seaHeldKeys(), line);
-    std::ranges::for_each(seaKeyActions(), line);
-    ImGui::EndTable();
-  }
+  GuiHelp help(size_, static_cast<float>(gui_.lengthScale()), 520, 150, "A sea of images: walk between them");
+  help.rows(seaPointerLines(), seaHeldKeys(), seaKeyActions());
   ImGui::PushStyleColor(ImGuiCol_Text, kGuiTextDim.packed());
   ImGui::TextWrapped(
       "On the map a disc is where you are, its wedge what you see, and squares are the images that are blended.");
   ImGui::PopStyleColor();
-  ImGui::End();
 }
 
 Image<Rgb8> SeaWindow::screenshot() const {

@@ -124,6 +124,8 @@ TEST(VideoSource, namesOptionsThatFfmpegDoesNotKnow) {
 TEST(VideoSource, kindsAreKnownByTheirBeginnings) {
   EXPECT_TRUE(videoSourceKind("rtsp://camera/left").mayBeLive);
   EXPECT_TRUE(videoSourceKind("https://camera/left").mayBeLive);
+  EXPECT_FALSE(videoSourceKind("https://camera/left").isAlwaysLive) << "it may be a video with a length";
+  EXPECT_TRUE(videoSourceKind("tcp://127.0.0.1:9000?listen").isAlwaysLive);
   EXPECT_TRUE(videoSourceKind("v4l2:/dev/video0").takesSize);
   EXPECT_FALSE(videoSourceKind("v4l2.mkv").mayBeLive);
   EXPECT_FALSE(videoSourceKind("/videos/rtsp.mkv").mayBeLive);
