@@ -54,6 +54,7 @@ shade shade/corpus $seconds
 remote_message remote/message_corpus $seconds
 image_codecs image_codecs/corpus $seconds
 sea sea/corpus $seconds
+feed_setup feeds/corpus $seconds
 $volumes
 END
 wait "$campaign" || status=1
