@@ -26,7 +26,7 @@ class NearFacesTest : public testing::Test {
     }
     static const FeedPlaceScene kCorridor = loadFeedPlace("builtin:corridor_t", std::nullopt, true);
     place_ = kCorridor;
-    setup_ = corridorRig().setup();
+    setup_ = corridorTRig().setup();
     byHand_ = setup_.frusta;
     setup_.frusta.resize(1);
   }
