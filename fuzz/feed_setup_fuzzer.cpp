@@ -1,5 +1,5 @@
-// libFuzzer target: any bytes as a setup of feeds, and as a table of known places. What is read is written again as it was
-// read; of what is no graph camera that is said.
+// libFuzzer target: any bytes as a setup of feeds, and as a table of known places. What is read is written again as it
+// was read; of what is no graph camera that is said.
 #include <cstdint>
 #include <cstdlib>
 #include <string>
