@@ -84,10 +84,15 @@ bool FeedStream::readOnce(std::string& message) {
     FeedClock clock(!options_.isLiveRun ? FeedClock::Kind::kRecorded
                     : isLive            ? FeedClock::Kind::kLive
                                         : FeedClock::Kind::kReplayed);
+    bool isAnyRead = false;
     for (VideoFrame frame; !stop_ && reader.next(frame); frame = {}) {
+      isAnyRead = true;
       frame.seconds =
           clock.placeSeconds(frame.seconds, 1e-9 * static_cast<double>(steadyNanoseconds())) - feed_.clockOffsetSeconds;
       add(std::move(frame), isLive);
+    }
+    if (!isAnyRead && !stop_) {
+      throw InputError("no frame of the feed can be read", feed_.source, "it is cut off or damaged: record it again");
     }
     if (isLive) {
       throw WorkError("the feed has ended", feed_.source, "start its camera again");

@@ -6,6 +6,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "oc_core/feeds_live/feed_labels.h"
@@ -97,6 +98,24 @@ TEST(FeedStream, saysWhyItIsLost) {
 }
 
 /// A pipe into which half of a video is written, and which then stays open.
+TEST(FeedStream, oneThatIsCutOffBeforeItsFirstFrameIsLost) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.mkv";
+  writeFrames(path, {0, 0.1, 0.2, 0.3});
+  size_t lost = 0;
+  for (auto size = std::filesystem::file_size(path) - 1; size > 0; size -= std::min<uintmax_t>(size, 60)) {
+    std::filesystem::resize_file(path, size);
+    FeedStream stream(feedOf(path, 0), {});
+    stream.take(10);
+    if (stream.framesRead() == 0) {
+      EXPECT_EQ(stream.state(), FeedState::kLost) << size;
+      EXPECT_NE(stream.message(), "") << size;
+      ++lost;
+    }
+  }
+  EXPECT_GT(lost, 3u);
+}
+
 TEST(FeedStream, isWaitedForOnceWhereItHangs) {
   const test::TemporaryFolder folder;
   writeFrames(folder.path() / "a.mkv", {0, 0.1, 0.2});
