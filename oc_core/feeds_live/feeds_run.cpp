@@ -185,6 +185,9 @@ class FeedsRun {
       if (state == FeedState::kLive && age >= options_.streams.frozenSeconds) {
         state = FeedState::kLate;  // its next frame has a later time: it left some out
       }
+      if (state == FeedState::kEnded && age < options_.streams.frozenSeconds) {
+        state = FeedState::kLive;  // what it shows is its last frame, and in time
+      }
       if (state == FeedState::kLive && composer_.isCovered(feed)) {
         state = FeedState::kCovered;
       }
