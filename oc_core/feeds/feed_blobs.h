@@ -18,8 +18,8 @@ struct SubjectBlob {
   bool isCutBelow = false;  ///< reaches the lower border of the image, so that its feet may be out of it
 };
 
-/// The side of a cell of the masks of a feed, in its pixels: so that a mask has 200 to 400 columns, and no cell is a
-/// pixel, which would be noise.
+/// The side of a cell of the masks of a feed, in its pixels: so that a mask has at most 400 columns, and 200 at least
+/// where the feed has 400; no cell is a pixel, which would be noise.
 constexpr int maskScaleOf(int feedWidth) {
   constexpr int kMaxColumns = 400;
   return std::max(2, (feedWidth + kMaxColumns - 1) / kMaxColumns);

@@ -19,7 +19,8 @@ struct ExpectedBody {
   const SubjectColors* colors = nullptr;
 };
 
-/// What a feed sees of one expected body. Cells are weighted with how likely the body fills them.
+/// What a feed sees of one expected body. Cells of its mask, row 0 at the top; but those that were seen, each is
+/// weighted with how likely the body fills it.
 struct BodySight {
   double inImage = 0;  ///< cells of the body in the image
   double open = 0;     ///< of these, what nobody nearer hides

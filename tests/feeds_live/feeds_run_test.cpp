@@ -5,6 +5,7 @@
 
 #include "oc_core/base/error.h"
 #include "oc_core/feeds_video/video_writer.h"
+#include "oc_core/image/png_file.h"
 #include "tests/base/temporary_folder.h"
 
 namespace ocelli {
@@ -50,6 +51,38 @@ TEST_F(FeedsRunTest, remarksOnTheFirstFrameStandInTheLabels) {
   });
   EXPECT_EQ(tones, std::vector<int>{0}) << "the first frame, and no other one";
   EXPECT_GE(shown, 9u);
+}
+
+TEST_F(FeedsRunTest, aCoveredFeedIsSaidAndComesBack) {
+  // Light and dark halves, and a hand before the camera from frame 20 to before 35. Tones go up and down, so that no
+  // frame is like the one before.
+  const auto place = [](int k) {
+    Image<Rgb8> image(64, 48, Rgb8(static_cast<uint8_t>(90 + k % 2)));
+    for (int y = 0; y < 48; ++y) {
+      for (int x = 32; x < 64; ++x) {
+        image(x, y) = Rgb8(static_cast<uint8_t>(180 + k % 2));
+      }
+    }
+    return image;
+  };
+  writePng(folder_.path() / "a.png", place(0));
+  setup_.feeds[0].background = (folder_.path() / "a.png").string();
+  VideoWriter writer(setup_.feeds[0].source, 64, 48, {10, 20, true});
+  for (int k = 0; k < 50; ++k) {
+    writer.add(k >= 20 && k < 35 ? Image<Rgb8>(64, 48, Rgb8(static_cast<uint8_t>(8 + 4 * (k % 2)))) : place(k),
+               0.1 * k);
+  }
+  writer.finish();
+  std::vector<FeedState> states;
+  const FeedsRunFigures figures = runFeeds(setup_, options_, [&](const ComposedFrame& frame) {
+    states.push_back(frame.labels.at(0).state);
+    EXPECT_EQ(frame.composer.subjects().count(), 0u) << "a hand is no subject";
+  });
+  ASSERT_GE(states.size(), 49u);
+  EXPECT_EQ(states[15], FeedState::kLive);
+  EXPECT_EQ(states[30], FeedState::kCovered);
+  EXPECT_EQ(states[40], FeedState::kLive);
+  EXPECT_TRUE(figures.feeds[0].wasCovered);
 }
 
 TEST_F(FeedsRunTest, aRemarkMayEndIt) {
