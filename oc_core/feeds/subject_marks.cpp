@@ -116,4 +116,14 @@ FeedMarks markSubjects(const FeedGraph& graph, size_t frustum, const FeedBlobs& 
   return all;
 }
 
+FeedMarks eraseSubjects(const FeedBlobs& blobs) {
+  FeedMarks all(blobs.wide.width(), blobs.wide.height(), blobs.scale);
+  for (int y = 0; y < blobs.wide.height(); ++y) {
+    for (int x = 0; x < blobs.wide.width(); ++x) {
+      all.cells()(x, y).erased = blobs.wide(x, y) > 0 ? 255 : 0;
+    }
+  }
+  return all;
+}
+
 }  // namespace ocelli

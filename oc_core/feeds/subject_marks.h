@@ -50,5 +50,7 @@ class FeedMarks {
 /// stand. What shows nobody who is known stands where its feet are.
 FeedMarks markSubjects(const FeedGraph& graph, size_t frustum, const FeedBlobs& blobs, const Image<uint16_t>& who,
                        std::span<const glm::dvec3> places);
+/// The same of a picture that is too old to be shown as live: everybody in it is erased.
+FeedMarks eraseSubjects(const FeedBlobs& blobs);
 
 }  // namespace ocelli

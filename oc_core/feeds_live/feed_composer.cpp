@@ -27,6 +27,7 @@ FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& 
     : graph_(graph),
       map_(graph),
       frames_(graph.setup().feeds.size()),
+      isStale_(frames_.size(), 0),
       blobs_(frames_.size()),
       tracks_(graph_),
       marks_(graph.frusta()) {
@@ -38,7 +39,7 @@ FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& 
 void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
   parallelFor(frames.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
-      if (!frames[i].empty()) {
+      if (!frames[i].empty() && isStale_[i] == 0) {
         blobs_[i] = backgrounds_[i]->update(frames[i]);
         std::swap(frames_[i], frames[i]);
       }
@@ -59,6 +60,15 @@ glm::dvec3 FeedComposer::commonLight() const {
 }
 
 void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image) {
+  std::vector<FeedBlobs> old(blobs_.size());
+  const auto swapOld = [&] {
+    for (size_t feed = 0; feed < blobs_.size(); ++feed) {
+      if (isStale_[feed] != 0) {
+        std::swap(old[feed], blobs_[feed]);
+      }
+    }
+  };
+  swapOld();
   tracks_.update(blobs_, seconds);
   std::vector<glm::dvec3> places;
   for (size_t i = 0; i < tracks_.count(); ++i) {
@@ -70,13 +80,15 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
     for (size_t i = begin; i < end; ++i) {
       const size_t feed = graph_.feedIndexOf(i);
       if (!frames_[feed].empty()) {
-        marks_[i] = markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
+        marks_[i] = isStale_[feed] != 0 ? eraseSubjects(old[feed])
+                                        : markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
         const FeedBackground& background = *backgrounds_[feed];
         pictures[i] = {&frames_[feed], &background.image(), &marks_[i], common / background.light(), common};
       }
     }
   });
   composeFeeds(map_, pictures, erased, image);
+  swapOld();
 }
 
 }  // namespace ocelli

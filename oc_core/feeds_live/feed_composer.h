@@ -20,7 +20,10 @@ class FeedComposer {
   const FeedGraph& graph() const { return graph_; }
   const FeedMap& map() const { return map_; }
 
-  /// Takes frames for feeds, by index; empty ones stand for no new frame. Works on all cores.
+  /// Whether what the feed shows from now on is old: those in it are nowhere, and are erased from its picture.
+  void setStale(size_t feed, bool isStale) { isStale_[feed] = isStale; }
+  /// Takes frames for feeds, by index; empty ones stand for no new frame, as do those of feeds that are stale, which
+  /// would become background. Works on all cores.
   void take(std::vector<Image<Rgb8>>& frames);
   /// Sets `image` to what the feeds show at `seconds`, which grow from call to call. All have the mean of their lights,
   /// so that exposures of their own make no seams.
@@ -42,6 +45,7 @@ class FeedComposer {
   FeedMap map_;
   std::vector<std::unique_ptr<FeedBackground>> backgrounds_;  ///< of each feed
   std::vector<Image<Rgb8>> frames_;
+  std::vector<char> isStale_;
   std::vector<FeedBlobs> blobs_;
   SubjectTracks tracks_;
   std::vector<FeedMarks> marks_;  ///< of each frustum

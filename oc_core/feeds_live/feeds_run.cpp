@@ -57,6 +57,9 @@ class FeedsRun {
         break;
       }
       const int64_t frameBegan = steadyNanoseconds();
+      for (size_t i = 0; i < streams_.size(); ++i) {
+        composer_.setStale(i, isStale(i, seconds));
+      }
       composer_.take(frames_);
       composer_.compose(seconds, options_.erasedNow ? options_.erasedNow() : options_.erased, image_);
       const std::vector<FeedLabel> shown = labels(seconds);
@@ -173,6 +176,12 @@ class FeedsRun {
       }
     }
     return isAnyGoingOn;
+  }
+
+  /// Whether a feed shows what is no more.
+  bool isStale(size_t feed, double seconds) const {
+    return streams_[feed]->state() == FeedState::kFrozen ||
+           seconds - feedSeconds_[feed] >= options_.streams.frozenSeconds;
   }
 
   std::vector<FeedLabel> labels(double seconds) const {

@@ -85,6 +85,49 @@ TEST_F(FeedsRunTest, aCoveredFeedIsSaidAndComesBack) {
   EXPECT_TRUE(figures.feeds[0].wasCovered);
 }
 
+TEST_F(FeedsRunTest, whoIsInAFrozenFeedIsErased) {
+  // Somebody stands 3 m away all the time; from frame 20 to before 75 the feed repeats one frame. Tones go up and
+  // down, so that no other frame is like the one before.
+  const auto place = [](int k, bool isSomebodyThere) {
+    Image<Rgb8> image(128, 96, Rgb8(static_cast<uint8_t>(90 + k % 2)));
+    for (int y = 20; isSomebodyThere && y < 85; ++y) {
+      for (int x = 55; x < 73; ++x) {
+        image(x, y) = {200, 60, 40};
+      }
+    }
+    return image;
+  };
+  Feed& feed = setup_.feeds[0];
+  feed.width = 128;
+  feed.height = 96;
+  feed.lens = {{120, 120}, {64, 48}};
+  writePng(folder_.path() / "a.png", place(0, false));
+  feed.background = (folder_.path() / "a.png").string();
+  VideoWriter writer(feed.source, 128, 96, {10, 20, true});
+  for (int k = 0; k < 90; ++k) {
+    writer.add(place(k >= 20 && k < 75 ? 20 : k, true), 0.1 * k);
+  }
+  writer.finish();
+  std::vector<size_t> subjects;
+  std::vector<int> reds;
+  std::vector<FeedState> states;
+  options_.hasLabels = false;
+  runFeeds(setup_, options_, [&](const ComposedFrame& frame) {
+    subjects.push_back(frame.composer.subjects().count());
+    reds.push_back(frame.image(32, 24).x);
+    states.push_back(frame.labels.at(0).state);
+  });
+  ASSERT_GE(states.size(), 89u);
+  for (const size_t live : {15u, 85u}) {
+    EXPECT_EQ(states[live], FeedState::kLive) << live;
+    EXPECT_EQ(subjects[live], 1u) << live;
+    EXPECT_GT(reds[live], 150) << live;
+  }
+  EXPECT_EQ(states[40], FeedState::kFrozen);
+  EXPECT_EQ(subjects[70], 0u);
+  EXPECT_LT(reds[40], 110);
+}
+
 TEST_F(FeedsRunTest, aRemarkMayEndIt) {
   options_.remarkOn = [](size_t, const Image<Rgb8>&) -> std::string {
     throw WorkError("camera 1 (door) has moved", "setup.json", "put it back");
