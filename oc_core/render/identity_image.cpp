@@ -34,7 +34,7 @@ Rgb8 falseColorOf(uint32_t identity) {
   return color;
 }
 
-/// The regions of equal identities: trees of pixels, whose roots stand for them.
+/// The regions of equal objects: trees of pixels, whose roots stand for them.
 class Regions {
  public:
   explicit Regions(size_t pixels) : parents_(pixels) {
@@ -60,12 +60,15 @@ class Regions {
   std::vector<size_t> parents_;
 };
 
-/// Joins each pixel to those above it and to its left that show the same.
+/// Joins each pixel of an object to those above it and to its left that show the same; the others stay alone.
 Regions regionsOf(const Image<uint32_t>& identities) {
   constexpr std::array<glm::ivec2, 4> kBefore{{{-1, 0}, {-1, -1}, {0, -1}, {1, -1}}};
   Regions regions(identities.size());
   for (int y = 0; y < identities.height(); ++y) {
     for (int x = 0; x < identities.width(); ++x) {
+      if (!isObject(identities(x, y))) {
+        continue;
+      }
       for (const glm::ivec2& step : kBefore) {
         if (identities.contains(x + step.x, y + step.y) && identities(x + step.x, y + step.y) == identities(x, y)) {
           regions.join(identities.index(x, y), identities.index(x + step.x, y + step.y));

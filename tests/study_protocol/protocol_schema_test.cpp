@@ -30,9 +30,11 @@ bool isOwnKind(const Json& property) {
          property.value("type", Json()).is_array();
 }
 
-/// The small protocol with one of its blocks alone, in all sessions: quick to read.
+/// The small protocol with one of its blocks alone, in all sessions, on the smallest screen: quick to read, as the
+/// reader draws what cases show.
 Json withBlock(size_t index) {
   Json json = smallProtocol();
+  json.at("screen").update({{"least_width", 640}, {"least_height", 480}});
   json["blocks"] = Json::array({json.at("blocks").at(index)});
   json.at("blocks").at(0)["sessions"] = {1, 2};
   return json;
