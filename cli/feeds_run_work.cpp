@@ -63,10 +63,10 @@ std::string tableOf(const FeedsRunFigures& figures) {
   return table;
 }
 
-/// Says which cameras have moved since their poses were found, by the first frame of each feed.
-class StartPoseCheck {
+/// Says which cameras have moved since their poses were found, by the first frame of each feed, and after it was lost.
+class RunPoseCheck {
  public:
-  StartPoseCheck(const FeedsRunChoice& choice, const FeedSetup& setup, const CommandContext& context)
+  RunPoseCheck(const FeedsRunChoice& choice, const FeedSetup& setup, const CommandContext& context)
       : choice_(choice), setup_(setup), context_(context), movedPixels_(setup.feeds.size()) {}
 
   bool isWanted() const { return choice_.checkPoses != "off" && !setup_.places.tags.empty(); }
@@ -97,7 +97,7 @@ class StartPoseCheck {
 };
 
 FeedsRunFigures runWatched(const FeedsRunChoice& choice, const FeedSetup& setup, const CommandContext& context,
-                           StartPoseCheck& poses, const RunWatcher& watcher) {
+                           RunPoseCheck& poses, const RunWatcher& watcher) {
   FeedsRunOptions options = choice.options;
   options.erased = choice.erased == "red" ? ErasedLook::kRed : ErasedLook::kBackground;
   options.erasedNow = watcher.erased;
@@ -119,7 +119,7 @@ FeedsRunFigures runWatched(const FeedsRunChoice& choice, const FeedSetup& setup,
 
 #ifdef OCELLI_WITH_OPENGL
 FeedsRunFigures runInWindow(const FeedsRunChoice& choice, const FeedSetup& setup, const CommandContext& context,
-                            StartPoseCheck& poses) {
+                            RunPoseCheck& poses) {
   FeedsWindowOptions options;
   options.title = "Ocelli: " + choice.setup;
   options.isLive = mayBeLive(setup);
@@ -141,7 +141,7 @@ FeedsRunFigures runInWindow(const FeedsRunChoice& choice, const FeedSetup& setup
 }
 #else
 [[noreturn]] FeedsRunFigures runInWindow(const FeedsRunChoice& /*choice*/, const FeedSetup& /*setup*/,
-                                         const CommandContext& /*context*/, StartPoseCheck& /*poses*/) {
+                                         const CommandContext& /*context*/, RunPoseCheck& /*poses*/) {
   throw InputError("this program was built without windows", "--window",
                    "build it with -DOCELLI_WITH_OPENGL=ON (docs/install.md)");
 }
@@ -158,7 +158,7 @@ void runFeedsCommand(const FeedsRunChoice& choice, const CommandContext& context
   const FeedSetup setup = readFeedSetup(choice.setup);
   // Live feeds have no end: Ctrl-C is one, and what was made until then is finished.
   const InterruptGuard guard;
-  StartPoseCheck poses(choice, setup, context);
+  RunPoseCheck poses(choice, setup, context);
   const FeedsRunFigures figures =
       choice.hasWindow ? runInWindow(choice, setup, context, poses) : runWatched(choice, setup, context, poses, {});
   giveFigures(choice.json, textOfJson(jsonOf(figures, poses.movedPixels()), 2) + "\n", tableOf(figures), context);

@@ -34,6 +34,7 @@ class FeedsRun {
         composer_(graph_, options.backgrounds),
         feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
         remarks_(setup.feeds.size()),
+        remarkedConnections_(setup.feeds.size(), 0),
         ages_(setup.feeds.size(), 0) {
     options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
     for (const Feed& feed : setup.feeds) {
@@ -155,7 +156,9 @@ class FeedsRun {
     for (size_t i = 0; i < streams_.size(); ++i) {
       FeedRunFigures& figures = figures_.feeds[i];
       if (auto frame = streams_[i]->take(seconds)) {
-        if (options_.remarkOn && !std::isfinite(feedSeconds_[i])) {
+        if (const size_t connections = streams_[i]->reconnections() + 1;
+            options_.remarkOn && remarkedConnections_[i] < connections) {
+          remarkedConnections_[i] = connections;
           remarks_[i] = options_.remarkOn(i, frame->image);
         }
         feedSeconds_[i] = frame->seconds;
@@ -228,6 +231,7 @@ class FeedsRun {
   std::vector<Image<Rgb8>> frames_;
   std::vector<double> feedSeconds_;
   std::vector<std::string> remarks_;
+  std::vector<size_t> remarkedConnections_;
   std::vector<double> ages_;
   double composing_ = 0;
   Image<Rgb8> image_;

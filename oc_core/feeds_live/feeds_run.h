@@ -17,8 +17,8 @@ struct FeedsRunOptions {
   double seconds = 0;           ///< 0: until the last feed ends, which live ones never do
   /// Asked between outputs; the run ends well where it says so. May be empty.
   std::function<bool()> isStopped = {};
-  /// Looks at the first frame of each feed, by index: what it returns stands in the feed's label from then on. May be
-  /// empty; where it throws, the run ends so.
+  /// Looks at the first frame of each feed, by index, and at the first after it was lost: what it returns stands in the
+  /// feed's label from then on. May be empty; where it throws, the run ends so.
   std::function<std::string(size_t feed, const Image<Rgb8>& frame)> remarkOn = {};
   ErasedLook erased = ErasedLook::kBackground;
   std::function<ErasedLook()> erasedNow = {};  ///< asked for each image, where given, instead of `erased`

@@ -90,6 +90,8 @@ TEST(LiveFeeds, oneThatIsLostComesBackAndHoldsNobodyUp) {
   options.seconds = 90;
   options.streams.maxSilenceSeconds = 30;
   options.isStopped = [&] { return stage == Stage::kBack; };
+  std::vector<int> remarked(3, 0);
+  options.remarkOn = [&](size_t feed, const Image<Rgb8>&) { return std::to_string(++remarked[feed]); };
   const auto enter = [&](Stage next, double seconds) {
     stage = next;
     since = seconds;
@@ -120,6 +122,7 @@ TEST(LiveFeeds, oneThatIsLostComesBackAndHoldsNobodyUp) {
   EXPECT_EQ(figures.feeds[1].reconnections, 1u);
   EXPECT_TRUE(figures.feeds[1].wasLost);
   EXPECT_EQ(figures.feeds[0].reconnections, 0u);
+  EXPECT_EQ(remarked, (std::vector<int>{1, 2, 0})) << "a camera may have been moved while it was away";
   EXPECT_EQ(figures.feeds[2].state, FeedState::kLost);
   EXPECT_THAT(figures.feeds[2].message, testing::HasSubstr("start what sends it"));
   // A busy machine is late at times; a second is less than the feed was away.
