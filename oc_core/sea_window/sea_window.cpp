@@ -104,7 +104,8 @@ void SeaWindow::advance(double seconds) {
       row.move(visit_, amount);
     }
   }
-  if (!visit_.isComplete()) {
+  // Once more where it has just become complete: Dear ImGui sizes the line of status by the frame before.
+  if (!std::exchange(wasComplete_, visit_.isComplete()) || !visit_.isComplete()) {
     requestDrawing();
   }
 }

@@ -42,6 +42,7 @@ class SeaWindow final : public GuiWindow {
   ImageTexture picture_;
   std::set<Key> held_;
   bool isFast_ = false;  ///< Shift is held
+  bool wasComplete_ = false;
   glm::dvec2 pointer_{0};
   std::optional<glm::dvec2> dragged_;  ///< where the pointer was, while it turns the view
 };
