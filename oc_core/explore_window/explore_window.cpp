@@ -11,8 +11,6 @@
 #include "oc_core/base/output_file.h"
 #include "oc_core/explore_window/explore_gui_pieces.h"
 #include "oc_core/explore_window/explore_overlays.h"
-#include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/gl_image.h"
 
 namespace ocelli {
 namespace {
@@ -51,17 +49,11 @@ ExploreWindow::ExploreWindow(GlContext& context, ExploreWindowOptions options)
     : context_(context),
       options_(std::move(options)),
       work_(options_.make, options_.way, options_.woken),
-      gui_(context, 1) {
+      gui_(context, 1),
+      target_(context) {
   for (const ExplorePaneKind& kind : explorePanes()) {
     panes_.push_back(kind.make());
   }
-}
-
-ExploreWindow::~ExploreWindow() {
-  const GlScope scope(context_);
-  panes_.clear();
-  framebuffer_ = GlObject();
-  color_ = GlObject();
 }
 
 std::vector<size_t> ExploreWindow::shownKinds() const {
@@ -180,39 +172,18 @@ bool ExploreWindow::isLively() const {
   return work_.isBusy() || !(motion() == WindowMotion{.fast = shift_}) || isPressed_ || state_.captured;
 }
 
-void ExploreWindow::makeTarget() {
+void ExploreWindow::draw() {
+  const GlScope scope(context_);
   const auto pixels = [this](int units) {
     return std::max(1, static_cast<int>(std::lround(units * window_.pixelsPerUnit)));
   };
-  const glm::ivec2 size(pixels(window_.width), pixels(window_.height));
-  if (size != size_ || !framebuffer_) {
-    framebuffer_ = GlObject();
-    color_ = makeTexture(context_, GL_RGBA8, size.x, size.y);
-    framebuffer_ = makeFramebuffer(context_, std::array{color_.id()}, 0);
-    size_ = size;
-  }
-  const GladGLContext& gl = context_.gl();
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.Viewport(0, 0, size.x, size.y);
-  for (const GLenum off :
-       {GL_CULL_FACE, GL_DEPTH_TEST, GL_STENCIL_TEST, GL_BLEND, GL_SCISSOR_TEST, GL_FRAMEBUFFER_SRGB}) {
-    gl.Disable(off);
-  }
-  gl.ColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
-  const auto [red, green, blue] = kGuiBackground.floats();
-  const std::array<float, 4> background{red, green, blue, 1};
-  gl.ClearNamedFramebufferfv(framebuffer_.id(), GL_COLOR, 0, background.data());
-}
-
-void ExploreWindow::draw() {
-  const GlScope scope(context_);
-  makeTarget();
+  target_.resize(pixels(window_.width), pixels(window_.height));
+  target_.clear(kGuiBackground);
   const ExploreWindowLayout places = layout();
   for (const ExploreWindowLayout::Pane& pane : places.panes) {
-    panes_[pane.kind]->paint(frameOf(pane), context_, framebuffer_);
+    panes_[pane.kind]->paint(frameOf(pane), context_, target_.framebuffer());
   }
-  context_.gl().BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  context_.gl().Viewport(0, 0, size_.x, size_.y);
+  target_.bind();
   gui_.beginFrame(seconds_);
   seconds_ = 0;
   ExploreKeyTarget target = keyTarget();
@@ -251,7 +222,7 @@ void ExploreWindow::draw() {
 
 Image<Rgb8> ExploreWindow::screenshot() const {
   const GlScope scope(context_);
-  return readRgb8(context_, color_, size_.x, size_.y);
+  return target_.read();
 }
 
 void ExploreWindow::performWishes() {

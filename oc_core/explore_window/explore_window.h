@@ -4,7 +4,7 @@
 //   ExploreWindow window(context, options);
 //   window.handle(event);             // as they come; a ResizeEvent first
 //   window.update(secondsSinceLast);
-//   window.draw();                    // to image()
+//   window.draw();                    // to target()
 #pragma once
 
 #include <array>
@@ -21,6 +21,7 @@
 #include "oc_core/explore_window/explore_pane.h"
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/window/gui_layer.h"
+#include "oc_core/window/screen_target.h"
 
 namespace ocelli {
 
@@ -35,7 +36,6 @@ struct ExploreWindowOptions {
 class ExploreWindow {
  public:
   ExploreWindow(GlContext& context, ExploreWindowOptions options);
-  ~ExploreWindow();
   ExploreWindow(const ExploreWindow&) = delete;
   ExploreWindow& operator=(const ExploreWindow&) = delete;
 
@@ -52,9 +52,8 @@ class ExploreWindow {
   /// Throws GlError.
   void draw();
 
-  const GlObject& framebuffer() const { return framebuffer_; }
-  int pixelWidth() const { return size_.x; }
-  int pixelHeight() const { return size_.y; }
+  /// What draw() has drawn last.
+  const ScreenTarget& target() const { return target_; }
   Image<Rgb8> screenshot() const;
 
   ExploreWindowState& state() { return state_; }
@@ -92,7 +91,6 @@ class ExploreWindow {
   void performWishes();
   void saveImage();
   void saveCamera();
-  void makeTarget();
   float lengthScale() const { return static_cast<float>(gui_.lengthScale()); }
 
   GlContext& context_;
@@ -104,9 +102,7 @@ class ExploreWindow {
   ExploreGamepad gamepad_;
   GuiLayer gui_;
   std::vector<std::unique_ptr<ExplorePane>> panes_;  ///< as explorePanes()
-  GlObject color_;
-  GlObject framebuffer_;
-  glm::ivec2 size_{0};
+  ScreenTarget target_;
   ResizeEvent window_;
   glm::vec2 pointer_{-1};
   size_t pressedPane_ = 0;  ///< that a button was pressed in

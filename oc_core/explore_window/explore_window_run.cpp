@@ -45,7 +45,7 @@ class ExploreRun {
       if (explore_.needsDrawing()) {
         explore_.draw();
         const GlScope scope(window_.context());
-        window_.show(explore_.framebuffer(), explore_.pixelWidth(), explore_.pixelHeight());
+        window_.show(explore_.target().framebuffer(), explore_.target().width(), explore_.target().height());
       }
       record(seconds);
     }
@@ -105,7 +105,7 @@ class ExploreRun {
   }
 
   void startRecording(const std::filesystem::path& path) {
-    recorder_.start(path, explore_.pixelWidth(), explore_.pixelHeight());
+    recorder_.start(path, explore_.target().width(), explore_.target().height());
     explore_.state().recording = true;
   }
   void stopRecording() {

@@ -69,7 +69,7 @@ class WindowSession final : public ExploreSession {
   }
 
   void startRecording(const std::filesystem::path& path) override {
-    recorder_.start(path, window_.pixelWidth(), window_.pixelHeight());
+    recorder_.start(path, window_.target().width(), window_.target().height());
     window_.state().recording = true;
   }
   void stopRecording() override {

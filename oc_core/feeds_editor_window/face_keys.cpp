@@ -80,8 +80,7 @@ const std::vector<FaceKeyAction>& faceKeyActions() {
          if (e.isDragging()) {
            e.cancel();
          } else {
-           s.wantsClose = !s.hasHelp;
-           s.hasHelp = false;
+           s.closeHelpOrWindow();
          }
        }}};
   return kActions;

@@ -6,18 +6,15 @@
 #include <span>
 #include <vector>
 
-#include "oc_core/base/input_event.h"
 #include "oc_core/feeds_editor/face_editor.h"
+#include "oc_core/window/gui_window.h"
 
 namespace ocelli {
 
 /// What keys may change besides the editor.
-struct FaceWindowState {
-  bool hasHelp = false;
+struct FaceWindowState : GuiWindowState {
   bool wantsSave = false;  ///< wishes, until the window has done them
   bool wantsAll = false;   ///< the plan shows all again
-  bool wantsFullscreen = false;
-  bool wantsClose = false;
 };
 
 struct FaceKeyAction {

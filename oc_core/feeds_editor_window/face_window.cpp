@@ -4,14 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "oc_core/base/error.h"
-#include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/gl_image.h"
 #include "oc_core/window/gui_help.h"
+#include "oc_core/window/gui_window_run.h"
 
 namespace ocelli {
 namespace {
@@ -28,23 +26,15 @@ constexpr ImGuiWindowFlags kPaneFlags = ImGuiWindowFlags_NoDecoration | ImGuiWin
 }  // namespace
 
 FaceWindow::FaceWindow(GlContext& context, FaceEditor& editor, FaceWindowOptions options)
-    : context_(context),
+    : GuiWindow(context),
       editor_(editor),
       options_(std::move(options)),
       preview_(options_.frames),
-      gui_(context, 1),
       saved_(editor.setup()),
       message_(options_.message) {}
 
-FaceWindow::~FaceWindow() {
-  const GlScope scope(context_);
-  texture_ = ImageTexture();
-  framebuffer_ = GlObject();
-  color_ = GlObject();
-}
-
 double FaceWindow::reach() const {
-  return kReach * gui_.lengthScale() * plan_->unitsPerPixel;
+  return kReach * lengthScale() * plan_->unitsPerPixel;
 }
 
 glm::dvec2 FaceWindow::windowFromPlan(const glm::dvec2& paper) const {
@@ -52,14 +42,12 @@ glm::dvec2 FaceWindow::windowFromPlan(const glm::dvec2& paper) const {
 }
 
 void FaceWindow::layOut() {
-  const double bar = kBarHeight * gui_.lengthScale();
-  const glm::ivec2 size(std::max(1, static_cast<int>(window_.x * kPlanShare)),
-                        std::max(1, static_cast<int>(window_.y - bar)));
+  const double bar = kBarHeight * lengthScale();
+  planSize_ = {std::max(1, static_cast<int>(size().x * kPlanShare)), std::max(1, static_cast<int>(size().y - bar))};
   if (!plan_ || std::exchange(state_.wantsAll, false)) {
-    plan_ = planAround(editor_, options_.walls, size);
+    plan_ = planAround(editor_, options_.walls, planSize_);
   }
-  planSize_ = size;
-  plan_->size = size;
+  plan_->size = planSize_;
 }
 
 void FaceWindow::press(const KeyEvent& event) {
@@ -76,9 +64,6 @@ void FaceWindow::press(const KeyEvent& event) {
   if (std::exchange(state_.wantsSave, false)) {
     save();
   }
-  if (std::exchange(state_.wantsClose, false)) {
-    close();
-  }
 }
 
 void FaceWindow::save() {
@@ -94,12 +79,12 @@ void FaceWindow::save() {
   }
 }
 
-void FaceWindow::close() {
-  isClosed_ = saved_ == editor_.setup() || hasWarned_;
-  if (!isClosed_) {
-    hasWarned_ = true;
-    message_ = "not saved: Ctrl+S saves, Escape once more leaves it";
+bool FaceWindow::mayClose() {
+  if (saved_ == editor_.setup() || std::exchange(hasWarned_, true)) {
+    return true;
   }
+  message_ = "not saved: Ctrl+S saves, Escape once more leaves it";
+  return false;
 }
 
 void FaceWindow::pressButton(const PointerButtonEvent& event) {
@@ -127,13 +112,8 @@ void FaceWindow::move(const PointerMoveEvent& event) {
   editor_.dragTo(plan_->paperFromPixel(to), reach(), gridStep(plan_->unitsPerPixel), !hasShift_);
 }
 
-void FaceWindow::handle(const InputEvent& event) {
-  isChanged_ = true;
-  gui_.handle(event);
-  if (const auto* resized = std::get_if<ResizeEvent>(&event)) {
-    window_ = {resized->width, resized->height};
-    pixels_ = {static_cast<int>(std::lround(resized->width * resized->pixelsPerUnit)),
-               static_cast<int>(std::lround(resized->height * resized->pixelsPerUnit))};
+void FaceWindow::take(const InputEvent& event) {
+  if (std::holds_alternative<ResizeEvent>(event)) {
     layOut();
   } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
     press(*key);
@@ -143,37 +123,16 @@ void FaceWindow::handle(const InputEvent& event) {
     move(*moved);
   } else if (const auto* scrolled = std::get_if<ScrollEvent>(&event)) {
     plan_->zoom(std::pow(kZoomStep, scrolled->up), pointer_);
-  } else if (std::holds_alternative<CloseEvent>(event)) {
-    close();
   }
 }
 
-bool FaceWindow::takeFullscreenWish() {
-  return std::exchange(state_.wantsFullscreen, false);
-}
-
-void FaceWindow::draw(double secondsSinceLast) {
-  if (pixels_.x <= 0 || pixels_.y <= 0) {
-    return;
-  }
-  isChanged_ = false;
-  const GlScope scope(context_);
-  const GladGLContext& gl = context_.gl();
-  if (!framebuffer_ || drawn_ != pixels_) {
-    framebuffer_ = GlObject();
-    color_ = makeTexture(context_, GL_RGBA8, pixels_.x, pixels_.y);
-    framebuffer_ = makeFramebuffer(context_, std::array{color_.id()}, 0);
-    drawn_ = pixels_;
-  }
+void FaceWindow::paint() {
   if (preview_.update(editor_.graph())) {
-    texture_.upload(context_, preview_.image());
+    texture_.upload(context(), preview_.image());
   }
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.Viewport(0, 0, pixels_.x, pixels_.y);
-  const std::array<float, 3> background = kGuiBackground.floats();
-  gl.ClearColor(background[0], background[1], background[2], 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
-  gui_.beginFrame(secondsSinceLast);
+}
+
+void FaceWindow::drawPanels() {
   layOut();
   drawPlan();
   drawSide();
@@ -181,22 +140,20 @@ void FaceWindow::draw(double secondsSinceLast) {
   if (state_.hasHelp) {
     drawHelp();
   }
-  gui_.endFrame();
 }
 
 void FaceWindow::drawPlan() {
   ImGui::SetNextWindowPos({0, 0});
   ImGui::SetNextWindowSize({static_cast<float>(planSize_.x), static_cast<float>(planSize_.y)});
   ImGui::Begin("plan", nullptr, kPaneFlags);
-  drawFacePlan(*ImGui::GetWindowDrawList(), *plan_, {0, 0}, editor_, options_.walls,
-               static_cast<float>(gui_.lengthScale()));
+  drawFacePlan(*ImGui::GetWindowDrawList(), *plan_, {0, 0}, editor_, options_.walls, lengthScale());
   ImGui::End();
 }
 
 void FaceWindow::drawSide() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
+  const float scale = lengthScale();
   const float left = static_cast<float>(planSize_.x);
-  const float width = static_cast<float>(window_.x) - left;
+  const float width = static_cast<float>(size().x) - left;
   ImGui::SetNextWindowPos({left, 0});
   ImGui::SetNextWindowSize({width, static_cast<float>(planSize_.y)});
   ImGui::Begin("side", nullptr, kPaneFlags);
@@ -242,10 +199,10 @@ void FaceWindow::drawImage(float width, float scale) {
 }
 
 void FaceWindow::drawBar() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  const glm::vec2 size(window_);
+  const float scale = lengthScale();
+  const glm::vec2 window(size());
   ImGui::SetNextWindowPos({0, static_cast<float>(planSize_.y)});
-  ImGui::SetNextWindowSize({size.x, size.y - static_cast<float>(planSize_.y)});
+  ImGui::SetNextWindowSize({window.x, window.y - static_cast<float>(planSize_.y)});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {10 * scale, 5 * scale});
   ImGui::Begin("bar", nullptr, kPaneFlags);
   if (!editor_.problem().empty()) {
@@ -261,14 +218,14 @@ void FaceWindow::drawBar() {
 }
 
 void FaceWindow::drawHelp() {
-  GuiHelp help(window_, static_cast<float>(gui_.lengthScale()), kHelpWidth, 130,
-               "Near faces: where one camera's image goes on in another's");
+  GuiHelp help(size(), lengthScale(), kHelpWidth, 130, "Near faces: where one camera's image goes on in another's");
   help.rows(facePointerLines(), faceKeyActions());
 }
 
-Image<Rgb8> FaceWindow::screenshot() const {
-  const GlScope scope(context_);
-  return readRgb8(context_, color_, pixels_.x, pixels_.y);
+void runFaceWindow(FaceEditor& editor, const FaceWindowOptions& options, const std::function<bool()>& goesOn) {
+  GlWindow window({.title = options.title, .width = 1280, .height = 800});
+  FaceWindow shown(window.context(), editor, options);
+  runGuiWindow(window, shown, goesOn);
 }
 
 }  // namespace ocelli

@@ -1,5 +1,5 @@
 // The window of `ocelli feeds edit`: the plan of the place, in which near faces are drawn, beside the image that they
-// give. It draws into a framebuffer, and knows neither where events come from nor who shows it.
+// give.
 #pragma once
 
 #include <functional>
@@ -7,11 +7,9 @@
 #include <string>
 #include <vector>
 
-#include "oc_core/base/input_event.h"
 #include "oc_core/feeds_editor_window/face_keys.h"
 #include "oc_core/feeds_editor_window/face_plan.h"
 #include "oc_core/feeds_editor_window/face_preview.h"
-#include "oc_core/window/gui_layer.h"
 #include "oc_core/window/image_texture.h"
 
 namespace ocelli {
@@ -25,38 +23,26 @@ struct FaceWindowOptions {
   std::string message;  ///< what it says at the beginning
 };
 
-class FaceWindow {
+class FaceWindow final : public GuiWindow {
  public:
   /// Both must outlive it.
   FaceWindow(GlContext& context, FaceEditor& editor, FaceWindowOptions options);
-  ~FaceWindow();
 
-  /// A ResizeEvent first.
-  void handle(const InputEvent& event);
-  /// Whether something changed since the last draw().
-  bool needsDrawing() const { return isChanged_ || gui_.hasWaitingEvents(); }
-  /// Throws GlError.
-  void draw(double secondsSinceLast);
-
-  bool wantsClose() const { return isClosed_; }
-  /// Once for each time that it is asked for.
-  bool takeFullscreenWish();
-
-  const GlObject& framebuffer() const { return framebuffer_; }
-  int pixelWidth() const { return pixels_.x; }
-  int pixelHeight() const { return pixels_.y; }
-  Image<Rgb8> screenshot() const;
+  FaceWindowState& state() override { return state_; }
   /// Where a point of the plan, (x, z), is in the window: screen coordinates.
   glm::dvec2 windowFromPlan(const glm::dvec2& paper) const;
   /// The problem of what is drawn, or what else it says.
   const std::string& message() const { return message_; }
 
  private:
+  void take(const InputEvent& event) override;
+  void paint() override;
+  void drawPanels() override;
+  bool mayClose() override;
   void press(const KeyEvent& event);
   void pressButton(const PointerButtonEvent& event);
   void move(const PointerMoveEvent& event);
   void save();
-  void close();
   void layOut();
   double reach() const;
   void drawPlan();
@@ -65,25 +51,16 @@ class FaceWindow {
   void drawBar();
   void drawHelp();
 
-  GlContext& context_;
   FaceEditor& editor_;
   FaceWindowOptions options_;
   FacePreview preview_;
   FaceWindowState state_;
-  GuiLayer gui_;
-  GlObject color_;
-  GlObject framebuffer_;
   ImageTexture texture_;
-  glm::ivec2 pixels_{0};
-  glm::ivec2 drawn_{0};   ///< the size of the framebuffer
-  glm::ivec2 window_{0};  ///< screen coordinates
   std::optional<PlanWindow> plan_;
   glm::ivec2 planSize_{0};  ///< screen coordinates; it begins at the top left
   glm::dvec2 pointer_{0};
   bool isPanning_ = false;
   bool hasShift_ = false;
-  bool isChanged_ = true;
-  bool isClosed_ = false;
   FeedSetup saved_;
   bool hasWarned_ = false;  ///< that what is drawn is not saved
   std::string message_;

@@ -25,8 +25,7 @@ const std::vector<FeedsKeyAction>& feedsKeyActions() {
       {{Key::kF11}, "F11", "fill the screen, or not", [](FeedsWindowState& s) { s.wantsFullscreen = true; }},
       {{Key::kH, Key::kF1}, "H, F1", "show or hide this help", [](FeedsWindowState& s) { s.hasHelp = !s.hasHelp; }},
       {{Key::kEscape}, "Escape", "close the help, then the window", [](FeedsWindowState& s) {
-         s.wantsClose = !s.hasHelp;
-         s.hasHelp = false;
+         s.closeHelpOrWindow();
        }}};
   return kActions;
 }

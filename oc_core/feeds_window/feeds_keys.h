@@ -5,21 +5,18 @@
 
 #include <vector>
 
-#include "oc_core/base/input_event.h"
+#include "oc_core/window/gui_window.h"
 
 namespace ocelli {
 
 /// What keys change.
-struct FeedsWindowState {
+struct FeedsWindowState : GuiWindowState {
   bool hasRedErased = false;
   bool hasLabels = true;
   bool hasOutlines = false;
-  bool hasHelp = false;
   bool wantsPause = false;  ///< wishes, until the window has done them
   bool wantsStep = false;
   bool wantsSave = false;
-  bool wantsFullscreen = false;
-  bool wantsClose = false;
 };
 
 struct FeedsKeyAction {

@@ -4,15 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/free_file_name.h"
 #include "oc_core/feeds_window/feed_marks.h"
-#include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/gl_image.h"
 #include "oc_core/image/png_file.h"
 #include "oc_core/window/gui_help.h"
 
@@ -28,22 +25,16 @@ constexpr float kOutlineWidth = 2;
 }  // namespace
 
 FeedsWindow::FeedsWindow(GlContext& context, const FeedGraph& graph, FeedsScreen& screen, std::filesystem::path folder)
-    : context_(context), graph_(graph), screen_(screen), folder_(std::move(folder)), gui_(context, 1) {}
+    : GuiWindow(context), graph_(graph), screen_(screen), folder_(std::move(folder)) {}
 
-FeedsWindow::~FeedsWindow() {
-  const GlScope scope(context_);
-  texture_ = ImageTexture();
-  framebuffer_ = GlObject();
-  color_ = GlObject();
-}
-
-void FeedsWindow::press(const KeyEvent& event) {
-  if (!event.pressed) {
+void FeedsWindow::take(const InputEvent& event) {
+  const auto* key = std::get_if<KeyEvent>(&event);
+  if (key == nullptr || !key->pressed) {
     return;
   }
   const bool wasRed = state_.hasRedErased;
   for (const FeedsKeyAction& row : feedsKeyActions()) {
-    if (std::ranges::find(row.keys, event.key) != row.keys.end()) {
+    if (std::ranges::find(row.keys, key->key) != row.keys.end()) {
       row.act(state_);
     }
   }
@@ -52,23 +43,7 @@ void FeedsWindow::press(const KeyEvent& event) {
   }
 }
 
-void FeedsWindow::handle(const InputEvent& event) {
-  isChanged_ = true;
-  gui_.handle(event);
-  if (const auto* resized = std::get_if<ResizeEvent>(&event)) {
-    window_ = {resized->width, resized->height};
-    pixelsPerUnit_ = resized->pixelsPerUnit;
-    pixels_ = {static_cast<int>(std::lround(resized->width * resized->pixelsPerUnit)),
-               static_cast<int>(std::lround(resized->height * resized->pixelsPerUnit))};
-  } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
-    press(*key);
-  } else if (std::holds_alternative<CloseEvent>(event)) {
-    state_.wantsClose = true;
-  }
-}
-
-void FeedsWindow::update(double seconds) {
-  sinceDrawn_ += seconds;
+void FeedsWindow::advance(double seconds) {
   sinceImage_ += seconds;
   if (auto newest = screen_.take()) {
     if (shown_ && !screen_.isPaused()) {
@@ -77,11 +52,11 @@ void FeedsWindow::update(double seconds) {
     sinceImage_ = 0;
     shown_ = std::move(newest);
     isUploaded_ = false;
-    isChanged_ = true;
+    requestDrawing();
   }
   if (!message_.empty() && (messageLeft_ -= seconds) <= 0) {
     message_.clear();
-    isChanged_ = true;
+    requestDrawing();
   }
   if (std::exchange(state_.wantsPause, false)) {
     if (screen_.isLive()) {
@@ -96,18 +71,16 @@ void FeedsWindow::update(double seconds) {
   if (std::exchange(state_.wantsSave, false)) {
     save();
   }
-  isChanged_ = isChanged_ || wasEnded_ != screen_.hasEnded();
-  wasEnded_ = screen_.hasEnded();
-}
-
-bool FeedsWindow::takeFullscreenWish() {
-  return std::exchange(state_.wantsFullscreen, false);
+  if (wasEnded_ != screen_.hasEnded()) {
+    wasEnded_ = !wasEnded_;
+    requestDrawing();
+  }
 }
 
 void FeedsWindow::say(const std::string& message) {
   message_ = message;
   messageLeft_ = kMessageSeconds;
-  isChanged_ = true;
+  requestDrawing();
 }
 
 void FeedsWindow::save() {
@@ -126,68 +99,48 @@ void FeedsWindow::save() {
 }
 
 void FeedsWindow::layOut(float barHeight) {
-  const glm::ivec2 room(pixels_.x, std::max(1, pixels_.y - static_cast<int>(std::ceil(barHeight * pixelsPerUnit_))));
+  const glm::ivec2 room(pixels().x, std::max(1, pixels().y - static_cast<int>(std::ceil(barHeight * pixelsPerUnit()))));
   const glm::dvec2 image(graph_.setup().output.width, graph_.setup().output.height);
   const double scale = std::min(room.x / image.x, room.y / image.y);
-  size_ = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(image * scale) + 0.5));
-  corner_ = (room - size_) / 2;
+  imageSize_ = glm::max(glm::ivec2(1), glm::ivec2(glm::dvec2(image * scale) + 0.5));
+  corner_ = (room - imageSize_) / 2;
 }
 
-void FeedsWindow::draw() {
-  if (pixels_.x <= 0 || pixels_.y <= 0) {
-    return;
+void FeedsWindow::paint() {
+  if (shown_ && !std::exchange(isUploaded_, true)) {
+    texture_.upload(context(), shown_->image);
   }
-  isChanged_ = false;
-  drawFrame(true);
 }
 
-void FeedsWindow::drawFrame(bool hasPanels) {
-  const GlScope scope(context_);
-  const GladGLContext& gl = context_.gl();
-  if (!framebuffer_ || drawn_ != pixels_) {
-    framebuffer_ = GlObject();
-    color_ = makeTexture(context_, GL_RGBA8, pixels_.x, pixels_.y);
-    framebuffer_ = makeFramebuffer(context_, std::array{color_.id()}, 0);
-    drawn_ = pixels_;
-  }
-  gui_.beginFrame(std::exchange(sinceDrawn_, 0));
-  const float bar = barHeight();
+void FeedsWindow::drawPanels() {
+  const float bar = barHeight();  // known within a frame of Dear ImGui alone
   layOut(bar);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  const std::array<float, 3> background = kGuiBackground.floats();
-  gl.ClearColor(background[0], background[1], background[2], 1);
-  gl.Clear(GL_COLOR_BUFFER_BIT);
   if (shown_) {
-    if (!std::exchange(isUploaded_, true)) {
-      texture_.upload(context_, shown_->image);
-    }
-    texture_.copyTo(context_, framebuffer_, corner_, size_);
+    texture_.copyTo(context(), target().framebuffer(), corner_, imageSize_);
   }
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.Viewport(0, 0, pixels_.x, pixels_.y);
   if (shown_ && state_.hasOutlines) {
     drawOutlines();
   }
   if (shown_ && state_.hasLabels) {
     drawLabels();
   }
-  if (hasPanels) {
-    drawBar(bar);
-    if (state_.hasHelp) {
-      drawHelp();
-    }
+  if (std::exchange(isBare_, false)) {
+    return;
   }
-  gui_.endFrame();
+  drawBar(bar);
+  if (state_.hasHelp) {
+    drawHelp();
+  }
 }
 
 void FeedsWindow::drawOutlines() {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  const double perPixel = size_.x / (pixelsPerUnit_ * graph_.setup().output.width);
+  const float scale = lengthScale();
+  const double perPixel = imageSize_.x / (pixelsPerUnit() * graph_.setup().output.width);
   for (size_t i = 1; i < graph_.frusta(); ++i) {
     std::vector<ImVec2> points;
     for (const glm::dvec2& p : graph_.camera().frusta()[i].part) {
-      const glm::vec2 at(glm::dvec2(corner_) / pixelsPerUnit_ + p * perPixel);
+      const glm::vec2 at(glm::dvec2(corner_) / pixelsPerUnit() + p * perPixel);
       points.emplace_back(at.x, at.y);
     }
     const int count = static_cast<int>(points.size());
@@ -197,25 +150,25 @@ void FeedsWindow::drawOutlines() {
 }
 
 void FeedsWindow::drawLabels() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  const double perPixel = size_.x / (pixelsPerUnit_ * graph_.setup().output.width);
+  const float scale = lengthScale();
+  const double perPixel = imageSize_.x / (pixelsPerUnit() * graph_.setup().output.width);
   for (size_t i = 0; i < shown_->labels.size(); ++i) {
     glm::dvec2 corner(graph_.setup().output.width, graph_.setup().output.height);
     for (const glm::dvec2& p : graph_.camera().frusta()[i].part) {
       corner = glm::min(corner, p);
     }
-    const glm::vec2 at(glm::dvec2(corner_) / pixelsPerUnit_ + corner * perPixel);
+    const glm::vec2 at(glm::dvec2(corner_) / pixelsPerUnit() + corner * perPixel);
     drawFeedPlate(*ImGui::GetBackgroundDrawList(), at + 0.5f * kRim * scale, graph_.feedOf(i).name, shown_->labels[i],
                   scale);
   }
 }
 
 float FeedsWindow::barHeight() const {
-  const auto scale = static_cast<float>(gui_.lengthScale());
+  const float scale = lengthScale();
   const float line = ImGui::GetTextLineHeightWithSpacing();
   float lines = 2;
   float x = 0;
-  const float width = static_cast<float>(window_.x) - 2 * kRim * scale;
+  const float width = static_cast<float>(size().x) - 2 * kRim * scale;
   for (size_t i = 0; shown_ && i < shown_->labels.size(); ++i) {
     const float each = feedStateWidth(graph_.feedOf(i).name, shown_->labels[i], scale);
     if (x > 0 && x + each > width) {
@@ -228,10 +181,10 @@ float FeedsWindow::barHeight() const {
 }
 
 void FeedsWindow::drawBar(float height) {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  const glm::vec2 size(window_);
-  ImGui::SetNextWindowPos({0, size.y - height});
-  ImGui::SetNextWindowSize({size.x, height});
+  const float scale = lengthScale();
+  const glm::vec2 window(size());
+  ImGui::SetNextWindowPos({0, window.y - height});
+  ImGui::SetNextWindowSize({window.x, height});
   ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, {kRim * scale, kRim * scale / 2});
   ImGui::Begin(
       "bar", nullptr,
@@ -251,7 +204,7 @@ void FeedsWindow::drawBar(float height) {
   for (size_t i = 0; shown_ && i < shown_->labels.size(); ++i) {
     const std::string& name = graph_.feedOf(i).name;
     const float width = feedStateWidth(name, shown_->labels[i], scale);
-    if (at.x > left && at.x + width > size.x - kRim * scale) {
+    if (at.x > left && at.x + width > window.x - kRim * scale) {
       at = {left, at.y + ImGui::GetTextLineHeightWithSpacing()};
     }
     drawFeedState(*ImGui::GetWindowDrawList(), at, name, shown_->labels[i], scale);
@@ -262,8 +215,8 @@ void FeedsWindow::drawBar(float height) {
 }
 
 void FeedsWindow::drawHelp() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  GuiHelp help(window_, scale, kHelpWidth, 110, "One image of several cameras' feeds");
+  const float scale = lengthScale();
+  GuiHelp help(size(), scale, kHelpWidth, 110, "One image of several cameras' feeds");
   help.rows(feedsKeyActions());
   ImGui::Separator();
   for (const FeedStateMeaning& row : feedStateMeanings()) {
@@ -274,21 +227,17 @@ void FeedsWindow::drawHelp() {
   }
 }
 
-Image<Rgb8> FeedsWindow::screenshot() const {
-  const GlScope scope(context_);
-  return readRgb8(context_, color_, pixels_.x, pixels_.y);
-}
-
 Image<Rgb8> FeedsWindow::picture() {
-  if (!shown_ || pixels_.x <= 0 || pixels_.y <= 0) {
+  if (!shown_ || pixels().x <= 0 || pixels().y <= 0) {
     return {};
   }
-  drawFrame(false);
-  isChanged_ = true;
+  isBare_ = true;
+  draw();
+  requestDrawing();
   const Image<Rgb8> whole = screenshot();
-  Image<Rgb8> image(size_.x, size_.y);
-  for (int y = 0; y < size_.y; ++y) {
-    for (int x = 0; x < size_.x; ++x) {
+  Image<Rgb8> image(imageSize_.x, imageSize_.y);
+  for (int y = 0; y < imageSize_.y; ++y) {
+    for (int x = 0; x < imageSize_.x; ++x) {
       image(x, y) = whole(corner_.x + x, corner_.y + y);
     }
   }

@@ -1,16 +1,13 @@
 // runFeedsWindow(): the window on a screen.
 #include <atomic>
-#include <chrono>
 #include <exception>
 #include <thread>
 
 #include "oc_core/feeds_window/feeds_window.h"
-#include "oc_core/window/gl_window.h"
+#include "oc_core/window/gui_window_run.h"
 
 namespace ocelli {
 namespace {
-
-constexpr double kFeedsRest = 0.1;  ///< how long the window waits for something to happen
 
 /// Runs the feeds on a thread of its own, and ends it.
 class FeedsThread {
@@ -63,23 +60,7 @@ void runFeedsWindow(const FeedGraph& graph, const FeedsWindowOptions& options,
   shown.state().hasRedErased = options.hasRedErased;
   screen.setErased(options.hasRedErased ? ErasedLook::kRed : ErasedLook::kBackground);
   FeedsThread thread(screen, run);
-  auto last = std::chrono::steady_clock::now();
-  while (!shown.wantsClose() && !thread.hasFailed() && (!options.goesOn || options.goesOn())) {
-    for (const InputEvent& event : window.poll(kFeedsRest)) {
-      shown.handle(event);
-    }
-    const auto now = std::chrono::steady_clock::now();
-    shown.update(std::chrono::duration<double>(now - last).count());
-    last = now;
-    if (shown.takeFullscreenWish()) {
-      window.setFullscreen(!window.isFullscreen());
-    }
-    if (shown.needsDrawing()) {
-      shown.draw();
-      const GlScope scope(window.context());
-      window.show(shown.framebuffer(), shown.pixelWidth(), shown.pixelHeight());
-    }
-  }
+  runGuiWindow(window, shown, [&] { return !thread.hasFailed() && (!options.goesOn || options.goesOn()); });
   thread.finish();
 }
 

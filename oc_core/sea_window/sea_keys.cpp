@@ -57,25 +57,19 @@ const std::vector<SeaHeldKey>& seaHeldKeys() {
 
 const std::vector<SeaKeyAction>& seaKeyActions() {
   static const std::vector<SeaKeyAction> kKeys{
-      {{Key::kN, Key::kPageDown}, "N", "go to the next image", [](SeaVisit& v, const SeaWindowWishes&) { goOn(v, 1); }},
-      {{Key::kP, Key::kPageUp}, "P", "go to the one before", [](SeaVisit& v, const SeaWindowWishes&) { goOn(v, -1); }},
-      {{Key::k0, Key::kHome},
-       "0, Home",
-       "go to the first image",
-       [](SeaVisit& v, const SeaWindowWishes&) { v.goToImage(0); }},
-      {{Key::kEqual}, "=", "zoom in", [](SeaVisit& v, const SeaWindowWishes&) { v.zoom(1); }},
-      {{Key::kMinus}, "-", "zoom out", [](SeaVisit& v, const SeaWindowWishes&) { v.zoom(-1); }},
-      {{Key::kM}, "M", "show or hide the map", [](SeaVisit&, const SeaWindowWishes& w) { *w.map = !*w.map; }},
+      {{Key::kN, Key::kPageDown}, "N", "go to the next image", [](SeaVisit& v, SeaWindowState&) { goOn(v, 1); }},
+      {{Key::kP, Key::kPageUp}, "P", "go to the one before", [](SeaVisit& v, SeaWindowState&) { goOn(v, -1); }},
+      {{Key::k0, Key::kHome}, "0, Home", "go to the first image", [](SeaVisit& v, SeaWindowState&) { v.goToImage(0); }},
+      {{Key::kEqual}, "=", "zoom in", [](SeaVisit& v, SeaWindowState&) { v.zoom(1); }},
+      {{Key::kMinus}, "-", "zoom out", [](SeaVisit& v, SeaWindowState&) { v.zoom(-1); }},
+      {{Key::kM}, "M", "show or hide the map", [](SeaVisit&, SeaWindowState& s) { s.hasMap = !s.hasMap; }},
       {{Key::kH, Key::kF1},
        "H, F1",
        "show or hide this help",
-       [](SeaVisit&, const SeaWindowWishes& w) { *w.help = !*w.help; }},
-      {{Key::kF11},
-       "F11",
-       "fill the screen, or not",
-       [](SeaVisit&, const SeaWindowWishes& w) { *w.fullscreen = true; }},
-      {{Key::kEscape}, "Escape", "close the help, then the window", [](SeaVisit&, const SeaWindowWishes& w) {
-         *(*w.help ? w.help : w.close) = !*w.help;
+       [](SeaVisit&, SeaWindowState& s) { s.hasHelp = !s.hasHelp; }},
+      {{Key::kF11}, "F11", "fill the screen, or not", [](SeaVisit&, SeaWindowState& s) { s.wantsFullscreen = true; }},
+      {{Key::kEscape}, "Escape", "close the help, then the window", [](SeaVisit&, SeaWindowState& s) {
+         s.closeHelpOrWindow();
        }}};
   return kKeys;
 }

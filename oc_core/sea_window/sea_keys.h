@@ -10,15 +10,13 @@
 
 #include "oc_core/base/input_event.h"
 #include "oc_core/sea/sea_visit.h"
+#include "oc_core/window/gui_window.h"
 
 namespace ocelli {
 
 /// What keys may change besides the visit.
-struct SeaWindowWishes {
-  bool* help;
-  bool* map;
-  bool* close;
-  bool* fullscreen;
+struct SeaWindowState : GuiWindowState {
+  bool hasMap = true;
 };
 
 /// A key that does something as long as it is held.
@@ -34,7 +32,7 @@ struct SeaKeyAction {
   std::vector<Key> keys;
   const char* shown;
   const char* meaning;
-  void (*act)(SeaVisit& visit, const SeaWindowWishes& wishes);
+  void (*act)(SeaVisit& visit, SeaWindowState& state);
 };
 
 const std::vector<SeaHeldKey>& seaHeldKeys();

@@ -4,15 +4,12 @@
 #include <imgui.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <utility>
 
 #include "oc_core/base/conventions.h"
-#include "oc_core/gl/gl_api.h"
-#include "oc_core/gl/gl_image.h"
-#include "oc_core/sea_window/sea_keys.h"
 #include "oc_core/window/gui_help.h"
+#include "oc_core/window/gui_window_run.h"
 
 namespace ocelli {
 namespace {
@@ -59,14 +56,7 @@ struct SeaWindow::MapSight {
 };
 
 SeaWindow::SeaWindow(GlContext& context, const SeaFile& sea, std::function<void()> woken, bool waits)
-    : context_(context), sea_(sea), visit_(sea, std::move(woken)), waits_(waits), gui_(context, 1) {}
-
-SeaWindow::~SeaWindow() {
-  const GlScope scope(context_);
-  picture_ = ImageTexture();
-  framebuffer_ = GlObject();
-  color_ = GlObject();
-}
+    : GuiWindow(context), sea_(sea), visit_(sea, std::move(woken)), waits_(waits) {}
 
 void SeaWindow::press(const KeyEvent& event) {
   if (!event.pressed) {
@@ -80,95 +70,68 @@ void SeaWindow::press(const KeyEvent& event) {
   }
   for (const SeaKeyAction& row : seaKeyActions()) {
     if (std::ranges::find(row.keys, event.key) != row.keys.end()) {
-      row.act(visit_, {&help_, &map_, &wantsClose_, &wantsFullscreen_});
+      row.act(visit_, state_);
     }
   }
 }
 
-void SeaWindow::handle(const InputEvent& event) {
-  isChanged_ = true;
-  gui_.handle(event);
-  if (const auto* resized = std::get_if<ResizeEvent>(&event)) {
-    size_ = {resized->width, resized->height};
-    pixels_ = {static_cast<int>(std::lround(resized->width * resized->pixelsPerUnit)),
-               static_cast<int>(std::lround(resized->height * resized->pixelsPerUnit))};
-  } else if (const auto* key = std::get_if<KeyEvent>(&event)) {
+void SeaWindow::take(const InputEvent& event) {
+  if (const auto* key = std::get_if<KeyEvent>(&event)) {
     isFast_ = key->modifiers.shift;
     press(*key);
   } else if (const auto* button = std::get_if<PointerButtonEvent>(&event)) {
     if (button->button == PointerButton::kLeft && !button->pressed) {
       dragged_.reset();
-    } else if (button->button == PointerButton::kLeft && !gui_.wantsPointer()) {
+    } else if (button->button == PointerButton::kLeft && !gui().wantsPointer()) {
       dragged_ = pointer_;
     }
   } else if (const auto* moved = std::get_if<PointerMoveEvent>(&event)) {
     pointer_ = {moved->x, moved->y};
     if (dragged_) {
-      const glm::dvec2 way = (pointer_ - *dragged_) / static_cast<double>(std::max(1, size_.y));
+      const glm::dvec2 way = (pointer_ - *dragged_) / static_cast<double>(std::max(1, size().y));
       visit_.turn(way.x * kTurnPerWindow, way.y * kTurnPerWindow);
       dragged_ = pointer_;
     }
   } else if (const auto* scrolled = std::get_if<ScrollEvent>(&event)) {
     visit_.zoom(scrolled->up);
-  } else if (std::holds_alternative<CloseEvent>(event)) {
-    wantsClose_ = true;
   }
 }
 
-void SeaWindow::update(double seconds) {
-  sinceDrawn_ += seconds;
+void SeaWindow::advance(double seconds) {
   const double amount = seconds * (isFast_ ? kFast : 1);
   for (const SeaHeldKey& row : seaHeldKeys()) {
     if (std::ranges::any_of(row.keys, [&](Key key) { return held_.contains(key); })) {
       row.move(visit_, amount);
-      isChanged_ = true;
     }
   }
+  // Once more where it has just become complete: Dear ImGui sizes the line of status by the frame before.
+  if (!std::exchange(wasComplete_, visit_.isComplete()) || !visit_.isComplete()) {
+    requestDrawing();
+  }
 }
 
-bool SeaWindow::takeFullscreenWish() {
-  return std::exchange(wantsFullscreen_, false);
-}
-
-void SeaWindow::draw() {
-  if (pixels_.x <= 0 || pixels_.y <= 0) {
-    return;
-  }
-  isChanged_ = false;
-  const double share = std::min(1.0, std::sqrt(kMaxPicturePixels / (static_cast<double>(pixels_.x) * pixels_.y)));
-  const auto side = [&](int pixels) { return std::max(16, static_cast<int>(std::lround(pixels * share))); };
-  const Image<Rgb8> picture = visit_.picture(side(pixels_.x), side(pixels_.y), waits_);
-  const GlScope scope(context_);
-  const GladGLContext& gl = context_.gl();
-  if (!framebuffer_ || drawn_ != pixels_) {
-    framebuffer_ = GlObject();
-    color_ = makeTexture(context_, GL_RGBA8, pixels_.x, pixels_.y);
-    framebuffer_ = makeFramebuffer(context_, std::array{color_.id()}, 0);
-    drawn_ = pixels_;
-  }
-  picture_.upload(context_, picture);
-  picture_.copyTo(context_, framebuffer_, {0, 0}, pixels_);
-  gl.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
-  gl.Viewport(0, 0, pixels_.x, pixels_.y);
-  gui_.beginFrame(std::exchange(sinceDrawn_, 0));
-  drawPanels();
-  gui_.endFrame();
+void SeaWindow::paint() {
+  const glm::dvec2 all(pixels());
+  const double share = std::min(1.0, std::sqrt(kMaxPicturePixels / (all.x * all.y)));
+  const auto side = [&](double of) { return std::max(16, static_cast<int>(std::lround(of * share))); };
+  picture_.upload(context(), visit_.picture(side(all.x), side(all.y), waits_));
+  picture_.copyTo(context(), target().framebuffer(), {0, 0}, pixels());
 }
 
 void SeaWindow::drawPanels() {
-  if (map_) {
+  if (state_.hasMap) {
     drawMap();
   }
   drawStatus();
-  if (help_) {
+  if (state_.hasHelp) {
     drawHelp();
   }
 }
 
 void SeaWindow::drawMap() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
+  const float scale = lengthScale();
   const float side = kMapSide * scale;
-  const glm::vec2 corner(static_cast<float>(size_.x) - side - kMapRim * scale, kMapRim * scale);
+  const glm::vec2 corner(static_cast<float>(size().x) - side - kMapRim * scale, kMapRim * scale);
   ImGui::SetNextWindowPos(mapPoint(corner));
   ImGui::SetNextWindowSize({side, side});
   ImGui::SetNextWindowBgAlpha(0.85f);
@@ -186,7 +149,7 @@ void SeaWindow::drawMap() {
                  1.5f * scale);
   }
   const glm::vec2 here = sight.at(visit_.place());
-  const double half = 0.5 * visit_.fovVertical() * size_.x / std::max(1, size_.y);
+  const double half = 0.5 * visit_.fovVertical() * size().x / std::max(1, size().y);
   const auto edge = [&](double turn) {
     const double angle = visit_.yaw() + turn;
     return here + glm::vec2(-std::sin(angle), -std::cos(angle)) * (34 * scale);
@@ -196,14 +159,14 @@ void SeaWindow::drawMap() {
   if (ImGui::IsWindowHovered() && ImGui::IsMouseDown(ImGuiMouseButton_Left)) {
     const ImVec2 mouse = ImGui::GetMousePos();
     visit_.goTo(sight.placeAt({mouse.x, mouse.y}, visit_.place().y));
-    isChanged_ = true;
+    requestDrawing();
   }
   ImGui::End();
 }
 
 void SeaWindow::drawStatus() {
-  const auto scale = static_cast<float>(gui_.lengthScale());
-  ImGui::SetNextWindowPos({kMapRim * scale, static_cast<float>(size_.y) - kMapRim * scale}, 0, {0, 1});
+  const float scale = lengthScale();
+  ImGui::SetNextWindowPos({kMapRim * scale, static_cast<float>(size().y) - kMapRim * scale}, 0, {0, 1});
   ImGui::SetNextWindowBgAlpha(0.85f);
   ImGui::Begin("status", nullptr,
                ImGuiWindowFlags_NoDecoration | ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoNav |
@@ -217,7 +180,7 @@ void SeaWindow::drawStatus() {
 }
 
 void SeaWindow::drawHelp() {
-  GuiHelp help(size_, static_cast<float>(gui_.lengthScale()), 520, 150, "A sea of images: walk between them");
+  GuiHelp help(size(), lengthScale(), 520, 150, "A sea of images: walk between them");
   help.rows(seaPointerLines(), seaHeldKeys(), seaKeyActions());
   ImGui::PushStyleColor(ImGuiCol_Text, kGuiTextDim.packed());
   ImGui::TextWrapped(
@@ -225,9 +188,10 @@ void SeaWindow::drawHelp() {
   ImGui::PopStyleColor();
 }
 
-Image<Rgb8> SeaWindow::screenshot() const {
-  const GlScope scope(context_);
-  return readRgb8(context_, color_, pixels_.x, pixels_.y);
+void runSeaWindow(const SeaFile& sea, const std::string& title, const std::function<bool()>& goesOn) {
+  GlWindow window({.title = title, .width = 1280, .height = 800});
+  SeaWindow shown(window.context(), sea, [] { GlWindow::wake(); });
+  runGuiWindow(window, shown, goesOn);
 }
 
 Image<Rgb8> pictureOfSeaWindow(GlContext& context, const SeaFile& sea, const glm::ivec2& size,
@@ -238,7 +202,7 @@ Image<Rgb8> pictureOfSeaWindow(GlContext& context, const SeaFile& sea, const glm
     window.visit().goTo(*place);
   }
   window.visit().turn(yaw - window.visit().yaw(), 0);
-  window.showHelp(help);
+  window.state().hasHelp = help;
   window.draw();
   window.draw();  // Dear ImGui knows the sizes of its windows from the frame before
   return window.screenshot();

@@ -3,8 +3,8 @@
 #include <algorithm>
 
 #include "oc_core/base/error.h"
+#include "oc_core/window/screen_target.h"
 #include "study/screen/frame_measurement.h"
-#include "study/screen/screen_target.h"
 #include "study/screen/study_pieces.h"
 #include "study/screen/window_input.h"
 

@@ -6,8 +6,9 @@
 #include "oc_core/base/check.h"
 #include "oc_core/image/color.h"
 #include "oc_core/render/identity_image.h"
+#include "oc_core/window/screen_target.h"
 #include "study/protocol/coverage.h"
-#include "study/screen/screen_target.h"
+#include "study/screen/study_look.h"
 #include "study/task/trial_image.h"
 
 namespace ocelli {

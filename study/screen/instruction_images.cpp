@@ -6,8 +6,8 @@
 #include <cmath>
 
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/window/screen_target.h"
 #include "study/screen/example_picture.h"
-#include "study/screen/screen_target.h"
 #include "study/screen/study_pieces.h"
 #include "study/screen/trial_overlay.h"
 #include "study/task/trial_image.h"

@@ -7,7 +7,7 @@
 #include "oc_core/gl/gl_api.h"
 #include "oc_core/window/gamepads.h"
 #include "oc_core/window/gl_window.h"
-#include "study/screen/screen_target.h"
+#include "oc_core/window/screen_target.h"
 #include "study/screen/study_look.h"
 
 namespace ocelli {

@@ -10,10 +10,10 @@
 #include <utility>
 
 #include "oc_core/image/png_file.h"
+#include "oc_core/window/screen_target.h"
 #include "study/screen/clock_watch.h"
 #include "study/screen/frame_measurement.h"
 #include "study/screen/protocol_texts.h"
-#include "study/screen/screen_target.h"
 #include "study/screen/study_painter.h"
 #include "study/screen/window_input.h"
 

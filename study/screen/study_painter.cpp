@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include "oc_core/gl/gl_api.h"
+#include "oc_core/window/screen_target.h"
 #include "study/screen/form_drawing.h"
 #include "study/screen/gaze_drawing.h"
 #include "study/screen/page_drawing.h"
-#include "study/screen/screen_target.h"
 #include "study/screen/trial_overlay.h"
 #include "study/task/trial_image.h"
 

@@ -1,6 +1,6 @@
 #include "study/screen/trial_painter.h"
 
-#include "study/screen/screen_target.h"
+#include "oc_core/window/screen_target.h"
 #include "study/screen/trial_overlay.h"
 
 namespace ocelli {

@@ -260,8 +260,8 @@ TEST_P(ExploreWindowTest, everySizeAndScaleIsDrawn) {
                                   ResizeEvent{1280, 720, 2, 2}, ResizeEvent{40, 30, 1, 1}, ResizeEvent{0, 0, 1, 1}}) {
     window.handle(size);
     frames(3);
-    EXPECT_EQ(window.pixelWidth(), std::max(1, static_cast<int>(size.width * size.pixelsPerUnit)));
-    EXPECT_EQ(window.pixelHeight(), std::max(1, static_cast<int>(size.height * size.pixelsPerUnit)));
+    EXPECT_EQ(window.target().width(), std::max(1, static_cast<int>(size.width * size.pixelsPerUnit)));
+    EXPECT_EQ(window.target().height(), std::max(1, static_cast<int>(size.height * size.pixelsPerUnit)));
     keepImage("explore_" + std::to_string(size.width) + "_" + std::to_string(static_cast<int>(size.contentScale)));
   }
 }

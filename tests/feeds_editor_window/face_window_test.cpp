@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <glm/geometric.hpp>
-#include <set>
 
 #include "oc_core/base/error.h"
 #include "oc_core/gl/gl_context.h"
 #include "tests/feeds/made_setup.h"
+#include "tests/window/gui_window_checks.h"
 
 namespace ocelli::test {
 namespace {
@@ -49,11 +49,6 @@ class FaceWindowTest : public testing::TestWithParam<GlProvider> {
       window_->handle(PointerButtonEvent{PointerButton::kLeft, false, {}});
     }
   }
-  Image<Rgb8> drawn() const {
-    window_->draw(0.1);
-    window_->draw(0.1);  // Dear ImGui knows the sizes of its windows from the frame before
-    return window_->screenshot();
-  }
   PlanFace left() const { return editor_.faces()[0]; }
   static size_t count(const Image<Rgb8>& image, const Rgb8& color) {
     size_t found = 0;
@@ -71,18 +66,18 @@ class FaceWindowTest : public testing::TestWithParam<GlProvider> {
 };
 
 TEST_P(FaceWindowTest, showsTheImageOfTheFirstFrames) {
-  const Image<Rgb8> image = drawn();
+  const Image<Rgb8> image = drawn(*window_);
   for (const int tone : {60, 140, 220}) {
     EXPECT_GT(count(image, Rgb8(static_cast<uint8_t>(tone))), 1000u) << tone;
   }
 }
 
 TEST_P(FaceWindowTest, theMouseMovesFaces) {
-  const size_t before = count(drawn(), Rgb8(140));
+  const size_t before = count(drawn(*window_), Rgb8(140));
   drag(left().from, {-0.9, -0.4});
   EXPECT_LT(glm::distance(left().from, {-0.9, -0.4}), 0.03);
   EXPECT_EQ(editor_.problem(), "");
-  EXPECT_LT(count(drawn(), Rgb8(140)), before) << "the image follows: its part is smaller";
+  EXPECT_LT(count(drawn(*window_), Rgb8(140)), before) << "the image follows: its part is smaller";
   press(Key::kZ, {.control = true});
   EXPECT_EQ(editor_.setup(), tSetup());
   press(Key::kY, {.control = true});
@@ -99,16 +94,16 @@ TEST_P(FaceWindowTest, snapsWithoutShift) {
   window_->handle(PointerMoveEvent{b.x, b.y});
   ASSERT_TRUE(editor_.snap());
   EXPECT_EQ(editor_.snap()->what, "corner of a wall");
-  drawn();
+  drawn(*window_);
   window_->handle(PointerButtonEvent{PointerButton::kLeft, false, {}});
   EXPECT_LT(glm::distance(left().from, {-1.2, 0}), 1e-9);
 }
 
 TEST_P(FaceWindowTest, showsProblemsAndDoesNotSaveThem) {
-  const Image<Rgb8> good = drawn();
+  const Image<Rgb8> good = drawn(*window_);
   drag(left().from, {1.0, -0.4});
   EXPECT_NE(editor_.problem(), "");
-  EXPECT_NE(drawn(), good);
+  EXPECT_NE(drawn(*window_), good);
   press(Key::kS, {.control = true});
   EXPECT_FALSE(saved_);
   EXPECT_THAT(window_->message(), testing::HasSubstr("not saved"));
@@ -128,7 +123,7 @@ TEST_P(FaceWindowTest, escapeLetsGoThenClosesTheHelpThenAsksThenCloses) {
   EXPECT_FALSE(window_->wantsClose());
   window_->handle(PointerButtonEvent{PointerButton::kLeft, false, {}});
   press(Key::kH);
-  drawn();
+  drawn(*window_);
   press(Key::kEscape);
   EXPECT_FALSE(window_->wantsClose());
   drag(left().from, {-1.1, -0.2});
@@ -150,7 +145,7 @@ TEST_P(FaceWindowTest, thePlanZoomsAndMoves) {
   window_->handle(ScrollEvent{0, 2});
   EXPECT_GT(glm::distance(window_->windowFromPlan({0, 0}), window_->windowFromPlan({1, 0})), 1.2 * length);
   press(Key::kA);
-  drawn();
+  drawn(*window_);
   EXPECT_LT(glm::distance(window_->windowFromPlan({0, 0}), before), 1e-6);
 }
 
@@ -163,16 +158,22 @@ TEST_P(FaceWindowTest, keysChangeTheSelectedFace) {
   EXPECT_GT(left().bottom, 0);
   press(Key::kDelete);
   EXPECT_EQ(editor_.faces().size(), 1u);
-  drawn();
+  drawn(*window_);
 }
 
-TEST_P(FaceWindowTest, noKeyDoesTwoThings) {
-  std::set<std::pair<Key, bool>> taken;
-  for (const FaceKeyAction& row : faceKeyActions()) {
-    for (const Key key : row.keys) {
-      EXPECT_TRUE(taken.insert({key, row.hasControl}).second) << row.shown;
-    }
-  }
+TEST_P(FaceWindowTest, theButtonOfTheWindowAsksToo) {
+  drag(left().from, {-1.1, -0.2});
+  window_->handle(CloseEvent());
+  EXPECT_FALSE(window_->wantsClose());
+  EXPECT_THAT(window_->message(), testing::HasSubstr("not saved"));
+  press(Key::kS, {.control = true});
+  window_->handle(CloseEvent());
+  EXPECT_TRUE(window_->wantsClose());
+}
+
+TEST_P(FaceWindowTest, hasTheKeysOfAnyWindow) {
+  expectUsualKeys(*window_);
+  expectNoKeyDoesTwoThings(faceKeyActions());
 }
 
 INSTANTIATE_TEST_SUITE_P(Providers, FaceWindowTest, testing::Values(GlProvider::kEgl, GlProvider::kOsMesa),

@@ -9,6 +9,7 @@
 #include "oc_core/gl/gl_context.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/feeds_window/composed_frames.h"
+#include "tests/window/gui_window_checks.h"
 
 namespace ocelli::test {
 namespace {
@@ -31,14 +32,9 @@ class FeedsWindowTest : public testing::TestWithParam<GlProvider> {
     screen_.show(frames_.frame(seconds_ += 0.1, tone));
     window_->update(0.1);
   }
-  Image<Rgb8> drawn() const {
-    window_->draw();
-    window_->draw();  // Dear ImGui knows the sizes of its windows from the frame before
-    return window_->screenshot();
-  }
   /// Pixels of the image in the window that have not its tone.
   size_t pixelsDrawnOver(int tone) const {
-    const Image<Rgb8> whole = drawn();
+    const Image<Rgb8> whole = drawn(*window_);
     size_t count = 0;
     for (int y = 0; y < window_->imageSize().y; ++y) {
       for (int x = 0; x < window_->imageSize().x; ++x) {
@@ -84,7 +80,7 @@ TEST_P(FeedsWindowTest, outlinesLieOnTheNearFaces) {
   press(Key::kL);
   press(Key::kO);
   show(0);
-  const Image<Rgb8> whole = drawn();
+  const Image<Rgb8> whole = drawn(*window_);
   const double scale = window_->imageSize().x / 320.0;
   for (size_t i = 1; i < 3; ++i) {
     const auto& part = frames_.graph().camera().frusta()[i].part;
@@ -107,7 +103,7 @@ TEST_P(FeedsWindowTest, eachStateLooksDifferent) {
       label.state = state;
     }
     show(40);
-    const Image<Rgb8> image = drawn();
+    const Image<Rgb8> image = drawn(*window_);
     std::vector<uint8_t> gray;  // as one who sees no colours does: marks and words differ
     for (size_t i = 0; i < image.size(); ++i) {
       gray.push_back(static_cast<uint8_t>((299 * image[i].r + 587 * image[i].g + 114 * image[i].b) / 1000));
@@ -127,9 +123,6 @@ TEST_P(FeedsWindowTest, keysTellTheRun) {
   EXPECT_TRUE(screen_.isPaused());
   press(Key::kP);
   EXPECT_FALSE(screen_.isPaused());
-  press(Key::kF11);
-  EXPECT_TRUE(window_->takeFullscreenWish());
-  EXPECT_FALSE(window_->takeFullscreenWish());
 }
 
 TEST_P(FeedsWindowTest, liveFeedsCannotBePaused) {
@@ -147,7 +140,7 @@ TEST_P(FeedsWindowTest, savesTheImageAsItIsShown) {
   EXPECT_EQ(window_->message(), "there is no image yet");
   show(77);
   press(Key::kL);
-  drawn();
+  drawn(*window_);
   press(Key::kS);
   const Image<Rgb8> saved = readPng(folder_ / "feeds-001.png");
   EXPECT_EQ(glm::ivec2(saved.width(), saved.height()), window_->imageSize());
@@ -172,25 +165,23 @@ TEST_P(FeedsWindowTest, saysWhereItCannotSave) {
   EXPECT_THAT(window.message(), testing::HasSubstr("nowhere"));
 }
 
-TEST_P(FeedsWindowTest, escapeClosesTheHelpAndThenTheWindow) {
+TEST_P(FeedsWindowTest, isDrawnForEachImageAndForTheEnd) {
+  drawn(*window_);
+  window_->update(0.1);
+  EXPECT_FALSE(window_->needsDrawing());
   show(5);
-  const Image<Rgb8> without = drawn();
-  press(Key::kH);
-  EXPECT_NE(drawn(), without);
-  press(Key::kEscape);
-  EXPECT_FALSE(window_->wantsClose());
-  EXPECT_EQ(drawn(), without);
-  press(Key::kEscape);
-  EXPECT_TRUE(window_->wantsClose());
+  EXPECT_TRUE(window_->needsDrawing());
+  drawn(*window_);
+  EXPECT_FALSE(window_->needsDrawing());
+  screen_.end();
+  window_->update(0.1);
+  EXPECT_TRUE(window_->needsDrawing());
 }
 
-TEST_P(FeedsWindowTest, noKeyDoesTwoThings) {
-  std::set<Key> taken;
-  for (const FeedsKeyAction& row : feedsKeyActions()) {
-    for (const Key key : row.keys) {
-      EXPECT_TRUE(taken.insert(key).second) << row.shown;
-    }
-  }
+TEST_P(FeedsWindowTest, hasTheKeysOfAnyWindow) {
+  show(5);
+  expectUsualKeys(*window_);
+  expectNoKeyDoesTwoThings(feedsKeyActions());
 }
 
 INSTANTIATE_TEST_SUITE_P(Providers, FeedsWindowTest, testing::Values(GlProvider::kEgl, GlProvider::kOsMesa),

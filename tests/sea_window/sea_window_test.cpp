@@ -4,15 +4,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <cmath>
 #include <glm/geometric.hpp>
-#include <set>
+#include <thread>
 
 #include "oc_core/gl/gl_context.h"
 #include "oc_core/sea/sea_build.h"
-#include "oc_core/sea_window/sea_keys.h"
 #include "tests/base/temporary_folder.h"
 #include "tests/sea/made_sea.h"
+#include "tests/window/gui_window_checks.h"
 
 namespace ocelli {
 namespace {
@@ -126,27 +127,45 @@ TEST_P(SeaWindowTest, theMouseLooksAroundAndTheMapTakesOneThere) {
   EXPECT_EQ(visit().nearest(), 19u);
 }
 
-TEST_P(SeaWindowTest, escapeClosesTheHelpAndThenTheWindow) {
-  press(Key::kH);
+TEST_P(SeaWindowTest, noKeyIsHeldWithoutTheFocus) {
+  visit().goToImage(12);
   window_->draw();
-  const Image<Rgb8> with = window_->screenshot();
-  press(Key::kEscape);
-  EXPECT_FALSE(window_->wantsClose());
-  window_->draw();
-  EXPECT_NE(window_->screenshot(), with);
-  press(Key::kEscape);
-  EXPECT_TRUE(window_->wantsClose());
+  const glm::dvec3 start = visit().place();
+  press(Key::kW);
+  window_->loseFocus();
+  window_->update(1);
+  EXPECT_EQ(visit().place(), start);
 }
 
-TEST_P(SeaWindowTest, noKeyDoesTwoThings) {
-  std::set<Key> taken;
-  const auto take = [&](const auto& row) {
-    for (const Key key : row.keys) {
-      EXPECT_TRUE(taken.insert(key).second) << row.shown;
+TEST_P(SeaWindowTest, isDrawnWhileItMovesUntilItRests) {
+  const auto drawsUntilItRests = [&](SeaWindow& window) {
+    int draws = 0;
+    for (window.update(0.01); window.needsDrawing() && draws < 1000; window.update(0.01)) {
+      window.draw();
+      ++draws;
+      std::this_thread::sleep_for(std::chrono::milliseconds(5));
     }
+    return draws;
   };
-  std::ranges::for_each(seaHeldKeys(), take);
-  std::ranges::for_each(seaKeyActions(), take);
+  EXPECT_LE(drawsUntilItRests(*window_), 2);
+  press(Key::kW);
+  for (int i = 0; i < 10; ++i) {
+    window_->update(0.01);
+    EXPECT_TRUE(window_->needsDrawing()) << i;
+    window_->draw();
+  }
+  press(Key::kW, false);
+  EXPECT_LE(drawsUntilItRests(*window_), 2);
+  SeaWindow decoding(*context_, *sea_);
+  decoding.handle(ResizeEvent{640, 400, 1, 1});
+  EXPECT_LT(drawsUntilItRests(decoding), 1000);
+  const Image<Rgb8> atRest = decoding.screenshot();
+  EXPECT_EQ(test::drawn(decoding), atRest) << "panels have the sizes of their texts";
+}
+
+TEST_P(SeaWindowTest, hasTheKeysOfAnyWindow) {
+  test::expectUsualKeys(*window_);
+  test::expectNoKeyDoesTwoThings(seaHeldKeys(), seaKeyActions());
 }
 
 INSTANTIATE_TEST_SUITE_P(Providers, SeaWindowTest, testing::Values(GlProvider::kEgl, GlProvider::kOsMesa),

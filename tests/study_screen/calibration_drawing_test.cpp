@@ -4,7 +4,7 @@
 
 #include <cstdlib>
 
-#include "study/screen/screen_target.h"
+#include "oc_core/window/screen_target.h"
 #include "tests/gl/gl_test_context.h"
 
 namespace ocelli {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "study/screen/screen_target.h"
+#include "oc_core/window/screen_target.h"
 #include "study/task/trial_image.h"
 #include "tests/gl/gl_test_context.h"
 #include "tests/study_screen/sample_screens.h"

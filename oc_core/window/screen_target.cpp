@@ -1,4 +1,4 @@
-#include "study/screen/screen_target.h"
+#include "oc_core/window/screen_target.h"
 
 #include <array>
 
@@ -7,12 +7,16 @@
 
 namespace ocelli {
 
-ScreenTarget::ScreenTarget(GlContext& context, int width, int height)
-    : context_(&context),
-      width_(width),
-      height_(height),
-      color_(makeTexture(context, GL_RGBA8, width, height)),
-      framebuffer_(makeFramebuffer(context, std::array{color_.id()}, 0)) {}
+void ScreenTarget::resize(int width, int height) {
+  if (framebuffer_ && width == width_ && height == height_) {
+    return;
+  }
+  framebuffer_ = GlObject();
+  color_ = makeTexture(*context_, GL_RGBA8, width, height);
+  framebuffer_ = makeFramebuffer(*context_, std::array{color_.id()}, 0);
+  width_ = width;
+  height_ = height;
+}
 
 void ScreenTarget::clear(GuiColor color) {
   const GladGLContext& gl = context_->gl();
