@@ -65,7 +65,9 @@ class CellTeller {
       look(i);
     }
     result_.who = Image<uint16_t>(label_.width(), label_.height());
+    result_.mayShow = Image<uint8_t>(label_.width(), label_.height());
     for (size_t i = 0; i < label_.size(); ++i) {
+      result_.mayShow[i] = choices_[i].count;
       result_.who[i] =
           label_[i] == 0 ? SubjectCells::kNobody : static_cast<uint16_t>(bodies_[label_[i] - 1u].subject + 1);
     }
@@ -187,6 +189,7 @@ class CellTeller {
         sight.lowest = y;
       }
       sight.seen += 1;
+      sight.seenAlone += choices_(x, y).count == 1 ? 1 : 0;
       if (at.height >= kTrunkHeight) {
         sight.trunkSeen += 1;
         sight.besideSeen += beside;

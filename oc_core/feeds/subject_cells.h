@@ -30,6 +30,7 @@ struct BodySight {
   double headOpen = 0;
   double besideExpected = 0;  ///< metres: the mean of what is open of trunk and head, beside the axis
   double seen = 0;            ///< cells that show it
+  double seenAlone = 0;       ///< of these, those that can show no other body
   double besideSeen = 0;      ///< metres: the mean of those of trunk and head
   double trunkSeen = 0;       ///< their number
   int lowest = -1;            ///< rows between which it is seen; less than 0: none
@@ -47,6 +48,7 @@ struct SubjectCells {
   static constexpr uint16_t kNobody = 0;
 
   Image<uint16_t> who;            ///< of each cell of the blobs' cores: the index of the subject, plus 1
+  Image<uint8_t> mayShow;         ///< how many of the expected bodies, at most three
   std::vector<BodySight> sights;  ///< of each expected body
   std::vector<SureCell> sure;
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "oc_core/feeds/subject_body.h"
 
@@ -40,7 +41,17 @@ Image<uint16_t> spread(const Image<uint16_t>& wide, const Image<uint16_t>& who) 
   return all;
 }
 
-/// How much is shown of somebody who is not known, by the lowest cell near each column of a blob.
+/// How much of somebody is shown where the picture shows this frustum, and where it shows a later one.
+struct Shares {
+  double here = 1;
+  double before = 1;
+
+  static Shares at(const FeedGraph& graph, size_t frustum, const glm::dvec3& place) {
+    return {shareEntered(graph, frustum, place), shareShown(graph, frustum, place)};
+  }
+};
+
+/// The same of somebody who is not known, by the lowest cell near each column of a blob.
 class StrangerShares {
  public:
   StrangerShares(const FeedGraph& graph, size_t frustum, const FeedBlobs& blobs, uint16_t label)
@@ -48,7 +59,7 @@ class StrangerShares {
         frustum_(frustum),
         scale_(blobs.scale),
         lowest_(static_cast<size_t>(blobs.core.width()), -1),
-        shares_(lowest_.size(), -1) {
+        shares_(lowest_.size()) {
     const Image<uint16_t>& core = blobs.core;
     for (int y = 0; y < core.height(); ++y) {
       for (int x = 0; x < core.width(); ++x) {
@@ -59,10 +70,10 @@ class StrangerShares {
     }
   }
 
-  double shareAt(int column) {
-    double& share = shares_[static_cast<size_t>(column)];
-    if (share < 0) {
-      share = 1;
+  Shares at(int column) {
+    std::optional<Shares>& shares = shares_[static_cast<size_t>(column)];
+    if (!shares) {
+      shares = Shares();
       int row = -1;
       int at = column;
       const int last = std::min(static_cast<int>(lowest_.size()) - 1, column + kStrangerReach);
@@ -74,10 +85,10 @@ class StrangerShares {
       }
       const glm::dvec2 foot = glm::dvec2(at + 0.5, row + 1) * scale_;
       if (const auto told = placeBelow(graph_.setup(), graph_.feedIndexOf(frustum_), foot, 0); told && row >= 0) {
-        share = shareShown(graph_, frustum_, told->place);
+        shares = Shares::at(graph_, frustum_, told->place);
       }
     }
-    return share;
+    return *shares;
   }
 
  private:
@@ -85,7 +96,7 @@ class StrangerShares {
   size_t frustum_;
   double scale_;
   std::vector<int> lowest_;
-  std::vector<double> shares_;  ///< less than 0: not told yet
+  std::vector<std::optional<Shares>> shares_;  ///< of columns that were asked for
 };
 
 }  // namespace
@@ -95,9 +106,9 @@ FeedMarks markSubjects(const FeedGraph& graph, size_t frustum, const FeedBlobs& 
   FeedMarks all(blobs.wide.width(), blobs.wide.height(), blobs.scale);
   Image<FeedMark>& marks = all.cells();
   const Image<uint16_t> subjects = spread(blobs.wide, who);
-  std::vector<double> shares;
+  std::vector<Shares> shares;
   for (const glm::dvec3& place : places) {
-    shares.push_back(shareShown(graph, frustum, place));
+    shares.push_back(Shares::at(graph, frustum, place));
   }
   std::vector<StrangerShares> strangers;
   for (size_t k = 0; k < blobs.blobs.size(); ++k) {
@@ -107,9 +118,9 @@ FeedMarks markSubjects(const FeedGraph& graph, size_t frustum, const FeedBlobs& 
     for (int x = 0; x < marks.width(); ++x) {
       if (const uint16_t wide = blobs.wide(x, y); wide > 0) {
         const uint16_t subject = subjects(x, y);
-        const double shown = subject > 0 ? shares[subject - 1u] : strangers[wide - 1u].shareAt(x);
-        const auto share = static_cast<uint8_t>(std::lround(255 * shown));
-        marks(x, y) = {static_cast<uint8_t>(255 - share), blobs.core(x, y) > 0 ? share : uint8_t{0}};
+        const Shares of = subject > 0 ? shares[subject - 1u] : strangers[wide - 1u].at(x);
+        marks(x, y).erased = static_cast<uint8_t>(std::lround(255 * (1 - of.here)));
+        marks(x, y).shown = blobs.core(x, y) > 0 ? static_cast<uint8_t>(std::lround(255 * of.before)) : uint8_t{0};
       }
     }
   }

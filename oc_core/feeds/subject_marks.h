@@ -1,5 +1,6 @@
-// What becomes of the subjects in the picture of a frustum: those that stand in it are shown, the others are erased
-// (section 4.3.3, Figure 4.26).
+// What becomes of the subjects in the picture of a frustum (section 4.3.3, Figure 4.26). Where it shows this frustum,
+// those before its near face are erased, as its rays begin there. Where it shows a later one, behind the near face of
+// that, those that stand between both are shown before it.
 #pragma once
 
 #include <span>

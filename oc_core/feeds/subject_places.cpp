@@ -97,13 +97,19 @@ std::vector<SeenSubject> locateSubjects(const FeedSetup& setup, const std::vecto
   return subjects;
 }
 
+double shareEntered(const FeedGraph& graph, size_t frustum, const glm::dvec3& place) {
+  const auto& frusta = graph.camera().frusta();
+  double share = 1;
+  for (int i = static_cast<int>(frustum); i != GraphCamera::kRoot; i = frusta[static_cast<size_t>(i)].parent) {
+    share = std::min(share, beyond(frusta[static_cast<size_t>(i)].plane, place, graph.setup().fadeMetres));
+  }
+  return share;
+}
+
 double shareShown(const FeedGraph& graph, size_t frustum, const glm::dvec3& place) {
   const auto& frusta = graph.camera().frusta();
   const double fade = graph.setup().fadeMetres;
-  double share = 1;
-  for (int i = static_cast<int>(frustum); i != GraphCamera::kRoot; i = frusta[static_cast<size_t>(i)].parent) {
-    share = std::min(share, beyond(frusta[static_cast<size_t>(i)].plane, place, fade));
-  }
+  double share = shareEntered(graph, frustum, place);
   for (const int child : frusta[frustum].children) {
     share = std::min(share, 1 - beyond(frusta[static_cast<size_t>(child)].plane, place, fade));
   }

@@ -29,5 +29,8 @@ std::vector<SeenSubject> locateSubjects(const FeedSetup& setup, const std::vecto
 /// How much a frustum shows of what stands at a place, 0 to 1: 1 where the place is beyond its near face and those of
 /// its parents, and before those of its children; in between where it fades across one.
 double shareShown(const FeedGraph& graph, size_t frustum, const glm::dvec3& place);
+/// How far in the frustum it is, 0 to 1: 1 beyond its near face and those of its parents. The rays of a frustum that
+/// pass no later near face show all of that.
+double shareEntered(const FeedGraph& graph, size_t frustum, const glm::dvec3& place);
 
 }  // namespace ocelli

@@ -32,6 +32,15 @@ glm::dvec3 SubjectTracks::place(size_t subject) const {
   return {place.x, graph_.setup().floorHeight, place.y};
 }
 
+const BodySight* SubjectTracks::sight(size_t feed, size_t subject) const {
+  for (size_t b = 0; b < cells_[feed].sights.size(); ++b) {
+    if (bodies_[feed][b].subject == subject) {
+      return &cells_[feed].sights[b];
+    }
+  }
+  return nullptr;
+}
+
 void SubjectTracks::update(const std::vector<FeedBlobs>& blobs, double seconds) {
   for (Track& track : tracks_) {
     track.motion.goOn(seconds - seconds_);
@@ -138,10 +147,26 @@ void SubjectTracks::forget() {
     }
   }
   tracks_ = std::move(kept);
-  for (SubjectCells& cells : cells_) {
-    for (uint16_t& who : cells.who) {
+  renumber(numbers);
+}
+
+void SubjectTracks::renumber(const std::vector<uint16_t>& numbers) {
+  for (size_t feed = 0; feed < cells_.size(); ++feed) {
+    for (uint16_t& who : cells_[feed].who) {
       who = numbers[who];
     }
+    std::vector<ExpectedBody> bodies;
+    std::vector<BodySight> sights;
+    for (size_t b = 0; b < cells_[feed].sights.size(); ++b) {
+      ExpectedBody& body = bodies_[feed][b];
+      if (const uint16_t number = numbers[body.subject + 1]; number != SubjectCells::kNobody) {
+        body.subject = number - 1u;
+        bodies.push_back(std::move(body));
+        sights.push_back(cells_[feed].sights[b]);
+      }
+    }
+    bodies_[feed] = std::move(bodies);
+    cells_[feed].sights = std::move(sights);
   }
 }
 
@@ -164,8 +189,8 @@ void SubjectTracks::addNew(const std::vector<FeedBlobs>& blobs) {
       }
     }
     if (nearest == nullptr) {
-      tracks_.push_back({SubjectMotion(plan, error), kSubjectHeight, std::vector<SubjectColors>(blobs.size() + 1),
-                         seconds_, seconds_});
+      tracks_.push_back({nextNumber_++, SubjectMotion(plan, error), kSubjectHeight,
+                         std::vector<SubjectColors>(blobs.size() + 1), seconds_, seconds_});
     } else if (nearest->toldAt < seconds_) {
       nearest->motion.tell({1, 0}, plan.x, error);
       nearest->motion.tell({0, 1}, plan.y, error);

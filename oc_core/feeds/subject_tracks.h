@@ -26,11 +26,17 @@ class SubjectTracks {
   size_t count() const { return tracks_.size(); }
   /// On the floor.
   glm::dvec3 place(size_t subject) const;
+  /// That no other subject has or had.
+  uint64_t number(size_t subject) const { return tracks_[subject].number; }
+  double height(size_t subject) const { return tracks_[subject].height; }  ///< metres
+  /// What a feed sees of a subject; null where it has no blobs, or the subject is out of its image or new.
+  const BodySight* sight(size_t feed, size_t subject) const;
   /// What the cells of a feed show; empty where it has no blobs.
   const SubjectCells& cells(size_t feed) const { return cells_[feed]; }
 
  private:
   struct Track {
+    uint64_t number;
     SubjectMotion motion;
     double height;
     std::vector<SubjectColors> colors;  ///< by feed; then of all together
@@ -45,6 +51,8 @@ class SubjectTracks {
   void judge();
   bool goesOn(const Track& track) const;
   void forget();
+  /// After some were forgotten: `numbers` has for each old index plus 1 the new one plus 1.
+  void renumber(const std::vector<uint16_t>& numbers);
   void addNew(const std::vector<FeedBlobs>& blobs);
 
   const FeedGraph& graph_;
@@ -52,6 +60,7 @@ class SubjectTracks {
   std::vector<std::vector<ExpectedBody>> bodies_;  ///< by feed
   std::vector<SubjectCells> cells_;
   double seconds_ = 0;
+  uint64_t nextNumber_ = 0;
 };
 
 }  // namespace ocelli

@@ -31,7 +31,11 @@ FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& 
       blobs_(frames_.size()),
       tracks_(graph_),
       marks_(graph.frusta()) {
+  for (size_t i = 0; i < graph_.frusta(); ++i) {
+    hidden_.emplace_back(graph_, i);
+  }
   for (const Feed& feed : graph.setup().feeds) {
+    portraits_.emplace_back(graph_, portraits_.size());
     backgrounds_.push_back(std::make_unique<FeedBackground>(feed.width, feed.height, knownBackground(feed), options));
   }
 }
@@ -74,6 +78,13 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
   for (size_t i = 0; i < tracks_.count(); ++i) {
     places.push_back(tracks_.place(i));
   }
+  parallelFor(remembers_ ? portraits_.size() : 0, 1, [&](size_t begin, size_t end) {
+    for (size_t feed = begin; feed < end; ++feed) {
+      if (!frames_[feed].empty() && isStale_[feed] == 0) {
+        portraits_[feed].look(tracks_, frames_[feed], backgrounds_[feed]->light(), seconds);
+      }
+    }
+  });
   const glm::dvec3 common = commonLight();
   std::vector<FeedPicture> pictures(graph_.frusta());
   parallelFor(pictures.size(), 1, [&](size_t begin, size_t end) {
@@ -83,7 +94,11 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
         marks_[i] = isStale_[feed] != 0 ? eraseSubjects(old[feed])
                                         : markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
         const FeedBackground& background = *backgrounds_[feed];
-        pictures[i] = {&frames_[feed], &background.image(), &marks_[i], common / background.light(), common};
+        if (remembers_) {
+          hidden_[i].update(tracks_, portraits_);
+        }
+        pictures[i] = {&frames_[feed], &hidden_[i].in(background.image()), &marks_[i], common / background.light(),
+                       common};
       }
     }
   });

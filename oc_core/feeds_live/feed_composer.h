@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "oc_core/feeds/feed_compose.h"
+#include "oc_core/feeds/subject_memory.h"
 #include "oc_core/feeds/subject_tracks.h"
 #include "oc_core/feeds_background/feed_background.h"
 
@@ -14,6 +15,8 @@ class FeedComposer {
  public:
   /// Reads the backgrounds that the setup names. Throws InputError where one is no image of the size of its feed.
   explicit FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& options = {});
+  /// Whether subjects that are hidden by who is erased are shown as they were (subject_memory.h); by default they are.
+  void setRemembers(bool remembers) { remembers_ = remembers; }
   FeedComposer(const FeedComposer&) = delete;
   FeedComposer& operator=(const FeedComposer&) = delete;
 
@@ -32,6 +35,7 @@ class FeedComposer {
   /// Of the last call of compose().
   const SubjectTracks& subjects() const { return tracks_; }
   const FeedMarks& marks(size_t frustum) const { return marks_[frustum]; }
+  const HiddenSubjects& hidden(size_t frustum) const { return hidden_[frustum]; }
   /// The last frame of a feed, by index; empty where there is none yet.
   const Image<Rgb8>& frame(size_t feed) const { return frames_[feed]; }
   /// Whether what a feed shows is hardly anything of the place.
@@ -48,7 +52,10 @@ class FeedComposer {
   std::vector<char> isStale_;
   std::vector<FeedBlobs> blobs_;
   SubjectTracks tracks_;
-  std::vector<FeedMarks> marks_;  ///< of each frustum
+  std::vector<FeedMarks> marks_;  ///< of each frustum, as the next ones
+  std::vector<HiddenSubjects> hidden_;
+  std::vector<SubjectPortraits> portraits_;  ///< of each feed
+  bool remembers_ = true;
 };
 
 }  // namespace ocelli

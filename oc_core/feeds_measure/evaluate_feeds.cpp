@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <utility>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/output_folder.h"
@@ -16,10 +19,16 @@ namespace {
 
 constexpr double kFadeRim = 0.02;  ///< shares nearer to 0 or 1 are these
 
+/// The feed pixel of a place.
+glm::ivec2 pixelOf(const FeedPlace& place) {
+  constexpr int kHalf = 1 << (FeedPlace::kFractionBits - 1);
+  return {(place.x + kHalf) >> FeedPlace::kFractionBits, (place.y + kHalf) >> FeedPlace::kFractionBits};
+}
+
 /// The walker, plus 1, that a place of a feed shows.
 uint8_t walkerAt(const WalkerMask& mask, const FeedPlace& place) {
-  constexpr int kHalf = 1 << (FeedPlace::kFractionBits - 1);
-  return mask((place.x + kHalf) >> FeedPlace::kFractionBits, (place.y + kHalf) >> FeedPlace::kFractionBits);
+  const glm::ivec2 pixel = pixelOf(place);
+  return mask(pixel.x, pixel.y);
 }
 
 /// Where the pixels of one composed image show walkers.
@@ -50,8 +59,11 @@ struct PixelWalker {
   }
 };
 
+/// Which walker, plus 1, a feed showed at an earlier time.
+using WalkerThen = std::function<uint8_t(const PortraitPixel& pixel)>;
+
 void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& masks, const TrueShares& shares,
-                ShownWalkers& result) {
+                const TrueShares& entered, const WalkerThen& walkerThen, ShownWalkers& result) {
   const FeedMap& map = composer.map();
   const auto width = static_cast<size_t>(map.width());
   for (size_t i = 0; i < width * static_cast<size_t>(map.height()); ++i) {
@@ -66,8 +78,13 @@ void countShown(const FeedComposer& composer, const std::vector<WalkerMask>& mas
         const FeedMark mark = composer.marks(place.frustum).at(place);
         const uint8_t there = walkerAt(mask, place);
         composed.take(isLast ? mark.erased < 128 : mark.shown >= 128, there, place.frustum);
+        if (isLast && mark.erased >= 128) {
+          if (const auto then = composer.hidden(place.frustum).at(pixelOf(place))) {
+            composed.take(true, walkerThen(*then), place.frustum);
+          }
+        }
         if (there > 0) {
-          possible.take(shares[there - 1u][place.frustum] >= 0.5, there, place.frustum);
+          possible.take((isLast ? entered : shares)[there - 1u][place.frustum] >= 0.5, there, place.frustum);
           result.seen[there - 1u].add(place.frustum, x, y);
         }
       }
@@ -111,8 +128,8 @@ class FeedsJudge {
         hasPictures_(!options.pictures.empty()),
         pictures_(options.pictures),
         stitchEvery_(hasStitcher() ? options.stitchEvery : 0) {
-    for (size_t i = 0; i < graph_.frusta(); ++i) {
-      cameras_.emplace_back(graph_.feedOf(i), place);
+    for (const Feed& feed : setup.feeds) {
+      cameras_.emplace_back(feed, place);
     }
     result_.walkers.assign(walkers_.count(), {});
   }
@@ -122,7 +139,17 @@ class FeedsJudge {
     ShownWalkers shown{wanted, wanted, wanted};
     const Image<Rgb8> reference = rendered_.draw(walkers_, frame.seconds, wanted);
     const std::vector<WalkerMask> masks = masksOf(frame);
-    countShown(frame.composer, masks, trueShares(frame.seconds), shown);
+    feedSeconds_[frame.seconds] = frame.feedSeconds;
+    std::map<std::pair<size_t, double>, WalkerMask> earlier;
+    const auto walkerThen = [&](const PortraitPixel& pixel) {
+      WalkerMask& mask = earlier[{pixel.feed, pixel.seconds}];
+      if (mask.empty()) {
+        mask = maskOf(pixel.feed, feedSeconds_.at(pixel.seconds));
+      }
+      return mask(pixel.pixel.x, pixel.pixel.y);
+    };
+    countShown(frame.composer, masks, trueShares(frame.seconds, shareShown), trueShares(frame.seconds, shareEntered),
+               walkerThen, shown);
     squares_ += squaredError(frame.image, reference);
     if (stitchEvery_ > 0 && result_.frames % stitchEvery_ == 0) {
       stitch(frame, masks);
@@ -158,26 +185,30 @@ class FeedsJudge {
   }
 
  private:
-  TrueShares trueShares(double seconds) const {
+  TrueShares trueShares(double seconds, double (*shareOf)(const FeedGraph&, size_t, const glm::dvec3&)) const {
     TrueShares shares(walkers_.count());
     for (size_t w = 0; w < walkers_.count(); ++w) {
       const glm::dvec2 p = walkers_.at(w, seconds).place;
       for (size_t i = 0; i < graph_.frusta(); ++i) {
-        shares[w].push_back(shareShown(graph_, i, {p.x, 0, p.y}));
+        shares[w].push_back(shareOf(graph_, i, {p.x, 0, p.y}));
       }
     }
     return shares;
+  }
+
+  /// Nothing where the feed has no frame yet.
+  WalkerMask maskOf(size_t feed, const std::vector<double>& feedSeconds) const {
+    if (!std::isfinite(feedSeconds[feed])) {
+      return {};
+    }
+    return cameras_[feed].mask(walkers_, truth_.feeds[feed].shownAt(feedSeconds[feed]), truth_.rollingSeconds);
   }
 
   std::vector<WalkerMask> masksOf(const ComposedFrame& frame) const {
     std::vector<WalkerMask> masks(graph_.frusta());
     parallelFor(masks.size(), 1, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
-        const size_t feed = graph_.feedIndexOf(i);
-        if (std::isfinite(frame.feedSeconds[feed])) {
-          const double shown = truth_.feeds[feed].shownAt(frame.feedSeconds[feed]);
-          masks[i] = cameras_[i].mask(walkers_, shown, truth_.rollingSeconds);
-        }
+        masks[i] = maskOf(graph_.feedIndexOf(i), frame.feedSeconds);
       }
     });
     return masks;
@@ -198,12 +229,13 @@ class FeedsJudge {
   FeedGraph graph_;
   RenderedGraph rendered_;
   Walkers walkers_;
-  std::vector<SimulatedFeed> cameras_;  ///< of each frustum
+  std::vector<SimulatedFeed> cameras_;  ///< of each feed
   SeamMeter seams_;
   bool hasPictures_;
   ErrorPictures pictures_;
   size_t stitchEvery_;
   double squares_ = 0;
+  std::map<double, std::vector<double>> feedSeconds_;  ///< of all frames, by their times
   FeedsEvaluation result_;
 };
 
