@@ -8,6 +8,9 @@ namespace ocelli {
 
 void addFeedsCommands(CLI::App& program, const CommandContext& context, const FeedsWork& work);
 
+/// `--no-hidden`, of what makes composed images.
+void addHiddenOption(CLI::App& command, bool& showsHidden);
+
 void addFeedsCalibrateCommand(CLI::App& feeds, const CommandContext& context, const FeedsWork& work);
 void addFeedsFacesCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsFacesChoice>& work);
 void addFeedsEditCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsEditChoice>& work);

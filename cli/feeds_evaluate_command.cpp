@@ -26,6 +26,7 @@ void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context,
                   "Put each so manieth frame into OpenCV's stitcher, too, to compare")
       ->check(CLI::Range(size_t{1}, size_t{1000000}))
       ->type_name("N");
+  addHiddenOption(command, choice->options.showsHidden);
   addFiguresOption(command, choice->json);
   context.finish(command, "  ocelli feeds evaluate corridor --page errors --json figures.json",
                  [choice, context, work] { work(*choice, context); });

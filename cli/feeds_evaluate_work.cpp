@@ -58,7 +58,8 @@ void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContex
   }
   table += rowOf("all", sums);
   table += fmt::format(
-      "\n  seen once    {:.2f} % of walkers and frames, or fading; {:.2f} % could be, with these cameras\n  PSNR       "
+      "\n  seen once    {:.2f} % of walkers and frames, or fading; {:.2f} % are seen by the right camera at that "
+      "time\n  PSNR       "
       "  {:.2f} dB over {} "
       "frames\n  seams        {:.1f} levels more than rendered, {:.1f} beside them; over {:g} at {:.1f} %\n  speed     "
       "   {:.1f} ms a frame, without reading feeds and comparing\n",

@@ -8,6 +8,11 @@
 
 namespace ocelli {
 
+void addHiddenOption(CLI::App& command, bool& showsHidden) {
+  command.add_flag("!--no-hidden", showsHidden,
+                   "Do not show those who are hidden by somebody erased as they were seen last");
+}
+
 void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const FeedsWorkOf<FeedsRunChoice>& work) {
   CLI::App& command = *feeds.add_subcommand("run", "Compose the image of a graph camera from its feeds");
   const auto choice = std::make_shared<FeedsRunChoice>();
@@ -33,6 +38,7 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
   command.add_option("--erased", choice->erased, "How pixels look from which a subject was erased: they are not live")
       ->check(CLI::IsMember({"background", "red"}))
       ->capture_default_str();
+  addHiddenOption(command, options.showsHidden);
   command.add_option("--wait", options.streams.maxWaitSeconds, "How long a feed is waited for, once")
       ->check(numberCheck(0, 3600))
       ->capture_default_str()

@@ -78,7 +78,7 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
   for (size_t i = 0; i < tracks_.count(); ++i) {
     places.push_back(tracks_.place(i));
   }
-  parallelFor(remembers_ ? portraits_.size() : 0, 1, [&](size_t begin, size_t end) {
+  parallelFor(showsHidden_ ? portraits_.size() : 0, 1, [&](size_t begin, size_t end) {
     for (size_t feed = begin; feed < end; ++feed) {
       if (!frames_[feed].empty() && isStale_[feed] == 0) {
         portraits_[feed].look(tracks_, frames_[feed], backgrounds_[feed]->light(), seconds);
@@ -94,7 +94,7 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
         marks_[i] = isStale_[feed] != 0 ? eraseSubjects(old[feed])
                                         : markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
         const FeedBackground& background = *backgrounds_[feed];
-        if (remembers_) {
+        if (showsHidden_) {
           hidden_[i].update(tracks_, portraits_);
         }
         pictures[i] = {&frames_[feed], &hidden_[i].in(background.image()), &marks_[i], common / background.light(),

@@ -16,7 +16,7 @@ class FeedComposer {
   /// Reads the backgrounds that the setup names. Throws InputError where one is no image of the size of its feed.
   explicit FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& options = {});
   /// Whether subjects that are hidden by who is erased are shown as they were (subject_memory.h); by default they are.
-  void setRemembers(bool remembers) { remembers_ = remembers; }
+  void setShowsHidden(bool showsHidden) { showsHidden_ = showsHidden; }
   FeedComposer(const FeedComposer&) = delete;
   FeedComposer& operator=(const FeedComposer&) = delete;
 
@@ -55,7 +55,7 @@ class FeedComposer {
   std::vector<FeedMarks> marks_;  ///< of each frustum, as the next ones
   std::vector<HiddenSubjects> hidden_;
   std::vector<SubjectPortraits> portraits_;  ///< of each feed
-  bool remembers_ = true;
+  bool showsHidden_ = true;
 };
 
 }  // namespace ocelli

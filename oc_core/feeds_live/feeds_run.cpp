@@ -37,6 +37,7 @@ class FeedsRun {
         remarkedConnections_(setup.feeds.size(), 0),
         ages_(setup.feeds.size(), 0) {
     options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
+    composer_.setShowsHidden(options_.showsHidden);
     for (const Feed& feed : setup.feeds) {
       streams_.push_back(std::make_unique<FeedStream>(feed, options_.streams));
       figures_.feeds.push_back({});

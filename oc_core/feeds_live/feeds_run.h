@@ -22,6 +22,7 @@ struct FeedsRunOptions {
   std::function<std::string(size_t feed, const Image<Rgb8>& frame)> remarkOn = {};
   ErasedLook erased = ErasedLook::kBackground;
   std::function<ErasedLook()> erasedNow = {};  ///< asked for each image, where given, instead of `erased`
+  bool showsHidden = true;  ///< those hidden by somebody who is erased, as they were (subject_memory.h)
   bool hasLabels = true;
   FeedStreamOptions streams;
   FeedBackgroundOptions backgrounds;

@@ -279,6 +279,7 @@ FeedsEvaluation evaluateFeeds(const std::filesystem::path& folder, const FeedsEv
   run.seconds = options.seconds;
   run.hasLabels = false;
   run.backgrounds = options.backgrounds;
+  run.showsHidden = options.showsHidden;
   FeedsRunFigures figures = runFeeds(
       setup, run, [&](const ComposedFrame& frame) { judge.look(frame); }, progress);
   return judge.finish(std::move(figures));

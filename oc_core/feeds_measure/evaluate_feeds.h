@@ -27,7 +27,8 @@ struct FeedsEvaluation {
   /// Of each walker: frames by fate.
   std::vector<std::array<size_t, kWalkerFates>> walkers;
   /// Walkers and frames that would be right or fade, if it were known of each pixel of a feed whom it shows and where
-  /// that one stands: the others are hidden, for the most part, from the camera that should show them.
+  /// that one stands, and nobody were shown as he was: the others are hidden, for the most part, from the camera that
+  /// should show them.
   size_t possible = 0;
   double psnrDecibels = 0;  ///< of all frames together, sRGB
   std::vector<FrameJudgement> timeline;
@@ -39,7 +40,7 @@ struct FeedsEvaluation {
   size_t count(WalkerFate fate) const;
   /// The share of all walkers and frames that are right or fade.
   double rightShare() const;
-  /// The share that would be, with these cameras.
+  /// The share that would be, by what these cameras see at that time.
   double possibleShare() const;
 };
 
@@ -47,6 +48,7 @@ struct FeedsEvaluationOptions {
   double seconds = 0;              ///< 0: all
   std::filesystem::path pictures;  ///< a folder for pictures of errors (error_pictures.h); empty: none
   FeedBackgroundOptions backgrounds;
+  bool showsHidden = true;  ///< as FeedsRunOptions has it
   /// Puts each so manieth frame into OpenCV's stitcher, too, where hasStitcher(); 0: none.
   size_t stitchEvery = 0;
 };

@@ -54,5 +54,22 @@ TEST(SubjectPlaces, eachPlaceHasOneFrustumAndBothAddUpBetween) {
   }
 }
 
+TEST(SubjectPlaces, whatIsEnteredIsShownUntilTheNextFace) {
+  const FeedGraph graph(test::chainSetup());
+  const std::vector<std::pair<glm::dvec3, std::vector<double>>> places{{{0, 0, 2}, {1, 0, 0, 0}},
+                                                                       {{-3, 0, -1.2}, {1, 1, 0, 0}},
+                                                                       {{-6, 0, -1.2}, {1, 1, 0, 1}},
+                                                                       {{4, 0, -1.2}, {1, 0, 1, 0}}};
+  for (const auto& [place, entered] : places) {
+    double shown = 0;
+    for (size_t i = 0; i < graph.frusta(); ++i) {
+      const size_t row = graph.feedIndexOf(i);
+      EXPECT_EQ(shareEntered(graph, i, place), entered[row]) << place.x << " " << graph.feedOf(i).name;
+      shown += shareShown(graph, i, place);
+    }
+    EXPECT_EQ(shown, 1) << place.x;
+  }
+}
+
 }  // namespace
 }  // namespace ocelli
