@@ -12,10 +12,12 @@ namespace ocelli {
 namespace {
 
 // Shares of a body's cells in the image.
-constexpr double kPortraitOpen = 0.95;  ///< so much is open of a body that is remembered,
-constexpr double kPortraitShare = 0.4;  ///< and so much can be nobody else's
+constexpr double kPortraitOpen = 0.8;   ///< so much is open of a body that is remembered,
+constexpr double kPortraitShare = 0.3;  ///< and so much of it can be nobody else's
 constexpr double kHidden = 0.9;         ///< where less is open, somebody hides a part
 constexpr double kMinShownCells = 40;   ///< of the mask: less of a body is not shown
+constexpr double kMaxOwnSeconds = 2;    ///< an older portrait stands behind those of other feeds
+constexpr double kMaxSeconds = 5;       ///< later on subjects may have been taken for each other
 constexpr double kMaxResizing = 2.5;    ///< a portrait from so much nearer or farther off is none
 
 struct BodyScale {
@@ -86,6 +88,21 @@ std::array<std::array<uint8_t, 256>, 3> unlit(const glm::dvec3& light) {
   return levels;
 }
 
+/// The portrait of a subject by a feed, or the latest by any where that is old; null where all are too old.
+const SubjectPortrait* latest(const std::vector<SubjectPortraits>& portraits, size_t feed, uint64_t subject,
+                              double seconds) {
+  const SubjectPortrait* const own = portraits[feed].of(subject);
+  const SubjectPortrait* best = own;
+  for (const SubjectPortraits& other : portraits) {
+    const SubjectPortrait* const each = other.of(subject);
+    best = each != nullptr && (best == nullptr || each->seconds > best->seconds) ? each : best;
+  }
+  if (own != nullptr && own->seconds >= seconds - kMaxOwnSeconds) {
+    return own;
+  }
+  return best != nullptr && best->seconds >= seconds - kMaxSeconds ? best : nullptr;
+}
+
 }  // namespace
 
 const SubjectPortrait* SubjectPortraits::of(uint64_t subject) const {
@@ -114,7 +131,6 @@ void SubjectPortraits::look(const SubjectTracks& tracks, const Image<Rgb8>& fram
       portrait = cutOut(tracks.cells(feed_).who, label, box, frame);
       portrait.feed = feed_;
       portrait.seconds = seconds;
-      portrait.share = sight->seenAlone / sight->inImage;
       portrait.light = light;
       portrait.middle = scale->middle;
       portrait.pixelsPerMetre = scale->pixelsPerMetre;
@@ -137,7 +153,8 @@ void HiddenSubjects::show(const SubjectPortrait& portrait, const glm::dvec2& mid
                     glm::clamp(glm::ivec2(glm::ceil(upper)), glm::ivec2(0), size)});
 }
 
-void HiddenSubjects::update(const SubjectTracks& tracks, const std::vector<SubjectPortraits>& portraits) {
+void HiddenSubjects::update(const SubjectTracks& tracks, const std::vector<SubjectPortraits>& portraits,
+                            double seconds) {
   shown_.clear();
   const size_t feed = graph_.feedIndexOf(frustum_);
   for (size_t i = 0; i < tracks.count(); ++i) {
@@ -146,11 +163,7 @@ void HiddenSubjects::update(const SubjectTracks& tracks, const std::vector<Subje
         shareEntered(graph_, frustum_, tracks.place(i)) <= 0.5) {
       continue;
     }
-    const SubjectPortrait* portrait = portraits[feed].of(tracks.number(i));
-    for (size_t other = 0; portraits[feed].of(tracks.number(i)) == nullptr && other < portraits.size(); ++other) {
-      const SubjectPortrait* const each = portraits[other].of(tracks.number(i));
-      portrait = each != nullptr && (portrait == nullptr || each->share > portrait->share) ? each : portrait;
-    }
+    const SubjectPortrait* const portrait = latest(portraits, feed, tracks.number(i), seconds);
     if (const auto scale = scaleOf(graph_.feedOf(frustum_), tracks.place(i), tracks.height(i)); portrait && scale) {
       show(*portrait, scale->middle, scale->pixelsPerMetre,
            glm::length(tracks.place(i) - graph_.feedOf(frustum_).pose.eye));

@@ -16,7 +16,6 @@ namespace ocelli {
 struct SubjectPortrait {
   size_t feed = 0;
   double seconds = 0;
-  double share = 0;      ///< of the body's cells, those that surely show it
   glm::ivec2 corner{0};  ///< feed pixels, the top left of its cells
   Image<uint8_t> cells;  ///< of the mask: 1 where it is seen
   int scale = 2;         ///< feed pixels a cell
@@ -57,7 +56,7 @@ class HiddenSubjects {
   HiddenSubjects(const FeedGraph& graph, size_t frustum) : graph_(graph), frustum_(frustum) {}
 
   /// Finds them. `portraits` are those of all feeds, and stay as they are until the next update or clear().
-  void update(const SubjectTracks& tracks, const std::vector<SubjectPortraits>& portraits);
+  void update(const SubjectTracks& tracks, const std::vector<SubjectPortraits>& portraits, double seconds);
   void clear() { shown_.clear(); }
 
   /// `background` with them in it; itself where there are none.

@@ -95,7 +95,7 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
                                         : markSubjects(graph_, i, blobs_[feed], tracks_.cells(feed).who, places);
         const FeedBackground& background = *backgrounds_[feed];
         if (showsHidden_) {
-          hidden_[i].update(tracks_, portraits_);
+          hidden_[i].update(tracks_, portraits_, seconds);
         }
         pictures[i] = {&frames_[feed], &hidden_[i].in(background.image()), &marks_[i], common / background.light(),
                        common};

@@ -30,7 +30,7 @@ class Remembered {
       for (size_t i = 0; i < portraits_.size(); ++i) {
         portraits_[i].look(tracks_, frameOf(blobs[i], light), glm::dvec3(light), seconds_);
       }
-      hidden_.update(tracks_, portraits_);
+      hidden_.update(tracks_, portraits_, seconds_);
     }
   }
 
