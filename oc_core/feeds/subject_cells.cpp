@@ -65,9 +65,7 @@ class CellTeller {
       look(i);
     }
     result_.who = Image<uint16_t>(label_.width(), label_.height());
-    result_.mayShow = Image<uint8_t>(label_.width(), label_.height());
     for (size_t i = 0; i < label_.size(); ++i) {
-      result_.mayShow[i] = choices_[i].count;
       result_.who[i] =
           label_[i] == 0 ? SubjectCells::kNobody : static_cast<uint16_t>(bodies_[label_[i] - 1u].subject + 1);
     }

@@ -48,7 +48,6 @@ struct SubjectCells {
   static constexpr uint16_t kNobody = 0;
 
   Image<uint16_t> who;            ///< of each cell of the blobs' cores: the index of the subject, plus 1
-  Image<uint8_t> mayShow;         ///< how many of the expected bodies, at most three
   std::vector<BodySight> sights;  ///< of each expected body
   std::vector<SureCell> sure;
 };

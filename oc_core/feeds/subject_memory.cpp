@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <glm/geometric.hpp>
+#include <limits>
 
 #include "oc_core/feeds/place_telling.h"
 #include "oc_core/feeds/subject_places.h"
@@ -11,9 +12,8 @@
 namespace ocelli {
 namespace {
 
-// Shares of a body's cells in the image.
-constexpr double kPortraitOpen = 0.8;   ///< so much is open of a body that is remembered,
-constexpr double kPortraitShare = 0.3;  ///< and so much of it can be nobody else's
+constexpr double kPortraitOpen = 0.8;   ///< so much of a body's cells is open where it is remembered,
+constexpr double kPortraitShare = 0.3;  ///< and so much is seen that can be nobody else's
 constexpr double kHidden = 0.9;         ///< where less is open, somebody hides a part
 constexpr double kMinShownCells = 40;   ///< of the mask: less of a body is not shown
 constexpr double kMaxOwnSeconds = 2;    ///< an older portrait stands behind those of other feeds
@@ -37,24 +37,30 @@ std::optional<BodyScale> scaleOf(const Feed& feed, const glm::dvec3& place, doub
   return BodyScale{*at, glm::length(*right - *left) / (2 * glm::length(side))};
 }
 
-/// The box of the cells that show a subject, by its index plus 1; empty where none does.
+/// The box of the cells that show a subject.
 struct PortraitBox {
-  glm::ivec2 lower;
+  glm::ivec2 lower{std::numeric_limits<int>::max()};
   glm::ivec2 upper{0};
 
-  PortraitBox(const Image<uint16_t>& who, uint16_t label) : lower(who.width(), who.height()) {
-    for (int y = 0; y < who.height(); ++y) {
-      for (int x = 0; x < who.width(); ++x) {
-        if (who(x, y) == label) {
-          lower = glm::min(lower, glm::ivec2(x, y));
-          upper = glm::max(upper, glm::ivec2(x + 1, y + 1));
-        }
+  void add(const glm::ivec2& cell) {
+    lower = glm::min(lower, cell);
+    upper = glm::max(upper, cell + 1);
+  }
+  bool isEmpty() const { return upper.x <= lower.x; }
+};
+
+/// Of each subject.
+std::vector<PortraitBox> boxesOf(const Image<uint16_t>& who, size_t subjects) {
+  std::vector<PortraitBox> boxes(subjects);
+  for (int y = 0; y < who.height(); ++y) {
+    for (int x = 0; x < who.width(); ++x) {
+      if (const uint16_t label = who(x, y); label != SubjectCells::kNobody) {
+        boxes[label - 1u].add({x, y});
       }
     }
   }
-
-  bool isEmpty() const { return upper.x <= lower.x; }
-};
+  return boxes;
+}
 
 /// The cells and pixels of a box that show a subject, by its index plus 1.
 SubjectPortrait cutOut(const Image<uint16_t>& who, uint16_t label, const PortraitBox& box, const Image<Rgb8>& frame) {
@@ -112,6 +118,7 @@ const SubjectPortrait* SubjectPortraits::of(uint64_t subject) const {
 
 void SubjectPortraits::look(const SubjectTracks& tracks, const Image<Rgb8>& frame, const glm::dvec3& light,
                             double seconds) {
+  const std::vector<PortraitBox> boxes = boxesOf(tracks.cells(feed_).who, tracks.count());
   std::map<uint64_t, SubjectPortrait> kept;
   for (size_t i = 0; i < tracks.count(); ++i) {
     const uint64_t number = tracks.number(i);
@@ -125,8 +132,7 @@ void SubjectPortraits::look(const SubjectTracks& tracks, const Image<Rgb8>& fram
     }
     const auto scale = scaleOf(graph_.setup().feeds[feed_], tracks.place(i), tracks.height(i));
     const auto label = static_cast<uint16_t>(i + 1);
-    const PortraitBox box(tracks.cells(feed_).who, label);
-    if (scale && !box.isEmpty()) {
+    if (const PortraitBox& box = boxes[i]; scale && !box.isEmpty()) {
       SubjectPortrait& portrait = kept[number];
       portrait = cutOut(tracks.cells(feed_).who, label, box, frame);
       portrait.feed = feed_;

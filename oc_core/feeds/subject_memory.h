@@ -55,9 +55,8 @@ class HiddenSubjects {
  public:
   HiddenSubjects(const FeedGraph& graph, size_t frustum) : graph_(graph), frustum_(frustum) {}
 
-  /// Finds them. `portraits` are those of all feeds, and stay as they are until the next update or clear().
+  /// Finds them. `portraits` are those of all feeds, and stay as they are until the next update.
   void update(const SubjectTracks& tracks, const std::vector<SubjectPortraits>& portraits, double seconds);
-  void clear() { shown_.clear(); }
 
   /// `background` with them in it; itself where there are none.
   const Image<Rgb8>& in(const Image<Rgb8>& background);
