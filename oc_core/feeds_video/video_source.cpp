@@ -34,6 +34,15 @@ const VideoSourceKind& videoSourceKind(const std::string& name) {
   return *std::ranges::find_if(kKinds, [&](const VideoSourceKind& kind) { return name.starts_with(kind.prefix); });
 }
 
+std::string ffmpegNameOf(const std::string& source) {
+  const VideoSourceKind& kind = videoSourceKind(source);
+  const std::string prefix = kind.prefix;
+  if (kind.isPrefixOurs) {
+    return source.substr(prefix.size());
+  }
+  return prefix.empty() && source.find("://") == std::string::npos ? "file:" + source : source;
+}
+
 std::string adviceOnSource(const VideoSource& source, int code) {
   const VideoSourceKind& kind = videoSourceKind(source.name);
   const bool isMissing =
