@@ -174,6 +174,11 @@ bool FeedStream::isGoingOn() const {
   return !isOver_ || !queue_.empty();
 }
 
+std::optional<double> FeedStream::nextSeconds() const {
+  const std::lock_guard lock(mutex_);
+  return queue_.empty() ? std::nullopt : std::optional(queue_.front().seconds);
+}
+
 FeedState FeedStream::state() const {
   const std::lock_guard lock(mutex_);
   if ((isOver_ || isBroken_) && queue_.empty()) {

@@ -43,6 +43,8 @@ class FeedStream {
 
   /// Whether frames may still come.
   bool isGoingOn() const;
+  /// The time of the next frame, where one is there already.
+  std::optional<double> nextSeconds() const;
   FeedState state() const;
   /// Why it is lost, as an error message.
   std::string message() const;

@@ -34,7 +34,8 @@ class FeedsRun {
         composer_(graph_, options.backgrounds),
         feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
         remarks_(setup.feeds.size()),
-        ages_(setup.feeds.size(), 0) {
+        ages_(setup.feeds.size(), 0),
+        shown_(setup.feeds.size(), 0) {
     options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
     for (const Feed& feed : setup.feeds) {
       streams_.push_back(std::make_unique<FeedStream>(feed, options_.streams));
@@ -53,9 +54,10 @@ class FeedsRun {
         break;
       }
       const double seconds = start + static_cast<double>(k) / options_.framesPerSecond;
-      if (!takeFrames(seconds)) {
+      if (!takeFrames(seconds) || isBeforeGap(seconds)) {
         break;
       }
+      noteAges(seconds);
       const int64_t frameBegan = steadyNanoseconds();
       composer_.take(frames_);
       composer_.compose(seconds, options_.erasedNow ? options_.erasedNow() : options_.erased, image_);
@@ -164,15 +166,47 @@ class FeedsRun {
       const FeedState state = streams_[i]->state();
       figures.wasFrozen = figures.wasFrozen || state == FeedState::kFrozen;
       figures.wasLate = figures.wasLate || state == FeedState::kLate;
+      if (state == FeedState::kLost && !figures.wasLost && options_.onLost) {
+        options_.onLost(i, streams_[i]->message());
+      }
       figures.wasLost = figures.wasLost || state == FeedState::kLost;
       isAnyGoingOn = isAnyGoingOn || streams_[i]->isGoingOn();
+    }
+    return isAnyGoingOn;
+  }
+
+  void noteAges(double seconds) {
+    for (size_t i = 0; i < streams_.size(); ++i) {
       if (std::isfinite(feedSeconds_[i])) {
         const double age = seconds - feedSeconds_[i];
         ages_[i] += age;
-        figures.maxAgeSeconds = std::max(figures.maxAgeSeconds, age);
+        ++shown_[i];
+        figures_.feeds[i].maxAgeSeconds = std::max(figures_.feeds[i].maxAgeSeconds, age);
       }
     }
-    return isAnyGoingOn;
+  }
+
+  /// Whether recorded feeds have nothing for longer than they may; says so in `gaps_`.
+  bool isBeforeGap(double seconds) {
+    const bool isAnyNew = std::ranges::any_of(frames_, [](const Image<Rgb8>& frame) { return !frame.empty(); });
+    if (options_.streams.isLiveRun || isAnyNew) {
+      return false;
+    }
+    std::vector<std::string> gaps(streams_.size());
+    for (size_t i = 0; i < streams_.size(); ++i) {
+      const std::optional<double> next = streams_[i]->nextSeconds();
+      if (streams_[i]->isGoingOn() && (!next || *next <= seconds + kMaxFeedGapSeconds)) {
+        return false;
+      }
+      if (next) {
+        gaps[i] = fmt::format(
+            "its next frame is {:.6g} s later, and the run ended before it: set \"clock_offset_seconds\", if its clock "
+            "is another one",
+            *next - seconds);
+      }
+    }
+    gaps_ = gaps;
+    return true;
   }
 
   std::vector<FeedLabel> labels(double seconds) const {
@@ -204,11 +238,11 @@ class FeedsRun {
     for (size_t i = 0; i < streams_.size(); ++i) {
       FeedRunFigures& figures = figures_.feeds[i];
       figures.state = streams_[i]->state();
-      figures.message = streams_[i]->message();
+      figures.message = gaps_.empty() || gaps_[i].empty() ? streams_[i]->message() : gaps_[i];
       figures.reconnections = streams_[i]->reconnections();
       figures.framesRead = streams_[i]->framesRead();
       figures.framesSkipped = streams_[i]->framesSkipped();
-      figures.meanAgeSeconds = ages_[i] / frames;
+      figures.meanAgeSeconds = shown_[i] > 0 ? ages_[i] / static_cast<double>(shown_[i]) : 0;
     }
   }
 
@@ -219,7 +253,9 @@ class FeedsRun {
   std::vector<Image<Rgb8>> frames_;
   std::vector<double> feedSeconds_;
   std::vector<std::string> remarks_;
-  std::vector<double> ages_;
+  std::vector<double> ages_;       ///< the sum over outputs that show a frame
+  std::vector<size_t> shown_;      ///< how many those are
+  std::vector<std::string> gaps_;  ///< of each feed: why the run ended before its next frame
   double composing_ = 0;
   Image<Rgb8> image_;
   FeedsRunFigures figures_;
