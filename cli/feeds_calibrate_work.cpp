@@ -84,8 +84,8 @@ void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& 
     context.note("wrote " + choice.output);
   }
   if (failures > 0) {
-    throw WorkError(fmt::format("{} of {} feeds have no new pose:\n{}", failures, result.feeds.size(), failed),
-                    choice.setup, "do what is said of each, and run the same again");
+    throw WorkError(fmt::format("{} of {} feeds have no new pose", failures, result.feeds.size()), choice.setup,
+                    "do what is said of each, and run the same again", failed);
   }
 }
 

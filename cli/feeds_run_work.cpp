@@ -11,6 +11,7 @@
 #include "cli/output_option.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
+#include "oc_core/base/printable_text.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "oc_core/feeds_window/feeds_window.h"
 #include "oc_core/gl/gl_error.h"
@@ -51,13 +52,14 @@ std::string tableOf(const FeedsRunFigures& figures) {
       figures.frames, figures.framesPerSecond, 1e3 * figures.meanFrameSeconds, 1e3 * figures.slowestFrameSeconds,
       "feed", "state", "frames", "skipped", "mean age", "oldest");
   for (const FeedRunFigures& feed : figures.feeds) {
-    table += fmt::format("  {:<12} {:>7} {:>7} {:>8} {:>7.0f} ms {:>7.0f} ms\n", feed.name, wordOf(feed.state),
-                         feed.framesRead, feed.framesSkipped, 1e3 * feed.meanAgeSeconds, 1e3 * feed.maxAgeSeconds);
+    table += fmt::format("  {:<12} {:>7} {:>7} {:>8} {:>7.0f} ms {:>7.0f} ms\n", printableText(feed.name),
+                         wordOf(feed.state), feed.framesRead, feed.framesSkipped, 1e3 * feed.meanAgeSeconds,
+                         1e3 * feed.maxAgeSeconds);
     if (feed.reconnections > 0) {
       table += fmt::format("    lost, and back, {} times\n", feed.reconnections);
     }
     if (!feed.message.empty()) {
-      table += "    " + feed.message + "\n";
+      table += indentedLines(feed.message, "    ") + "\n";
     }
   }
   return table;
@@ -102,6 +104,7 @@ FeedsRunFigures runWatched(const FeedsRunChoice& choice, const FeedSetup& setup,
   options.erased = choice.erased == "red" ? ErasedLook::kRed : ErasedLook::kBackground;
   options.erasedNow = watcher.erased;
   options.hasLabels = !choice.hasNoLabels && !watcher.show;
+  options.onLost = noteLostFeeds(setup, context);
   options.isStopped = [&] { return InterruptGuard::interrupted() || (watcher.isClosed && watcher.isClosed()); };
   if (poses.isWanted()) {
     options.remarkOn = std::ref(poses);

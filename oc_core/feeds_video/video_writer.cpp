@@ -77,7 +77,7 @@ struct VideoWriter::Impl {
   void open(int width, int height, const VideoWriterOptions& options) {
     if (!options.isLossless && (width % 2 != 0 || height % 2 != 0)) {
       throw InputError(fmt::format("video takes pictures of an even size, not {}x{}", width, height), path.string(),
-                       "change the size of the output");
+                       "make width and height of the output even, or write images");
     }
     const char* encoderName = options.isLossless ? "ffv1" : "libx264";
     const AVCodec* codec = avcodec_find_encoder_by_name(encoderName);
