@@ -239,7 +239,7 @@ struct VideoReader::Impl {
                       source,
                       "keep its camera at one size, and convert videos: ffmpeg -i FEED -s WIDTHxHEIGHT OUT.mkv");
     }
-    if (frame.image.width() != width || frame.image.height() != height) {
+    if (frame.image.empty() || frame.image.width() != width || frame.image.height() != height) {  // or was moved away
       frame.image = Image<Rgb8>(width, height);
     }
     scaler.reset(sws_getCachedContext(scaler.release(), width, height, static_cast<AVPixelFormat>(from.format), width,
@@ -291,6 +291,15 @@ int VideoReader::height() const {
 
 size_t VideoReader::damagedFrames() const {
   return impl_->damaged;
+}
+
+std::optional<double> VideoReader::endSeconds() const {
+  const AVFormatContext& input = *impl_->input;
+  if (input.duration == AV_NOPTS_VALUE) {
+    return std::nullopt;
+  }
+  const int64_t start = input.start_time == AV_NOPTS_VALUE ? 0 : input.start_time;
+  return static_cast<double>(start + input.duration) / AV_TIME_BASE;
 }
 
 bool VideoReader::isLive() const {

@@ -36,6 +36,8 @@ class VideoReader {
   /// `stop` is set.
   bool next(VideoFrame& frame);
   size_t damagedFrames() const;
+  /// The timestamp of its end, where the source says it.
+  std::optional<double> endSeconds() const;
   /// Whether frames come when they are taken, rather than as fast as they are read.
   bool isLive() const;
 

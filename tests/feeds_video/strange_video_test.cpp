@@ -44,6 +44,20 @@ TEST(StrangeVideo, withoutTimestampsFramesFollowOneAnother) {
   }
 }
 
+TEST(StrangeVideo, aFrameWhoseImageWasMovedAwayIsFilledAnew) {
+  const test::TemporaryFolder folder;
+  const auto path = folder.path() / "a.mkv";
+  writeTones(path, 64, 48, 3);
+  const std::atomic<bool> stop{false};
+  VideoReader reader({path.string()}, 5, stop);
+  std::vector<Image<Rgb8>> images;
+  for (VideoFrame frame; reader.next(frame);) {
+    images.push_back(std::move(frame.image));
+    ASSERT_EQ(images.back().size(), 64u * 48u);
+  }
+  EXPECT_EQ(images.size(), 3u);
+}
+
 TEST(StrangeVideo, aChangeOfTheSizeIsAnError) {
   const test::TemporaryFolder folder;
   const auto path = folder.path() / "both.h264";
