@@ -100,7 +100,8 @@ void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& con
         "give --places PLACES.json, or run `ocelli feeds calibrate pose`, which writes them into the setup");
   }
   for (const PoseCheck& check : checkPoses(setup, places, choice.movedPixels, {})) {
-    table += fmt::format("  {:<12} {:>5} {:>13.2f}\n", check.feed, check.tags, check.medianPixels);
+    const std::string median = check.tags > 0 ? fmt::format("{:.2f}", check.medianPixels) : "unknown";
+    table += fmt::format("  {:<12} {:>5} {:>13}\n", check.feed, check.tags, median);
     if (check.hasMoved) {
       moved += (moved.empty() ? "" : "; ") + check.message;
     } else if (!check.message.empty()) {

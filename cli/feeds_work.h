@@ -61,7 +61,7 @@ struct FeedsSheetChoice {
   std::string board = kUsualBoard;
   std::string paper = "a4";
   std::vector<int> tags;  ///< instead of a board
-  double tagMillimetres = 160;
+  double tagMillimetres = 130;  ///< so that one is on A4
 };
 
 struct FeedsLensChoice {
