@@ -46,7 +46,7 @@ void showPanesCommand(const FeedsPanesChoice& choice, const CommandContext& cont
         }
       },
       context.progress());
-  if (InterruptGuard::interrupted() && !figures.isLive) {
+  if (InterruptGuard::interrupted() && (!figures.isLive || frames == 0)) {
     throw WorkError("interrupted: it is not finished", choice.output, "the same command again");
   }
   context.clearProgress();

@@ -112,6 +112,9 @@ FeedsRunFigures runWatched(const FeedsRunChoice& choice, const FeedSetup& setup,
   FeedsRunOutput output(choice, setup, watcher, context);
   FeedsRunFigures figures = runFeeds(
       setup, options, [&](const ComposedFrame& frame) { output.add(frame); }, context.progress());
+  if (InterruptGuard::interrupted() && figures.frames == 0) {
+    throw WorkError("interrupted before the first image", choice.setup, "the same command again");
+  }
   if (InterruptGuard::interrupted() && !figures.isLive && !choice.output.empty()) {
     throw WorkError("interrupted: it is not finished", choice.output, "the same command again");
   }

@@ -77,7 +77,7 @@ class FeedsRun {
       report(progress,
              fmt::format("feeds at {:.1f} s, {:.1f} frames a second", seconds - start,
                          static_cast<double>(figures_.frames) / secondsSince(began)),
-             options_.seconds > 0 ? (seconds - start) / options_.seconds : 0.5);
+             shareDone(start, seconds));
     }
     figures_.wallSeconds = secondsSince(began);
     finishFigures();
@@ -85,6 +85,17 @@ class FeedsRun {
   }
 
  private:
+  /// Of the run, at that time; nothing (NaN) where no end is known.
+  double shareDone(double start, double seconds) const {
+    double end = start + options_.seconds;
+    if (options_.seconds <= 0) {
+      for (const auto& stream : streams_) {
+        end = std::max(end, stream->endSeconds().value_or(start));
+      }
+    }
+    return end > start ? (seconds - start) / (end - start) : std::numeric_limits<double>::quiet_NaN();
+  }
+
   /// When all feeds have a frame that begin at about the same time.
   double startSeconds() {
     std::vector<double> firsts;
@@ -105,20 +116,19 @@ class FeedsRun {
     return start + kStampRounding;
   }
 
-  /// When the first feed has a frame.
+  /// When the first feed has a frame, or the run is stopped.
   double liveStartSeconds() {
     const double began = nowSeconds();
     for (;;) {
       bool isAnyTrying = false;
       for (const auto& stream : streams_) {
-        if (stream->framesRead() > 0) {
+        if (stream->framesRead() > 0 || (options_.isStopped && options_.isStopped())) {
           return nowSeconds();
         }
         isAnyTrying = isAnyTrying || stream->state() != FeedState::kLost;
       }
       const double waited = nowSeconds() - began;
-      if ((!isAnyTrying && waited > options_.streams.maxWaitSeconds) || waited > options_.streams.maxSilenceSeconds ||
-          (options_.isStopped && options_.isStopped())) {
+      if ((!isAnyTrying && waited > options_.streams.maxWaitSeconds) || waited > options_.streams.maxSilenceSeconds) {
         failWithoutFrames();
       }
       std::this_thread::sleep_for(kLivePoll);
@@ -130,6 +140,10 @@ class FeedsRun {
     const std::string message = streams_[graph_.feedIndexOf(0)]->message();
     const std::string advice = "\n  try: ";
     const size_t at = message.find(advice);
+    if (at == std::string::npos && options_.streams.isLiveRun) {
+      throw InputError(fmt::format("no feed has sent a frame in {:g} s", options_.streams.maxSilenceSeconds), where,
+                       "start what sends it first, or soon after this");
+    }
     if (at == std::string::npos) {
       throw InputError("no feed gives a frame", where, "check the sources of the setup with `ffprobe`");
     }

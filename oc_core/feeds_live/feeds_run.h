@@ -71,7 +71,8 @@ bool mayBeLive(const FeedSetup& setup);
 /// that feed says so: such timestamps are of a clock whose offset is unknown.
 inline constexpr double kMaxFeedGapSeconds = 600;
 
-/// Feeds may be lost. Throws InputError where none gives a frame.
+/// Feeds may be lost. Throws InputError where none gives a frame. A run that is stopped while it waits for the first
+/// one has made no image.
 FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,
                          const std::function<void(const ComposedFrame&)>& sink, const Progress& progress = {});
 

@@ -74,6 +74,28 @@ TEST_F(FeedsOutput, aLostFeedIsSaidAtOnce) {
   }
 }
 
+TEST_F(FeedsOutput, anInterruptBeforeTheFirstImageIsSaid) {
+  FeedSetup setup = readFeedSetup(folder_ / "setup.json");
+  for (Feed& feed : setup.feeds) {
+    feed.source = "udp://127.0.0.1:1";  // nobody sends
+  }
+  folder_.write("live.json", jsonText(setup));
+  // The video is begun once signals are caught.
+  const ProgramResult result =
+      runShell("\"$OCELLI\" feeds run " + at("live.json") + " -o " + at("x.mp4") + " & while ! test -e " +
+               at("x.mp4.partial") + "; do sleep 0.05; done; kill -TERM $!; wait $!");
+  EXPECT_EQ(result.exitCode, 1);
+  EXPECT_THAT(result.error, HasSubstr("interrupted before the first image"));
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x.mp4"));
+}
+
+TEST_F(FeedsOutput, sheetsAreMadeWithoutAnySizes) {
+  for (const char* what : {"", " --tags 0,1"}) {
+    const ProgramResult result = runProgram("feeds calibrate sheet -o " + at("sheet.pdf") + what);
+    EXPECT_EQ(result.exitCode, 0) << result.error;
+  }
+}
+
 TEST_F(FeedsOutput, evaluateSaysWhatItTakes) {
   const ProgramResult result = runProgram("feeds evaluate " + inQuotes(folder_.path()));
   EXPECT_EQ(result.exitCode, 2);

@@ -138,6 +138,24 @@ TEST_F(FeedsRunTest, saysOnceThatAFeedIsLost) {
   EXPECT_THAT(said[0].second, testing::HasSubstr("No such file"));
 }
 
+TEST_F(FeedsRunTest, stoppedBeforeTheFirstFrameItMakesNoImage) {
+  setup_.feeds[0].source = "udp://127.0.0.1:1";  // nobody sends
+  options_.isStopped = [] { return true; };
+  const FeedsRunFigures figures =
+      runFeeds(setup_, options_, [](const ComposedFrame&) { FAIL() << "an image was composed"; });
+  EXPECT_EQ(figures.frames, 0u);
+}
+
+TEST_F(FeedsRunTest, progressGoesToTheEndOfTheFeeds) {
+  std::vector<double> shares;
+  runFeeds(
+      setup_, options_, [](const ComposedFrame&) {}, [&](std::string_view, double share) { shares.push_back(share); });
+  ASSERT_GE(shares.size(), 9u);
+  EXPECT_LT(shares.front(), 0.1);
+  EXPECT_GT(shares.back(), 0.85);
+  EXPECT_LE(shares.back(), 1.01);
+}
+
 TEST_F(FeedsRunTest, aRemarkMayEndIt) {
   options_.remarkOn = [](size_t, const Image<Rgb8>&) -> std::string {
     throw WorkError("camera 1 (door) has moved", "setup.json", "put it back");
