@@ -108,9 +108,9 @@ void FeedsRunOutput::showOnPage(const ComposedFrame& frame, const Image<Rgb8>& i
   if (!page_) {
     return;
   }
-  std::vector<std::string> feeds;
+  std::vector<PageFeed> feeds;
   for (size_t i = 0; i < frame.labels.size(); ++i) {
-    feeds.push_back(feedLabelText(frame.composer.graph().feedOf(i).name, frame.labels[i]));
+    feeds.push_back({feedLabelText(frame.composer.graph().feedOf(i).name, frame.labels[i]), frame.labels[i].isGood()});
   }
   page_->show(image, feeds);
 }

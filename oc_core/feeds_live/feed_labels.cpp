@@ -5,11 +5,13 @@
 #include <algorithm>
 #include <cctype>
 
+#include "oc_core/base/utf8.h"
 #include "oc_core/feeds_background/picture_text.h"
 
 namespace ocelli {
 namespace {
 
+constexpr size_t kMaxLabelName = 20;  ///< letters
 constexpr int kMinTextHeight = 7;
 constexpr int kTextShare = 44;  ///< of the height of the image
 
@@ -23,10 +25,24 @@ std::string shoutOf(FeedState state) {
   return word + " ";
 }
 
+/// Names as long as a sentence would cover the labels of others.
+std::string shortName(const std::string& name) {
+  const std::string clean = cleanText(name);
+  const std::vector<char32_t> codes = codePoints(clean);
+  if (codes.size() <= kMaxLabelName) {
+    return clean;
+  }
+  std::string text;
+  for (size_t i = 0; i + 2 < kMaxLabelName; ++i) {
+    text += utf8FromCodePoint(codes[i]);
+  }
+  return text + "..";
+}
+
 }  // namespace
 
 std::string feedLabelText(const std::string& name, const FeedLabel& label) {
-  std::string text = name + " " + shoutOf(label.state) + label.remark + (label.remark.empty() ? "" : " ");
+  std::string text = shortName(name) + " " + shoutOf(label.state) + label.remark + (label.remark.empty() ? "" : " ");
   if (!label.hasFrame) {
     return text + "no picture";
   }

@@ -20,7 +20,7 @@ struct FeedLabel {
   bool isGood() const { return state == FeedState::kLive && hasFrame && remark.empty(); }
 };
 
-/// "left 33 ms", "left LATE 2.4 s", "left LOST no picture", "left MOVED 14 px 33 ms".
+/// Names are cut after 20 letters: "left 33 ms", "left LATE 2.4 s", "left LOST no picture", "left MOVED 14 px 33 ms".
 std::string feedLabelText(const std::string& name, const FeedLabel& label);
 
 /// Draws the label of each frustum into its part of the image.
