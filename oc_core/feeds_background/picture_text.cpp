@@ -17,6 +17,12 @@ std::string asciiOf(const std::string& text) {
 
 }  // namespace
 
+int pictureTextWidth(const std::string& text, int height) {
+  int below = 0;
+  const double scale = cv::getFontScaleFromHeight(cv::FONT_HERSHEY_SIMPLEX, height, 1);
+  return cv::getTextSize(asciiOf(text), cv::FONT_HERSHEY_SIMPLEX, scale, 1, &below).width;
+}
+
 void drawPictureText(Image<Rgb8>& image, const std::string& text, const glm::ivec2& left, int height,
                      const Rgb8& color) {
   cv::Mat view(image.height(), image.width(), CV_8UC3, image.data());

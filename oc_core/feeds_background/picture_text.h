@@ -13,4 +13,7 @@ namespace ocelli {
 void drawPictureText(Image<Rgb8>& image, const std::string& text, const glm::ivec2& left, int height,
                      const Rgb8& color);
 
+/// How wide it is drawn, in pixels.
+int pictureTextWidth(const std::string& text, int height);
+
 }  // namespace ocelli
