@@ -22,12 +22,28 @@ namespace {
 
 using FeedsJson = nlohmann::ordered_json;
 
+/// What was wrong with a feed at any time, and is not its state at the end.
+std::vector<std::string> statesBefore(const FeedRunFigures& feed) {
+  std::vector<std::string> words;
+  const auto add = [&](bool was, FeedState state) {
+    if (was && feed.state != state) {
+      words.emplace_back(wordOf(state));
+    }
+  };
+  add(feed.wasLate, FeedState::kLate);
+  add(feed.wasFrozen, FeedState::kFrozen);
+  add(feed.wasCovered, FeedState::kCovered);
+  add(feed.wasLost, FeedState::kLost);
+  return words;
+}
+
 FeedsJson jsonOf(const FeedsRunFigures& figures, const std::vector<std::optional<double>>& movedPixels) {
   FeedsJson feeds = FeedsJson::array();
   for (size_t i = 0; i < figures.feeds.size(); ++i) {
     const FeedRunFigures& feed = figures.feeds[i];
     feeds.push_back({{"name", feed.name},
                      {"state", wordOf(feed.state)},
+                     {"states_before", statesBefore(feed)},
                      {"message", feed.message},
                      {"reconnections", feed.reconnections},
                      {"frames_read", feed.framesRead},
@@ -55,6 +71,9 @@ std::string tableOf(const FeedsRunFigures& figures) {
     table += fmt::format("  {:<12} {:>7} {:>7} {:>8} {:>7.0f} ms {:>7.0f} ms\n", printableText(feed.name),
                          wordOf(feed.state), feed.framesRead, feed.framesSkipped, 1e3 * feed.meanAgeSeconds,
                          1e3 * feed.maxAgeSeconds);
+    if (const std::vector<std::string> before = statesBefore(feed); !before.empty()) {
+      table += fmt::format("    for some time it was {}\n", fmt::join(before, ", "));
+    }
     if (feed.reconnections > 0) {
       table += fmt::format("    lost, and back, {} times\n", feed.reconnections);
     }

@@ -236,8 +236,9 @@ FeedsEvaluation evaluateFeeds(const std::filesystem::path& folder, const FeedsEv
   }
   const SimulationTruth truth = readSimulationTruth(folder / "truth.json");
   const FeedSetup setup = readFeedSetup(folder / "setup.json");
-  if (truth.feeds.size() != setup.feeds.size()) {
-    throw InputError("truth.json and setup.json have other feeds", folder.string(), "simulate them again");
+  if (!std::ranges::equal(truth.feeds, setup.feeds, {}, &FeedTruth::name, &Feed::name)) {
+    throw InputError("truth.json and setup.json have other feeds, or another order of them", folder.string(),
+                     "simulate them again");
   }
   if (!options.pictures.empty()) {
     makeFolder(options.pictures);

@@ -74,6 +74,18 @@ TEST_F(FeedsOutput, aLostFeedIsSaidAtOnce) {
   }
 }
 
+TEST_F(FeedsOutput, figuresSayWhatWasWrongForSomeTime) {
+  VideoWriter video(folder_ / "wall.mkv", 64, 48, {10, 20, false});
+  for (int k = 0; k < 40; ++k) {  // the same image from 1 s to 3 s
+    video.add(Image<Rgb8>(64, 48, Rgb8(static_cast<uint8_t>(k < 10 || k >= 30 ? 5 * k : 45))), 0.1 * k);
+  }
+  video.finish();
+  const ProgramResult table = run("run", "-o " + at("x.mp4"));
+  EXPECT_THAT(table.output, HasSubstr("for some time it was frozen"));
+  const ProgramResult json = run("run", "--json -o " + at("x.mp4"));
+  EXPECT_THAT(json.output, HasSubstr("\"frozen\""));
+}
+
 TEST_F(FeedsOutput, anInterruptBeforeTheFirstImageIsSaid) {
   FeedSetup setup = readFeedSetup(folder_ / "setup.json");
   for (Feed& feed : setup.feeds) {
@@ -94,6 +106,18 @@ TEST_F(FeedsOutput, sheetsAreMadeWithoutAnySizes) {
     const ProgramResult result = runProgram("feeds calibrate sheet -o " + at("sheet.pdf") + what);
     EXPECT_EQ(result.exitCode, 0) << result.error;
   }
+}
+
+TEST_F(FeedsOutput, evaluateTakesFeedsInTheOrderOfTheTruth) {
+  const std::string simulated = at("simulated");
+  ASSERT_EQ(runProgram("feeds simulate --seconds 0.2 --size 64x48 --walkers 1 -o " + simulated).exitCode, 0);
+  EXPECT_EQ(runProgram("feeds evaluate " + simulated).exitCode, 0);
+  FeedSetup setup = feedSetupFromJsonText(readFile(folder_ / "simulated" / "setup.json"), "setup.json");
+  std::swap(setup.feeds[1], setup.feeds[2]);
+  folder_.write("simulated/setup.json", jsonText(setup));
+  const ProgramResult swapped = runProgram("feeds evaluate " + simulated);
+  EXPECT_EQ(swapped.exitCode, 2);
+  EXPECT_THAT(swapped.error, HasSubstr("another order"));
 }
 
 TEST_F(FeedsOutput, evaluateSaysWhatItTakes) {
