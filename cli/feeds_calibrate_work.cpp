@@ -84,8 +84,8 @@ void calibratePosesCommand(const FeedsPoseChoice& choice, const CommandContext& 
     context.note("wrote " + choice.output);
   }
   if (failures > 0) {
-    throw WorkError(fmt::format("{} of {} feeds have no new pose:\n{}", failures, result.feeds.size(), failed),
-                    choice.setup, "do what is said of each, and run the same again");
+    throw WorkError(fmt::format("{} of {} feeds have no new pose", failures, result.feeds.size()), choice.setup,
+                    "do what is said of each, and run the same again", failed);
   }
 }
 
@@ -100,7 +100,8 @@ void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& con
         "give --places PLACES.json, or run `ocelli feeds calibrate pose`, which writes them into the setup");
   }
   for (const PoseCheck& check : checkPoses(setup, places, choice.movedPixels, {})) {
-    table += fmt::format("  {:<12} {:>5} {:>13.2f}\n", check.feed, check.tags, check.medianPixels);
+    const std::string median = check.tags > 0 ? fmt::format("{:.2f}", check.medianPixels) : "unknown";
+    table += fmt::format("  {:<12} {:>5} {:>13}\n", check.feed, check.tags, median);
     if (check.hasMoved) {
       moved += (moved.empty() ? "" : "; ") + check.message;
     } else if (!check.message.empty()) {

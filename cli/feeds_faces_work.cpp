@@ -25,7 +25,9 @@ void findFacesCommand(const FeedsFacesChoice& choice, const CommandContext& cont
     table += fmt::format("  {:<12} {:<12} {:>8} {:>4.0f} deg {:>6.1f} %\n", face.feed, face.parent, face.opening,
                          face.turnDegrees, 100 * face.coverage);
   }
-  context.print(table);
+  if (!found.faces.empty()) {
+    context.print(table);
+  }
   std::string missing;
   for (const FeedWithoutFace& feed : found.missing) {
     missing += fmt::format("{}feed \"{}\": {}", missing.empty() ? "" : "\n", feed.feed, feed.why);
@@ -35,8 +37,9 @@ void findFacesCommand(const FeedsFacesChoice& choice, const CommandContext& cont
     context.note("wrote " + choice.output);
   }
   if (!missing.empty()) {
-    throw WorkError("some feeds have no near face:\n" + missing, choice.setup,
-                    "`ocelli scene walk` draws the openings of the place");
+    throw WorkError(fmt::format("{} of {} feeds have no near face", found.missing.size(),
+                                found.missing.size() + found.faces.size()),
+                    choice.setup, "`ocelli scene walk` draws the openings of the place", missing);
   }
 }
 

@@ -4,6 +4,7 @@
 
 #include "cli/feeds_command.h"
 #include "cli/number_check.h"
+#include "cli/output_option.h"
 
 namespace ocelli {
 
@@ -11,9 +12,7 @@ void addFeedsPanesCommand(CLI::App& feeds, const CommandContext& context, const 
   CLI::App& command = *feeds.add_subcommand("panes", "Show the same feeds side by side, to compare");
   const auto choice = std::make_shared<FeedsPanesChoice>();
   command.add_option("SETUP", choice->setup, "The feeds and their frusta")->required()->type_name("SETUP.json");
-  command.add_option("-o,--output", choice->output, "A video, or an image of the last frame")
-      ->required()
-      ->type_name("FILE.mp4|FILE.mkv|FILE.png");
+  addOutputOption(command, choice->output, "A video, or an image of the last frame", {".mp4", ".mkv", ".png"});
   command.add_option("--seconds", choice->seconds, "How long; until the last feed ends by default")
       ->check(numberCheck(1e-3, 1e9))
       ->type_name("S");

@@ -6,8 +6,10 @@
 
 #include "cli/command.h"
 #include "cli/feeds_program.h"
+#include "cli/feeds_run_output.h"
 #include "cli/interrupt.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
 #include "oc_core/feeds_live/feed_panes.h"
 #include "oc_core/feeds_video/video_writer.h"
 
@@ -16,11 +18,15 @@ namespace ocelli {
 void showPanesCommand(const FeedsPanesChoice& choice, const CommandContext& context) {
   const FeedSetup setup = readFeedSetup(choice.setup);
   const std::filesystem::path path = choice.output;
+  checkIsNoFeed(path, setup);
   FeedsRunOptions options;
+  options.onLost = noteLostFeeds(setup, context);
   options.seconds = choice.seconds;
   options.hasLabels = false;
   std::optional<VideoWriter> video;
-  if (path.extension() != ".png") {
+  if (path.extension() == ".png") {
+    checkWritable(path);
+  } else {
     video.emplace(path, setup.output.width, setup.output.height,
                   VideoWriterOptions{.framesPerSecond = options.framesPerSecond});
   }
@@ -40,7 +46,7 @@ void showPanesCommand(const FeedsPanesChoice& choice, const CommandContext& cont
         }
       },
       context.progress());
-  if (InterruptGuard::interrupted() && !figures.isLive) {
+  if (InterruptGuard::interrupted() && (!figures.isLive || frames == 0)) {
     throw WorkError("interrupted: it is not finished", choice.output, "the same command again");
   }
   context.clearProgress();

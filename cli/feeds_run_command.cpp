@@ -1,5 +1,6 @@
 // `ocelli feeds run`: the image of a graph camera from its feeds.
 #include <CLI/CLI.hpp>
+#include <filesystem>
 #include <memory>
 
 #include "cli/feeds_command.h"
@@ -7,6 +8,19 @@
 #include "cli/output_option.h"
 
 namespace ocelli {
+namespace {
+
+/// Empty where a run can write there: a folder by the name of another kind of video would be a surprise.
+std::string checkRunOutput(const std::string& given) {
+  const std::filesystem::path path = given;
+  std::error_code ignored;
+  const bool isFolder = !path.has_extension() || !path.has_filename() || std::filesystem::is_directory(path, ignored);
+  return isFolder || path.extension() == ".mp4" || path.extension() == ".mkv"
+             ? std::string()
+             : "\"" + given + "\" ends neither in .mp4 nor in .mkv, and is no folder";
+}
+
+}  // namespace
 
 void addHiddenOption(CLI::App& command, bool& showsHidden) {
   command.add_flag("!--no-hidden", showsHidden,
@@ -17,8 +31,11 @@ void addFeedsRunCommand(CLI::App& feeds, const CommandContext& context, const Fe
   CLI::App& command = *feeds.add_subcommand("run", "Compose the image of a graph camera from its feeds");
   const auto choice = std::make_shared<FeedsRunChoice>();
   command.add_option("SETUP", choice->setup, "The feeds and their frusta")->required()->type_name("SETUP.json");
-  command.add_option("-o,--output", choice->output, "A video (.mp4, .mkv), or a folder for images")
-      ->type_name("FILE.mp4|FOLDER");
+  command
+      .add_option("-o,--output", choice->output,
+                  "A video (.mp4, .mkv), or a folder for images; one that is to be made and has a dot ends in /")
+      ->check(checkRunOutput)
+      ->type_name("FILE.mp4|FILE.mkv|FOLDER");
   command
       .add_option("--page", choice->page,
                   "Show the image as it is made on a page at this port of 127.0.0.1; 0 takes a free one")

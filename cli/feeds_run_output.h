@@ -22,6 +22,16 @@ struct RunWatcher {
   std::function<bool()> isClosed;
 };
 
+/// Throws InputError where what is written would replace the video of a feed.
+void checkIsNoFeed(const std::filesystem::path& output, const FeedSetup& setup);
+
+/// Says of each feed that is lost why it is, as it happens.
+std::function<void(size_t feed, const std::string& message)> noteLostFeeds(const FeedSetup& setup,
+                                                                           const CommandContext& context);
+
+/// An error message as further lines of a table, each begun with `indent`.
+std::string indentedLines(const std::string& message, const std::string& indent);
+
 class FeedsRunOutput {
  public:
   /// Throws InputError where this program was built without what is asked for, WorkError where it cannot be written.
@@ -36,6 +46,7 @@ class FeedsRunOutput {
   void finish(const CommandContext& context);
 
  private:
+  std::filesystem::path frameFile(size_t frame) const;
   void openPage(int port, const std::string& title, const CommandContext& context);
   void showOnPage(const ComposedFrame& frame, const Image<Rgb8>& image);
 

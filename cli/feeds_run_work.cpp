@@ -11,6 +11,7 @@
 #include "cli/output_option.h"
 #include "oc_core/base/error.h"
 #include "oc_core/base/json_document.h"
+#include "oc_core/base/printable_text.h"
 #ifdef OCELLI_WITH_OPENGL
 #include "oc_core/feeds_window/feeds_window.h"
 #include "oc_core/gl/gl_error.h"
@@ -21,12 +22,28 @@ namespace {
 
 using FeedsJson = nlohmann::ordered_json;
 
+/// What was wrong with a feed at any time, and is not its state at the end.
+std::vector<std::string> statesBefore(const FeedRunFigures& feed) {
+  std::vector<std::string> words;
+  const auto add = [&](bool was, FeedState state) {
+    if (was && feed.state != state) {
+      words.emplace_back(wordOf(state));
+    }
+  };
+  add(feed.wasLate, FeedState::kLate);
+  add(feed.wasFrozen, FeedState::kFrozen);
+  add(feed.wasCovered, FeedState::kCovered);
+  add(feed.wasLost, FeedState::kLost);
+  return words;
+}
+
 FeedsJson jsonOf(const FeedsRunFigures& figures, const std::vector<std::optional<double>>& movedPixels) {
   FeedsJson feeds = FeedsJson::array();
   for (size_t i = 0; i < figures.feeds.size(); ++i) {
     const FeedRunFigures& feed = figures.feeds[i];
     feeds.push_back({{"name", feed.name},
                      {"state", wordOf(feed.state)},
+                     {"states_before", statesBefore(feed)},
                      {"message", feed.message},
                      {"reconnections", feed.reconnections},
                      {"frames_read", feed.framesRead},
@@ -51,13 +68,17 @@ std::string tableOf(const FeedsRunFigures& figures) {
       figures.frames, figures.framesPerSecond, 1e3 * figures.meanFrameSeconds, 1e3 * figures.slowestFrameSeconds,
       "feed", "state", "frames", "skipped", "mean age", "oldest");
   for (const FeedRunFigures& feed : figures.feeds) {
-    table += fmt::format("  {:<12} {:>7} {:>7} {:>8} {:>7.0f} ms {:>7.0f} ms\n", feed.name, wordOf(feed.state),
-                         feed.framesRead, feed.framesSkipped, 1e3 * feed.meanAgeSeconds, 1e3 * feed.maxAgeSeconds);
+    table += fmt::format("  {:<12} {:>7} {:>7} {:>8} {:>7.0f} ms {:>7.0f} ms\n", printableText(feed.name),
+                         wordOf(feed.state), feed.framesRead, feed.framesSkipped, 1e3 * feed.meanAgeSeconds,
+                         1e3 * feed.maxAgeSeconds);
+    if (const std::vector<std::string> before = statesBefore(feed); !before.empty()) {
+      table += fmt::format("    for some time it was {}\n", fmt::join(before, ", "));
+    }
     if (feed.reconnections > 0) {
       table += fmt::format("    lost, and back, {} times\n", feed.reconnections);
     }
     if (!feed.message.empty()) {
-      table += "    " + feed.message + "\n";
+      table += indentedLines(feed.message, "    ") + "\n";
     }
   }
   return table;
@@ -102,6 +123,7 @@ FeedsRunFigures runWatched(const FeedsRunChoice& choice, const FeedSetup& setup,
   options.erased = choice.erased == "red" ? ErasedLook::kRed : ErasedLook::kBackground;
   options.erasedNow = watcher.erased;
   options.hasLabels = !choice.hasNoLabels && !watcher.show;
+  options.onLost = noteLostFeeds(setup, context);
   options.isStopped = [&] { return InterruptGuard::interrupted() || (watcher.isClosed && watcher.isClosed()); };
   if (poses.isWanted()) {
     options.remarkOn = std::ref(poses);
@@ -109,6 +131,9 @@ FeedsRunFigures runWatched(const FeedsRunChoice& choice, const FeedSetup& setup,
   FeedsRunOutput output(choice, setup, watcher, context);
   FeedsRunFigures figures = runFeeds(
       setup, options, [&](const ComposedFrame& frame) { output.add(frame); }, context.progress());
+  if (InterruptGuard::interrupted() && figures.frames == 0) {
+    throw WorkError("interrupted before the first image", choice.setup, "the same command again");
+  }
   if (InterruptGuard::interrupted() && !figures.isLive && !choice.output.empty()) {
     throw WorkError("interrupted: it is not finished", choice.output, "the same command again");
   }

@@ -60,8 +60,8 @@ struct FeedsSheetChoice {
   std::string output;
   std::string board = kUsualBoard;
   std::string paper = "a4";
-  std::vector<int> tags;  ///< instead of a board
-  double tagMillimetres = 160;
+  std::vector<int> tags;        ///< instead of a board
+  double tagMillimetres = 130;  ///< so that one is on A4
 };
 
 struct FeedsLensChoice {

@@ -26,13 +26,17 @@ void ProgressBar::show(std::string_view stage, double fraction) {
   if (drawn_ && stage == stage_ && fraction < 1 && now - drawnAt_ < kRedrawInterval) {
     return;
   }
-  const double part = std::isfinite(fraction) ? std::clamp(fraction, 0.0, 1.0) : 0.0;
-  const auto full = static_cast<size_t>(std::lround(part * kBarCells));
   stage_ = stage;
   drawnAt_ = now;
   drawn_ = true;
-  std::fprintf(stderr, "\r\033[K%s [%s%s] %3d%%", stage_.c_str(), std::string(full, '#').c_str(),
-               std::string(kBarCells - full, '.').c_str(), static_cast<int>(part * 100));
+  if (!std::isfinite(fraction)) {
+    std::fprintf(stderr, "\r\033[K%s", stage_.c_str());
+  } else {
+    const double part = std::clamp(fraction, 0.0, 1.0);
+    const auto full = static_cast<size_t>(std::lround(part * kBarCells));
+    std::fprintf(stderr, "\r\033[K%s [%s%s] %3d%%", stage_.c_str(), std::string(full, '#').c_str(),
+                 std::string(kBarCells - full, '.').c_str(), static_cast<int>(part * 100));
+  }
   std::fflush(stderr);
 }
 

@@ -13,7 +13,8 @@ class ProgressBar {
   /// True where standard error is a terminal that can redraw a line.
   static bool possible();
 
-  /// Draws at most 10 times a second. May be called from several threads.
+  /// Draws at most 10 times a second in a stage. A `fraction` that is NaN stands for one that nobody knows: the stage
+  /// alone is drawn. May be called from several threads.
   void show(std::string_view stage, double fraction);
   /// Removes the bar from the terminal.
   void clear();

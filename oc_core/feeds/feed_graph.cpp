@@ -78,6 +78,19 @@ GraphCamera::Part partOf(const FeedFrustum& frustum, const GraphCamera::Frustum&
   return part;
 }
 
+/// Errors of cameras speak of planes and rays: here they are about near faces.
+void bendAt(GraphCamera& camera, int parent, const GraphCamera::Bend& bend, const std::string& feed,
+            const GraphCamera::Part& part) {
+  try {
+    camera.bend(parent, bend, feed, part);
+  } catch (const InputError& error) {
+    throw InputError("the near face of \"" + feed + "\" cannot stand there: " + error.parts().problem,
+                     "frustum \"" + feed + "\"",
+                     "move it beside the others, across the view of its parent and before its own camera; `ocelli "
+                     "feeds edit` draws them");
+  }
+}
+
 }  // namespace
 
 FeedGraph::FeedGraph(const FeedSetup& setup) : setup_(setup), camera_(rootOf(setup)) {
@@ -104,7 +117,7 @@ FeedGraph::FeedGraph(const FeedSetup& setup) : setup_(setup), camera_(rootOf(set
                               setup_.frusta.begin());
       const Plane plane = nearPlaneOf(frustum, pose.eye);
       const auto part = partOf(frustum, camera_.frusta()[parent]);
-      camera_.bend(static_cast<int>(parent), {plane, pose.eye}, frustum.feed, part);
+      bendAt(camera_, static_cast<int>(parent), {plane, pose.eye}, frustum.feed, part);
       const double height = plane.height(eyes[parent]);
       worldFromPixels.push_back((glm::outerProduct(eyes[parent] - pose.eye, plane.normal) - glm::dmat3(height)) *
                                 worldFromPixels[parent]);

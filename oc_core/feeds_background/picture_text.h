@@ -8,8 +8,12 @@
 
 namespace ocelli {
 
-/// Printable ASCII, `height` pixels high, with a dark rim, from `left` (the lower left corner) on.
+/// Printable ASCII, with "?" for each other letter, `height` pixels high, with a dark rim, from `left` (the lower left
+/// corner) on.
 void drawPictureText(Image<Rgb8>& image, const std::string& text, const glm::ivec2& left, int height,
                      const Rgb8& color);
+
+/// How wide it is drawn, in pixels.
+int pictureTextWidth(const std::string& text, int height);
 
 }  // namespace ocelli

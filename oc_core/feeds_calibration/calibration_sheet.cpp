@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/number_text.h"
@@ -69,10 +70,11 @@ PdfDocument sheetOf(const std::string& title, const SheetPaper& paper) {
   return document;
 }
 
-[[noreturn]] void failSize(const std::string& what, double width, double height, const SheetPaper& paper) {
+[[noreturn]] void failSize(const std::string& what, double width, double height, const SheetPaper& paper,
+                           const std::string& smaller) {
   throw InputError(fmt::format("{} of {:.4g} x {:.4g} mm does not fit", what, width, height),
                    fmt::format("paper of {:.4g} x {:.4g} mm", paper.widthMillimetres, paper.heightMillimetres),
-                   fmt::format("take larger paper or smaller squares: edges take {} mm, the line below {}",
+                   fmt::format("take larger paper or {}: edges take {} mm, the line below {}", smaller,
                                kEdgeMillimetres, kFooterMillimetres));
 }
 
@@ -100,7 +102,7 @@ std::string boardSheetPdf(const CalibrationBoard& board, const SheetPaper& paper
   const double left = (paper.widthMillimetres - width) / 2;
   const double top = (paper.heightMillimetres - kFooterMillimetres - height) / 2;
   if (left < kEdgeMillimetres || top < kEdgeMillimetres) {
-    failSize("a board", width, height, paper);
+    failSize("a board", width, height, paper, "smaller squares");
   }
   PdfDocument document = sheetOf("Calibration board " + textOf(board), paper);
   PdfPage page;
@@ -119,7 +121,11 @@ std::string tagSheetPdf(const std::vector<int>& ids, double tagMillimetres, cons
   const auto down =
       static_cast<size_t>((paper.heightMillimetres - 2 * kEdgeMillimetres - kFooterMillimetres) / cellHeight);
   if (across == 0 || down == 0) {
-    failSize("a tag with its white margin", cellWidth, cellHeight, paper);
+    const double most =
+        std::min(paper.widthMillimetres - 2 * kEdgeMillimetres,
+                 paper.heightMillimetres - 2 * kEdgeMillimetres - kFooterMillimetres - kLabelMillimetres);
+    failSize("a tag with its white margin", cellWidth, cellHeight, paper,
+             fmt::format("black squares of {:.0f} mm", std::floor(most / (1 + 2 * kTagMarginShare))));
   }
   PdfDocument document = sheetOf("AprilTags 36h11", paper);
   for (size_t first = 0; first < ids.size(); first += across * down) {

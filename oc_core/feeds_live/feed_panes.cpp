@@ -42,11 +42,9 @@ void drawScaled(const Image<Rgb8>& frame, const FeedPane& pane, Image<Rgb8>& ima
   });
 }
 
-}  // namespace
-
-std::vector<FeedPane> feedPanes(const FeedSetup& setup, int width, int height) {
+/// In so many columns.
+std::vector<FeedPane> panesInColumns(const FeedSetup& setup, int width, int height, int columns) {
   const auto count = static_cast<int>(setup.frusta.size());
-  const int columns = static_cast<int>(std::ceil(std::sqrt(static_cast<double>(count))));
   const int rows = (count + columns - 1) / columns;
   std::vector<FeedPane> panes;
   for (int i = 0; i < count; ++i) {
@@ -66,6 +64,27 @@ std::vector<FeedPane> feedPanes(const FeedSetup& setup, int width, int height) {
     panes.push_back(pane);
   }
   return panes;
+}
+
+int64_t pixelsOf(const std::vector<FeedPane>& panes) {
+  int64_t pixels = 0;
+  for (const FeedPane& pane : panes) {
+    pixels += int64_t{pane.width} * pane.height;
+  }
+  return pixels;
+}
+
+}  // namespace
+
+std::vector<FeedPane> feedPanes(const FeedSetup& setup, int width, int height) {
+  std::vector<FeedPane> best;
+  for (int columns = 1; columns <= static_cast<int>(setup.frusta.size()); ++columns) {
+    std::vector<FeedPane> panes = panesInColumns(setup, width, height, columns);
+    if (pixelsOf(panes) > pixelsOf(best)) {
+      best = std::move(panes);
+    }
+  }
+  return best;
 }
 
 void drawFeedPanes(const FeedComposer& composer, const std::vector<FeedLabel>& labels, Image<Rgb8>& image) {

@@ -16,7 +16,7 @@ struct FeedPane {
   bool operator==(const FeedPane&) const = default;
 };
 
-/// As many columns as rows, or one more; each feed keeps its shape in the middle of its cell.
+/// In as many columns as make panes largest; each feed keeps its shape in the middle of its cell.
 std::vector<FeedPane> feedPanes(const FeedSetup& setup, int width, int height);
 
 /// Sets `image`, of the size of the setup's output, to the last frames of a composer; each pixel is the mean of those

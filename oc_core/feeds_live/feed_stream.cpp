@@ -90,6 +90,10 @@ bool FeedStream::readOnce(std::string& message) {
     FeedClock clock(!options_.isLiveRun ? FeedClock::Kind::kRecorded
                     : isLive            ? FeedClock::Kind::kLive
                                         : FeedClock::Kind::kReplayed);
+    if (const std::optional<double> end = reader.endSeconds(); end && !options_.isLiveRun) {
+      const std::lock_guard lock(mutex_);
+      end_ = *end - feed_.clockOffsetSeconds;
+    }
     bool isAnyRead = false;
     for (VideoFrame frame; !stop_ && reader.next(frame); frame = {}) {
       isAnyRead = true;
@@ -178,6 +182,16 @@ void FeedStream::noteChange(const VideoFrame& frame) {
 bool FeedStream::isGoingOn() const {
   const std::lock_guard lock(mutex_);
   return !isOver_ || !queue_.empty();
+}
+
+std::optional<double> FeedStream::endSeconds() const {
+  const std::lock_guard lock(mutex_);
+  return end_;
+}
+
+std::optional<double> FeedStream::nextSeconds() const {
+  const std::lock_guard lock(mutex_);
+  return queue_.empty() ? std::nullopt : std::optional(queue_.front().seconds);
 }
 
 FeedState FeedStream::state() const {

@@ -43,6 +43,10 @@ class FeedStream {
 
   /// Whether frames may still come.
   bool isGoingOn() const;
+  /// The time of the place of its end, where a recorded feed says it.
+  std::optional<double> endSeconds() const;
+  /// The time of the next frame, where one is there already.
+  std::optional<double> nextSeconds() const;
   FeedState state() const;
   /// Why it is lost, as an error message.
   std::string message() const;
@@ -75,6 +79,7 @@ class FeedStream {
   std::vector<Rgb8> lastSamples_;  ///< of the last frame that was another one
   std::optional<double> sameSince_;
   double lastTaken_ = 0;
+  std::optional<double> end_;
   std::thread thread_;
 };
 

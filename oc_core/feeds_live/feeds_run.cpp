@@ -35,7 +35,8 @@ class FeedsRun {
         feedSeconds_(setup.feeds.size(), std::numeric_limits<double>::quiet_NaN()),
         remarks_(setup.feeds.size()),
         remarkedConnections_(setup.feeds.size(), 0),
-        ages_(setup.feeds.size(), 0) {
+        ages_(setup.feeds.size(), 0),
+        shown_(setup.feeds.size(), 0) {
     options_.streams.isLiveRun = figures_.isLive = mayBeLive(setup);
     composer_.setShowsHidden(options_.showsHidden);
     for (const Feed& feed : setup.feeds) {
@@ -55,9 +56,10 @@ class FeedsRun {
         break;
       }
       const double seconds = start + static_cast<double>(k) / options_.framesPerSecond;
-      if (!takeFrames(seconds)) {
+      if (!takeFrames(seconds) || isBeforeGap(seconds)) {
         break;
       }
+      noteAges(seconds);
       const int64_t frameBegan = steadyNanoseconds();
       for (size_t i = 0; i < streams_.size(); ++i) {
         composer_.setStale(i, isStale(i, seconds));
@@ -80,7 +82,7 @@ class FeedsRun {
       report(progress,
              fmt::format("feeds at {:.1f} s, {:.1f} frames a second", seconds - start,
                          static_cast<double>(figures_.frames) / secondsSince(began)),
-             options_.seconds > 0 ? (seconds - start) / options_.seconds : 0.5);
+             shareDone(start, seconds));
     }
     figures_.wallSeconds = secondsSince(began);
     finishFigures();
@@ -88,6 +90,17 @@ class FeedsRun {
   }
 
  private:
+  /// Of the run, at that time; nothing (NaN) where no end is known.
+  double shareDone(double start, double seconds) const {
+    double end = start + options_.seconds;
+    if (options_.seconds <= 0) {
+      for (const auto& stream : streams_) {
+        end = std::max(end, stream->endSeconds().value_or(start));
+      }
+    }
+    return end > start ? (seconds - start) / (end - start) : std::numeric_limits<double>::quiet_NaN();
+  }
+
   /// When all feeds have a frame that begin at about the same time.
   double startSeconds() {
     std::vector<double> firsts;
@@ -108,20 +121,19 @@ class FeedsRun {
     return start + kStampRounding;
   }
 
-  /// When the first feed has a frame.
+  /// When the first feed has a frame, or the run is stopped.
   double liveStartSeconds() {
     const double began = nowSeconds();
     for (;;) {
       bool isAnyTrying = false;
       for (const auto& stream : streams_) {
-        if (stream->framesRead() > 0) {
+        if (stream->framesRead() > 0 || (options_.isStopped && options_.isStopped())) {
           return nowSeconds();
         }
         isAnyTrying = isAnyTrying || stream->state() != FeedState::kLost;
       }
       const double waited = nowSeconds() - began;
-      if ((!isAnyTrying && waited > options_.streams.maxWaitSeconds) || waited > options_.streams.maxSilenceSeconds ||
-          (options_.isStopped && options_.isStopped())) {
+      if ((!isAnyTrying && waited > options_.streams.maxWaitSeconds) || waited > options_.streams.maxSilenceSeconds) {
         failWithoutFrames();
       }
       std::this_thread::sleep_for(kLivePoll);
@@ -133,6 +145,10 @@ class FeedsRun {
     const std::string message = streams_[graph_.feedIndexOf(0)]->message();
     const std::string advice = "\n  try: ";
     const size_t at = message.find(advice);
+    if (at == std::string::npos && options_.streams.isLiveRun) {
+      throw InputError(fmt::format("no feed has sent a frame in {:g} s", options_.streams.maxSilenceSeconds), where,
+                       "start what sends it first, or soon after this");
+    }
     if (at == std::string::npos) {
       throw InputError("no feed gives a frame", where, "check the sources of the setup with `ffprobe`");
     }
@@ -171,15 +187,47 @@ class FeedsRun {
       const FeedState state = streams_[i]->state();
       figures.wasFrozen = figures.wasFrozen || state == FeedState::kFrozen;
       figures.wasLate = figures.wasLate || state == FeedState::kLate;
+      if (state == FeedState::kLost && !figures.wasLost && options_.onLost) {
+        options_.onLost(i, streams_[i]->message());
+      }
       figures.wasLost = figures.wasLost || state == FeedState::kLost;
       isAnyGoingOn = isAnyGoingOn || streams_[i]->isGoingOn();
+    }
+    return isAnyGoingOn;
+  }
+
+  void noteAges(double seconds) {
+    for (size_t i = 0; i < streams_.size(); ++i) {
       if (std::isfinite(feedSeconds_[i])) {
         const double age = seconds - feedSeconds_[i];
         ages_[i] += age;
-        figures.maxAgeSeconds = std::max(figures.maxAgeSeconds, age);
+        ++shown_[i];
+        figures_.feeds[i].maxAgeSeconds = std::max(figures_.feeds[i].maxAgeSeconds, age);
       }
     }
-    return isAnyGoingOn;
+  }
+
+  /// Whether recorded feeds have nothing for longer than they may; says so in `gaps_`.
+  bool isBeforeGap(double seconds) {
+    const bool isAnyNew = std::ranges::any_of(frames_, [](const Image<Rgb8>& frame) { return !frame.empty(); });
+    if (options_.streams.isLiveRun || isAnyNew) {
+      return false;
+    }
+    std::vector<std::string> gaps(streams_.size());
+    for (size_t i = 0; i < streams_.size(); ++i) {
+      const std::optional<double> next = streams_[i]->nextSeconds();
+      if (streams_[i]->isGoingOn() && (!next || *next <= seconds + kMaxFeedGapSeconds)) {
+        return false;
+      }
+      if (next) {
+        gaps[i] = fmt::format(
+            "its next frame is {:.6g} s later, and the run ended before it: set \"clock_offset_seconds\", if its clock "
+            "is another one",
+            *next - seconds);
+      }
+    }
+    gaps_ = gaps;
+    return true;
   }
 
   /// Whether a feed shows what is no more.
@@ -217,11 +265,11 @@ class FeedsRun {
     for (size_t i = 0; i < streams_.size(); ++i) {
       FeedRunFigures& figures = figures_.feeds[i];
       figures.state = streams_[i]->state();
-      figures.message = streams_[i]->message();
+      figures.message = gaps_.empty() || gaps_[i].empty() ? streams_[i]->message() : gaps_[i];
       figures.reconnections = streams_[i]->reconnections();
       figures.framesRead = streams_[i]->framesRead();
       figures.framesSkipped = streams_[i]->framesSkipped();
-      figures.meanAgeSeconds = ages_[i] / frames;
+      figures.meanAgeSeconds = shown_[i] > 0 ? ages_[i] / static_cast<double>(shown_[i]) : 0;
     }
   }
 
@@ -233,7 +281,9 @@ class FeedsRun {
   std::vector<double> feedSeconds_;
   std::vector<std::string> remarks_;
   std::vector<size_t> remarkedConnections_;
-  std::vector<double> ages_;
+  std::vector<double> ages_;       ///< the sum over outputs that show a frame
+  std::vector<size_t> shown_;      ///< how many those are
+  std::vector<std::string> gaps_;  ///< of each feed: why the run ended before its next frame
   double composing_ = 0;
   Image<Rgb8> image_;
   FeedsRunFigures figures_;

@@ -17,6 +17,8 @@ struct FeedsRunOptions {
   double seconds = 0;           ///< 0: until the last feed ends, which live ones never do
   /// Asked between outputs; the run ends well where it says so. May be empty.
   std::function<bool()> isStopped = {};
+  /// Told when a feed is lost for the first time, and why. May be empty.
+  std::function<void(size_t feed, const std::string& message)> onLost = {};
   /// Looks at the first frame of each feed, by index, and at the first after it was lost: what it returns stands in the
   /// feed's label from then on. May be empty; where it throws, the run ends so.
   std::function<std::string(size_t feed, const Image<Rgb8>& frame)> remarkOn = {};
@@ -40,8 +42,8 @@ struct FeedRunFigures {
   size_t framesRead = 0;
   size_t framesSkipped = 0;   ///< read, but never shown
   size_t outputsWithout = 0;  ///< output frames for which it had no new frame
-  double maxAgeSeconds = 0;
-  double meanAgeSeconds = 0;
+  double maxAgeSeconds = 0;   ///< of the frame that an output shows
+  double meanAgeSeconds = 0;  ///< over the outputs that show one
 };
 
 struct FeedsRunFigures {
@@ -66,7 +68,12 @@ struct ComposedFrame {
 /// Whether a source of the setup may be live: outputs are then made when it is time for them.
 bool mayBeLive(const FeedSetup& setup);
 
-/// Feeds may be lost. Throws InputError where none gives a frame.
+/// Recorded feeds may pause together for so long. Where the next frame comes later the run ends, and the message of
+/// that feed says so: such timestamps are of a clock whose offset is unknown.
+inline constexpr double kMaxFeedGapSeconds = 600;
+
+/// Feeds may be lost. Throws InputError where none gives a frame. A run that is stopped while it waits for the first
+/// one has made no image.
 FeedsRunFigures runFeeds(const FeedSetup& setup, const FeedsRunOptions& options,
                          const std::function<void(const ComposedFrame&)>& sink, const Progress& progress = {});
 

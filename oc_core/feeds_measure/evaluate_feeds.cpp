@@ -261,10 +261,16 @@ double FeedsEvaluation::possibleShare() const {
 
 FeedsEvaluation evaluateFeeds(const std::filesystem::path& folder, const FeedsEvaluationOptions& options,
                               const Progress& progress) {
+  std::error_code noFile;
+  if (!std::filesystem::exists(folder / "truth.json", noFile)) {
+    throw InputError("there is no truth.json in it", folder.string(),
+                     "give the folder that `ocelli feeds simulate` has written to the end");
+  }
   const SimulationTruth truth = readSimulationTruth(folder / "truth.json");
   const FeedSetup setup = readFeedSetup(folder / "setup.json");
-  if (truth.feeds.size() != setup.feeds.size()) {
-    throw InputError("truth.json and setup.json have other feeds", folder.string(), "simulate them again");
+  if (!std::ranges::equal(truth.feeds, setup.feeds, {}, &FeedTruth::name, &Feed::name)) {
+    throw InputError("truth.json and setup.json have other feeds, or another order of them", folder.string(),
+                     "simulate them again");
   }
   if (!options.pictures.empty()) {
     makeFolder(options.pictures);

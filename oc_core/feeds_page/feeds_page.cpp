@@ -69,7 +69,11 @@ struct FeedsPage::State {
       return LocalAnswer{"text/javascript; charset=utf-8", feedsPageScript()};
     }
     if (path == kFeedsStatusPath) {
-      return LocalAnswer{"application/json", nlohmann::json(frames.feeds()).dump()};
+      nlohmann::json feeds = nlohmann::json::array();
+      for (const PageFeed& feed : frames.feeds()) {
+        feeds.push_back({{"text", feed.text}, {"good", feed.isGood}});
+      }
+      return LocalAnswer{"application/json", feeds.dump()};
     }
     if (path == kFeedsImagePath) {
       return LocalAnswer{fmt::format("multipart/x-mixed-replace; boundary={}", kBoundary), "", Watching{frames}};
@@ -94,7 +98,7 @@ std::string FeedsPage::address() const {
   return state_->server.address();
 }
 
-void FeedsPage::show(const Image<Rgb8>& image, const std::vector<std::string>& feeds) {
+void FeedsPage::show(const Image<Rgb8>& image, const std::vector<PageFeed>& feeds) {
   state_->frames.set(image, feeds);
 }
 

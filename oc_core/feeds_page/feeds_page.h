@@ -12,6 +12,12 @@
 
 namespace ocelli {
 
+/// What the page says of a feed.
+struct PageFeed {
+  std::string text;
+  bool isGood = true;  ///< others stand out
+};
+
 class FeedsPage {
  public:
   /// Serves until it is destroyed. Port 0 takes a free one. `title` is what the page says above the image. Throws
@@ -25,8 +31,8 @@ class FeedsPage {
   /// "http://127.0.0.1:8765/".
   std::string address() const;
 
-  /// The next image, and a line of text on each feed. Copies them; nobody is waited for.
-  void show(const Image<Rgb8>& image, const std::vector<std::string>& feeds);
+  /// The next image, and a line on each feed. Copies them; nobody is waited for.
+  void show(const Image<Rgb8>& image, const std::vector<PageFeed>& feeds);
 
  private:
   struct State;

@@ -14,7 +14,6 @@ img { display: block; width: 100%; height: auto; background: var(--card); }
 #feeds .bad, #gone { color: var(--caution); font-weight: bold; }
 )";
 
-// A feed that is well has nothing in capitals between its name and its age.
 constexpr const char* kScript = R"(const list = document.getElementById("feeds");
 const gone = document.getElementById("gone");
 const image = document.getElementById("image");
@@ -23,10 +22,9 @@ async function update() {
   try {
     const feeds = await (await fetch("/feeds.json", {cache: "no-store"})).json();
     while (list.children.length < feeds.length) list.append(document.createElement("li"));
-    feeds.forEach((text, i) => {
-      const bad = / (LATE|FROZEN|ENDED|LOST|MOVED) | no picture$/.test(text);
+    feeds.forEach(({text, good}, i) => {
       if (list.children[i].textContent !== text) list.children[i].textContent = text;
-      list.children[i].className = bad ? "bad" : "";
+      list.children[i].className = good ? "" : "bad";
     });
     if (wasGone) image.src = "/image?" + Date.now();
     wasGone = false;

@@ -18,7 +18,7 @@ const char* PageFrames::mediaType() {
   return codec().mediaType;
 }
 
-void PageFrames::set(const Image<Rgb8>& image, const std::vector<std::string>& feeds) {
+void PageFrames::set(const Image<Rgb8>& image, const std::vector<PageFeed>& feeds) {
   const std::lock_guard lock(mutex_);
   image_ = image;
   feeds_ = feeds;
@@ -50,7 +50,7 @@ std::shared_ptr<const std::string> PageFrames::next(uint64_t& seen) {
   return file_;
 }
 
-std::vector<std::string> PageFrames::feeds() const {
+std::vector<PageFeed> PageFrames::feeds() const {
   const std::lock_guard lock(mutex_);
   return feeds_;
 }

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "oc_core/image/png_file.h"
+#include "oc_core/feeds_page/feeds_page.h"
 
 namespace ocelli {
 
@@ -18,18 +18,18 @@ class PageFrames {
   /// JPEG, or PNG where Ocelli was built without it.
   static const char* mediaType();
 
-  void set(const Image<Rgb8>& image, const std::vector<std::string>& feeds);
+  void set(const Image<Rgb8>& image, const std::vector<PageFeed>& feeds);
   /// A file with the latest image, once that is another one than number `seen`, which it replaces; null once stop() was
   /// called. It is encoded by the first that asks for it.
   std::shared_ptr<const std::string> next(uint64_t& seen);
-  std::vector<std::string> feeds() const;
+  std::vector<PageFeed> feeds() const;
   void stop();
 
  private:
   mutable std::mutex mutex_;
   std::condition_variable changed_;
   Image<Rgb8> image_;
-  std::vector<std::string> feeds_;
+  std::vector<PageFeed> feeds_;
   uint64_t number_ = 0;
   bool isStopped_ = false;
   std::mutex encoding_;

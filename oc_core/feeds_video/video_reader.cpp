@@ -21,6 +21,9 @@ namespace {
 
 using VideoClock = std::chrono::steady_clock;
 
+constexpr double kUnknownFrameSeconds = 1.0 / 25;  ///< where neither timestamps nor a rate are there
+constexpr double kMaxRate = 1000;                  ///< above it is what an encoder counts timestamps in
+
 struct CloseInput {
   void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
 };
@@ -89,6 +92,26 @@ class InputOptions {
   AVDictionary* options_ = nullptr;
 };
 
+/// Colours as the video says that they are coded. Where it says nothing they are those of BT.601, FFmpeg's default.
+void setColors(SwsContext* scaler, const AVFrame& from) {
+  int* table = nullptr;
+  int* targetTable = nullptr;
+  int isFullRange = 0;
+  int isTargetFull = 0;
+  int brightness = 0;
+  int contrast = 0;
+  int saturation = 0;
+  if (sws_getColorspaceDetails(scaler, &table, &isFullRange, &targetTable, &isTargetFull, &brightness, &contrast,
+                               &saturation) < 0) {
+    return;  // these pixels are no YUV
+  }
+  if (from.color_range != AVCOL_RANGE_UNSPECIFIED) {
+    isFullRange = from.color_range == AVCOL_RANGE_JPEG ? 1 : 0;
+  }
+  const int* const given = from.colorspace == AVCOL_SPC_UNSPECIFIED ? table : sws_getCoefficients(from.colorspace);
+  sws_setColorspaceDetails(scaler, given, isFullRange, targetTable, isTargetFull, brightness, contrast, saturation);
+}
+
 }  // namespace
 
 struct VideoReader::Impl {
@@ -103,6 +126,11 @@ struct VideoReader::Impl {
   std::unique_ptr<AVPacket, FreePacket> packet{av_packet_alloc()};
   std::unique_ptr<SwsContext, FreeScaler> scaler;
   int stream = -1;
+  int width = 0;  ///< of its pictures, as it was opened
+  int height = 0;
+  double frameSeconds = 0;  ///< from one picture to the next; what pictures without timestamps go by
+  double lastSeconds = 0;
+  bool isAnyShown = false;
   bool isDraining = false;
   size_t damaged = 0;
 
@@ -136,9 +164,9 @@ struct VideoReader::Impl {
       avformat_free_context(context);
       throw InputError("this FFmpeg has no such input", source, adviceOnSource(asked, AVERROR_DEMUXER_NOT_FOUND));
     }
-    const std::string path = kind.isPrefixOurs ? source.substr(std::string(kind.prefix).size()) : source;
     beginWait();
-    const int opened = avformat_open_input(&context, path.c_str(), format, options.get());  // frees it where it fails
+    const int opened =
+        avformat_open_input(&context, ffmpegNameOf(source).c_str(), format, options.get());  // frees it where it fails
     if (opened < 0) {
       if (opened == AVERROR_EXIT) {
         failRead(opened);
@@ -172,6 +200,11 @@ struct VideoReader::Impl {
     if (decoder->width <= 0 || decoder->height <= 0) {
       throw InputError("the feed has no pictures", source, "check it with `ffprobe`");
     }
+    width = decoder->width;
+    height = decoder->height;
+    const AVRational rate = av_guess_frame_rate(input.get(), input->streams[stream], nullptr);
+    const bool isKnown = rate.num > 0 && rate.den > 0 && av_q2d(rate) <= kMaxRate;
+    frameSeconds = isKnown ? 1 / av_q2d(rate) : kUnknownFrameSeconds;
   }
 
   /// Hands the decoder another packet, or tells it that there are no more.
@@ -200,22 +233,37 @@ struct VideoReader::Impl {
 
   void convert(VideoFrame& frame) {
     const AVFrame& from = *decoded;
-    if (frame.image.width() != decoder->width || frame.image.height() != decoder->height) {
-      frame.image = Image<Rgb8>(decoder->width, decoder->height);
+    if (from.width != width || from.height != height) {
+      throw WorkError(fmt::format("the pictures of the feed change from {}x{} to {}x{} pixels", width, height,
+                                  from.width, from.height),
+                      source,
+                      "keep its camera at one size, and convert videos: ffmpeg -i FEED -s WIDTHxHEIGHT OUT.mkv");
     }
-    scaler.reset(sws_getCachedContext(scaler.release(), from.width, from.height,
-                                      static_cast<AVPixelFormat>(from.format), decoder->width, decoder->height,
-                                      AV_PIX_FMT_RGB24, SWS_BILINEAR, nullptr, nullptr, nullptr));
+    if (frame.image.empty() || frame.image.width() != width || frame.image.height() != height) {  // or was moved away
+      frame.image = Image<Rgb8>(width, height);
+    }
+    scaler.reset(sws_getCachedContext(scaler.release(), width, height, static_cast<AVPixelFormat>(from.format), width,
+                                      height, AV_PIX_FMT_RGB24, SWS_BILINEAR, nullptr, nullptr, nullptr));
     if (!scaler) {
       throw InputError("the pixels of the feed have a format that FFmpeg cannot convert", source,
                        "convert it: ffmpeg -i FEED -pix_fmt yuv420p OUT.mkv");
     }
+    setColors(scaler.get(), from);
     uint8_t* const planes[] = {reinterpret_cast<uint8_t*>(frame.image.data())};
-    const int strides[] = {decoder->width * 3};
-    sws_scale(scaler.get(), from.data, from.linesize, 0, from.height, planes, strides);
-    const AVStream& of = *input->streams[stream];
+    const int strides[] = {width * 3};
+    sws_scale(scaler.get(), from.data, from.linesize, 0, height, planes, strides);
+    frame.seconds = secondsOf(from);
+  }
+
+  double secondsOf(const AVFrame& from) {
     const int64_t stamp = from.best_effort_timestamp;
-    frame.seconds = static_cast<double>(stamp == AV_NOPTS_VALUE ? 0 : stamp) * av_q2d(of.time_base);
+    if (stamp != AV_NOPTS_VALUE) {
+      lastSeconds = static_cast<double>(stamp) * av_q2d(input->streams[stream]->time_base);
+    } else if (isAnyShown) {
+      lastSeconds += frameSeconds;
+    }
+    isAnyShown = true;
+    return lastSeconds;
   }
 };
 
@@ -234,15 +282,24 @@ VideoReader::VideoReader(const VideoSource& source, double maxWaitSeconds, const
 VideoReader::~VideoReader() = default;
 
 int VideoReader::width() const {
-  return impl_->decoder->width;
+  return impl_->width;
 }
 
 int VideoReader::height() const {
-  return impl_->decoder->height;
+  return impl_->height;
 }
 
 size_t VideoReader::damagedFrames() const {
   return impl_->damaged;
+}
+
+std::optional<double> VideoReader::endSeconds() const {
+  const AVFormatContext& input = *impl_->input;
+  if (input.duration == AV_NOPTS_VALUE) {
+    return std::nullopt;
+  }
+  const int64_t start = input.start_time == AV_NOPTS_VALUE ? 0 : input.start_time;
+  return static_cast<double>(start + input.duration) / AV_TIME_BASE;
 }
 
 bool VideoReader::isLive() const {

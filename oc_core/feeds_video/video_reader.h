@@ -31,9 +31,13 @@ class VideoReader {
   int width() const;
   int height() const;
   /// The next frame, in the order of timestamps; nothing at the end. Frames that cannot be decoded are left out and
-  /// counted. Throws WorkError where the source does not answer in time, breaks off, or `stop` is set.
+  /// counted. Where there are no timestamps, as in streams of H.264 without a container, frames follow one another at
+  /// the rate of the video. Throws WorkError where the source does not answer in time, breaks off, changes its size, or
+  /// `stop` is set.
   bool next(VideoFrame& frame);
   size_t damagedFrames() const;
+  /// The timestamp of its end, where the source says it.
+  std::optional<double> endSeconds() const;
   /// Whether frames come when they are taken, rather than as fast as they are read.
   bool isLive() const;
 

@@ -13,7 +13,7 @@ namespace {
 
 constexpr const char* kStartCamera = "start what sends it, and check the address, the port and the firewall";
 
-constexpr std::array<VideoSourceKind, 7> kKinds{{
+constexpr std::array<VideoSourceKind, 11> kKinds{{
     {"v4l2:", "v4l2", true, true, true, true, "connect the camera; `ls /dev/video*` shows the devices that are there",
      "close other programs that use the camera, and join the group `video` (adduser USER video)"},
     {"rtsp://", nullptr, false, true, false, false, "check the path in the address: the server has no such feed",
@@ -22,16 +22,31 @@ constexpr std::array<VideoSourceKind, 7> kKinds{{
      kStartCamera},
     {"https://", nullptr, false, true, false, false, "check the path in the address: the server has no such page",
      "start what sends it, and check the address, the port, the firewall and the certificate of the server"},
+    {"rtmp://", nullptr, false, true, false, false, "check the path in the address: the server has no such feed",
+     kStartCamera},
+    {"rtmps://", nullptr, false, true, false, false, "check the path in the address: the server has no such feed",
+     kStartCamera},
+    {"srt://", nullptr, false, true, true, false, kStartCamera, kStartCamera},
+    {"rtp://", nullptr, false, true, true, false, kStartCamera, kStartCamera},
     {"udp://", nullptr, false, true, true, false, kStartCamera, kStartCamera},
     {"tcp://", nullptr, false, true, true, false, kStartCamera, kStartCamera},
-    {"", nullptr, false, false, false, false, "check \"source\" in the setup: paths begin in its folder",
-     "check \"source\" in the setup; `ffprobe` says what FFmpeg makes of it"},
+    {"", nullptr, false, false, false, false, "check the path: in a setup, paths begin in its folder",
+     "check that this is a video or an image: `ffprobe` says what FFmpeg makes of it"},
 }};
 
 }  // namespace
 
 const VideoSourceKind& videoSourceKind(const std::string& name) {
   return *std::ranges::find_if(kKinds, [&](const VideoSourceKind& kind) { return name.starts_with(kind.prefix); });
+}
+
+std::string ffmpegNameOf(const std::string& source) {
+  const VideoSourceKind& kind = videoSourceKind(source);
+  const std::string prefix = kind.prefix;
+  if (kind.isPrefixOurs) {
+    return source.substr(prefix.size());
+  }
+  return prefix.empty() && source.find("://") == std::string::npos ? "file:" + source : source;
 }
 
 std::string adviceOnSource(const VideoSource& source, int code) {

@@ -31,6 +31,9 @@ struct VideoSourceKind {
 
 const VideoSourceKind& videoSourceKind(const std::string& name);
 
+/// What FFmpeg opens: files may have names as "left: 1.mkv", which it would take for an address.
+std::string ffmpegNameOf(const std::string& source);
+
 /// What is to be done where it cannot be opened. `code` is an error of FFmpeg.
 std::string adviceOnSource(const VideoSource& source, int code);
 

@@ -13,6 +13,8 @@ extern "C" {
 
 #include "oc_core/base/check.h"
 #include "oc_core/base/error.h"
+#include "oc_core/base/output_file.h"
+#include "oc_core/base/unfinished_output.h"
 #include "oc_core/feeds_video/video_error.h"
 
 namespace ocelli {
@@ -26,6 +28,17 @@ struct CloseOutput {
     avformat_free_context(context);
   }
 };
+
+/// The file that is written until the video is complete: `path` itself where that is a pipe or a device.
+std::filesystem::path partialOf(const std::filesystem::path& path) {
+  if (isStream(path)) {
+    return path;
+  }
+  std::error_code ignored;
+  std::filesystem::path partial = std::filesystem::exists(path, ignored) ? std::filesystem::canonical(path) : path;
+  return partial += ".partial";
+}
+
 struct FreeEncoder {
   void operator()(AVCodecContext* context) const { avcodec_free_context(&context); }
 };
@@ -43,6 +56,8 @@ struct FreeWriterScaler {
 
 struct VideoWriter::Impl {
   std::filesystem::path path;
+  std::filesystem::path partial;
+  UnfinishedOutput unfinished;
   std::unique_ptr<AVFormatContext, CloseOutput> output;
   std::unique_ptr<AVCodecContext, FreeEncoder> encoder;
   std::unique_ptr<AVFrame, FreeWrittenFrame> frame{av_frame_alloc()};
@@ -62,16 +77,24 @@ struct VideoWriter::Impl {
   void open(int width, int height, const VideoWriterOptions& options) {
     if (!options.isLossless && (width % 2 != 0 || height % 2 != 0)) {
       throw InputError(fmt::format("video takes pictures of an even size, not {}x{}", width, height), path.string(),
-                       "change the size of the output");
+                       "make width and height of the output even, or write images");
     }
-    const char* name = options.isLossless ? "ffv1" : "libx264";
-    const AVCodec* codec = avcodec_find_encoder_by_name(name);
+    const char* encoderName = options.isLossless ? "ffv1" : "libx264";
+    const AVCodec* codec = avcodec_find_encoder_by_name(encoderName);
     if (codec == nullptr) {
-      throw WorkError(fmt::format("this FFmpeg has no encoder {}", name), path.string(),
+      throw WorkError(fmt::format("this FFmpeg has no encoder {}", encoderName), path.string(),
                       "install one that has, as Debian's libavcodec59 does");
     }
+    const AVOutputFormat* const format = av_guess_format(nullptr, path.c_str(), nullptr);
+    if (format == nullptr) {
+      throw InputError("videos do not end in \"" + path.extension().string() + "\"", path.string(),
+                       "write a file that ends in .mp4 or .mkv");
+    }
+    checkWritable(path);
+    partial = partialOf(path);
+    const std::string name = "file:" + partial.string();  // a colon in it begins no address
     AVFormatContext* context = nullptr;
-    check(avformat_alloc_output_context2(&context, nullptr, nullptr, path.c_str()), "no such container");
+    check(avformat_alloc_output_context2(&context, format, nullptr, name.c_str()), "no memory for the container");
     output.reset(context);
     output->flags |= AVFMT_FLAG_BITEXACT;  // the same frames give the same bytes
     encoder.reset(avcodec_alloc_context3(codec));
@@ -87,6 +110,8 @@ struct VideoWriter::Impl {
       encoder->flags |= AV_CODEC_FLAG_GLOBAL_HEADER;
     }
     if (!options.isLossless) {
+      encoder->colorspace = AVCOL_SPC_SMPTE170M;  // what the scaler makes; players take large videos for BT.709
+      encoder->color_range = AVCOL_RANGE_MPEG;
       av_opt_set(encoder->priv_data, "preset", "veryfast", 0);
       av_opt_set_double(encoder->priv_data, "crf", options.rateFactor, 0);
     }
@@ -95,7 +120,14 @@ struct VideoWriter::Impl {
     stream->time_base = encoder->time_base;
     stream->avg_frame_rate = encoder->framerate;
     check(avcodec_parameters_from_context(stream->codecpar, encoder.get()), "the container does not take the video");
-    check(avio_open(&output->pb, path.c_str(), AVIO_FLAG_WRITE), "cannot be written");
+    int opened = 0;
+    const auto openFile = [&] { opened = avio_open(&output->pb, name.c_str(), AVIO_FLAG_WRITE); };
+    if (partial == path) {
+      openFile();
+    } else {
+      unfinished = UnfinishedOutput(partial, openFile);
+    }
+    check(opened, "cannot be written");
     check(avformat_write_header(output.get(), nullptr), "the header cannot be written");
     scaler.reset(sws_getContext(width, height, AV_PIX_FMT_RGB24, width, height, encoder->pix_fmt,
                                 SWS_BICUBIC | SWS_ACCURATE_RND, nullptr, nullptr, nullptr));
@@ -103,6 +135,26 @@ struct VideoWriter::Impl {
     frame->height = height;
     frame->format = encoder->pix_fmt;
     check(av_frame_get_buffer(frame.get(), 0), "no memory for a frame");
+  }
+
+  void publish() {
+    std::error_code error;
+    if (partial != path) {
+      std::filesystem::path target = partial;
+      unfinished.finish([&] { std::filesystem::rename(partial, target.replace_extension(), error); });
+    }
+    if (error) {
+      throw WorkError("cannot be written: " + error.message(), path.string(), "check who may write into its folder");
+    }
+    isFinished = true;
+  }
+
+  void leaveNothing() {
+    output.reset();
+    if (!isFinished && !partial.empty() && partial != path) {
+      std::error_code ignored;
+      unfinished.finish([&] { std::filesystem::remove(partial, ignored); });
+    }
   }
 
   void writePackets() {
@@ -123,15 +175,16 @@ VideoWriter::VideoWriter(const std::filesystem::path& path, int width, int heigh
     : impl_(std::make_unique<Impl>()) {
   av_log_set_level(AV_LOG_FATAL);
   impl_->path = path;
-  impl_->open(width, height, options);
+  try {
+    impl_->open(width, height, options);
+  } catch (...) {
+    impl_->leaveNothing();
+    throw;
+  }
 }
 
 VideoWriter::~VideoWriter() {
-  if (!impl_->isFinished) {
-    impl_->output.reset();
-    std::error_code ignored;
-    std::filesystem::remove(impl_->path, ignored);
-  }
+  impl_->leaveNothing();
 }
 
 void VideoWriter::add(const Image<Rgb8>& image, double seconds) {
@@ -153,8 +206,8 @@ void VideoWriter::finish() {
   impl_->check(avcodec_send_frame(impl_->encoder.get(), nullptr), "the encoder does not end");
   impl_->writePackets();
   impl_->check(av_write_trailer(impl_->output.get()), "cannot be written");
-  impl_->isFinished = true;
-  impl_->output.reset();
+  impl_->check(avio_closep(&impl_->output->pb), "cannot be written");  // a full disk may show itself only here
+  impl_->publish();
 }
 
 }  // namespace ocelli

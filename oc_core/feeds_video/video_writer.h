@@ -16,8 +16,10 @@ struct VideoWriterOptions {
 
 class VideoWriter {
  public:
-  /// The ending of `path` says the container: .mkv, .mp4. Width and height are even, unless it is lossless. Throws
-  /// InputError where they are not, and WorkError where the file cannot be written or an encoder is missing.
+  /// The ending of `path` says the container: .mkv, .mp4. Width and height are even, unless it is lossless. A file at
+  /// `path` stays as it was until finish(): until then `path`.partial is written (unfinished_output.h). Throws
+  /// InputError where there is no such container or the size is odd, and WorkError where the file cannot be written or
+  /// an encoder is missing.
   VideoWriter(const std::filesystem::path& path, int width, int height, const VideoWriterOptions& options);
   /// Without finish() what was written is removed.
   ~VideoWriter();
@@ -26,6 +28,7 @@ class VideoWriter {
 
   /// `seconds` is 0 or more and grows from frame to frame.
   void add(const Image<Rgb8>& image, double seconds);
+  /// Throws WorkError where what is left cannot be written.
   void finish();
 
  private:

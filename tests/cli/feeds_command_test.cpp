@@ -43,6 +43,20 @@ TEST(FeedsCommand, readsItsOptionsItself) {
   EXPECT_THAT(wrong.error, HasSubstr("try: ocelli feeds run --help"));
 }
 
+TEST(FeedsCommand, takesNoFolderByTheNameOfAVideo) {
+  for (const char* output : {"x.avi", "x.MP4", "x.png"}) {
+    const ProgramResult run = runWith("echo was started", std::string("feeds run setup.json -o ") + output);
+    EXPECT_EQ(run.exitCode, 2) << output;
+    EXPECT_THAT(run.error, HasSubstr("ends neither in .mp4 nor in .mkv"));
+  }
+  for (const char* output : {"x.mp4", "x.mkv", "frames", "frames.1/"}) {
+    EXPECT_EQ(runWith("echo was started", std::string("feeds run setup.json -o ") + output).output, "was started\n");
+  }
+  const ProgramResult panes = runWith("echo was started", "feeds panes setup.json -o x.txt");
+  EXPECT_EQ(panes.exitCode, 2);
+  EXPECT_THAT(panes.error, HasSubstr("does not end in .mp4 or .mkv or .png"));
+}
+
 TEST(FeedsCommand, saysWhatToInstallWhereTheOtherProgramIsMissing) {
   const ProgramResult result = runShell("OCELLI_FEEDS_PROGRAM=/nowhere/it \"$OCELLI\" feeds simulate -o x");
   EXPECT_EQ(result.exitCode, 1);

@@ -27,7 +27,7 @@ TEST(ProgressBar, SurvivesFractionsThatAreNone) {
   const std::string drawn = testing::internal::GetCapturedStderr();
   EXPECT_THAT(drawn, HasSubstr("a [..............................]   0%"));
   EXPECT_THAT(drawn, HasSubstr("b [##############################] 100%"));
-  EXPECT_THAT(drawn, HasSubstr("c [..............................]   0%"));
+  EXPECT_THAT(drawn, EndsWith("c")) << "how far it is, is not known";
 }
 
 TEST(ProgressBar, DrawsRarelyWithinAStage) {

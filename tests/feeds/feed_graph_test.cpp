@@ -174,7 +174,8 @@ TEST(FeedGraph, refusesFacesThatCross) {
   for (glm::dvec3& corner : setup.frusta[2].near) {
     corner.x -= 0.5;
   }
-  EXPECT_THAT(errorOf(setup), testing::HasSubstr("takes rays that"));
+  EXPECT_THAT(errorOf(setup), testing::HasSubstr("cannot stand there: it takes rays that"));
+  EXPECT_THAT(errorOf(setup), testing::HasSubstr("move it beside the others"));
 }
 
 TEST(FeedGraph, refusesACameraBeyondItsFaceAndFacesOutOfSight) {

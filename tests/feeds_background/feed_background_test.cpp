@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "oc_core/base/random_numbers.h"
+#include "oc_core/feeds_background/picture_text.h"
 
 namespace ocelli {
 namespace {
@@ -77,6 +78,16 @@ TEST(FeedBackground, learnsWhatItIsNotTold) {
   ASSERT_EQ(blobs.blobs.size(), 1u);
   EXPECT_NEAR(blobs.blobs[0].foot.x, 70, 4);
   EXPECT_NEAR(background.image()(70, 70).x * background.light().x, 90 + 35, 8) << "behind the block";
+}
+
+TEST(PictureText, drawsAQuestionMarkForEachLetterThatItLacks) {
+  const auto drawn = [](const std::string& text) {
+    Image<Rgb8> image(200, 40);
+    drawPictureText(image, text, {4, 30}, 20, Rgb8(255));
+    return image;
+  };
+  EXPECT_EQ(drawn("T\u00fcr\x1b"), drawn("T?r?"));
+  EXPECT_NE(drawn("T\u00fcr"), drawn("Tr"));
 }
 
 }  // namespace

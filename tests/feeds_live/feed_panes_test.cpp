@@ -31,6 +31,15 @@ TEST(FeedPanes, KeepTheirShapesAndApart) {
   }
 }
 
+TEST(FeedPanes, AreAsLargeAsTheImageLetsThem) {
+  const std::vector<FeedPane> square = feedPanes(test::chainSetup(), 640, 480);
+  EXPECT_EQ(square[0].top, square[1].top);
+  EXPECT_EQ(square[0].left, square[2].left) << "two rows of two";
+  const std::vector<FeedPane> wide = feedPanes(test::tSetup(), 1280, 300);
+  EXPECT_EQ(wide[0].top, wide[2].top) << "one row of three";
+  EXPECT_EQ(wide[0].height, 300);
+}
+
 TEST(FeedPanes, ShowTheMeanOfWhatAPixelCovers) {
   FeedSetup setup = test::tSetup();
   setup.output.width = 320;

@@ -142,6 +142,8 @@ TEST(FeedStream, isWaitedForOnceWhereItHangs) {
 TEST(FeedLabels, sayTheTimeAndTheState) {
   EXPECT_EQ(feedLabelText("left", {FeedState::kLive, true, 0.033}), "left 33 ms");
   EXPECT_EQ(feedLabelText("left", {FeedState::kLate, true, 2.42}), "left LATE 2.4 s");
+  EXPECT_EQ(feedLabelText("the yard behind the gate of the north wing", {FeedState::kLive, true, 0.033}),
+            "the yard behind th.. 33 ms");
   EXPECT_EQ(feedLabelText("left", {FeedState::kLost, false, 0}), "left LOST no picture");
   const FeedLabel moved{FeedState::kLive, true, 0.033, "MOVED 14 px"};
   EXPECT_EQ(feedLabelText("left", moved), "left MOVED 14 px 33 ms");

@@ -1,6 +1,7 @@
 // What a run of feeds asks of who started it.
 #include "oc_core/feeds_live/feeds_run.h"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include "oc_core/base/error.h"
@@ -126,6 +127,76 @@ TEST_F(FeedsRunTest, whoIsInAFrozenFeedIsErased) {
   EXPECT_EQ(states[40], FeedState::kFrozen);
   EXPECT_EQ(subjects[70], 0u);
   EXPECT_LT(reds[40], 110);
+}
+
+TEST_F(FeedsRunTest, agesAreThoseOfTheImages) {
+  double sum = 0;
+  double oldest = 0;
+  size_t images = 0;
+  const FeedsRunFigures figures = runFeeds(setup_, options_, [&](const ComposedFrame& frame) {
+    const double age = frame.seconds - frame.feedSeconds[0];
+    sum += age;
+    oldest = std::max(oldest, age);
+    ++images;
+  });
+  ASSERT_EQ(images, figures.frames);
+  EXPECT_NEAR(figures.feeds[0].meanAgeSeconds, sum / static_cast<double>(images), 1e-9);
+  EXPECT_NEAR(figures.feeds[0].maxAgeSeconds, oldest, 1e-9);
+}
+
+TEST_F(FeedsRunTest, aClockOfAnotherTimeEndsItAndIsSaid) {
+  Feed late = setup_.feeds[0];
+  late.name = "yard";
+  late.clockOffsetSeconds = -1e9;  // its timestamps are of 1970, say
+  setup_.feeds.push_back(late);
+  size_t images = 0;
+  options_.isStopped = [&] { return images > 100; };
+  const FeedsRunFigures figures = runFeeds(setup_, options_, [&](const ComposedFrame&) { ++images; });
+  EXPECT_LE(images, 11u) << "ten frames, and what shows that they are over";
+  EXPECT_EQ(figures.feeds[0].message, "");
+  EXPECT_THAT(figures.feeds[1].message, testing::HasSubstr("clock_offset_seconds"));
+  EXPECT_THAT(figures.feeds[1].message, testing::HasSubstr("1e+09 s later"));
+}
+
+TEST_F(FeedsRunTest, aShortPauseIsGoneThrough) {
+  VideoWriter writer(setup_.feeds[0].source, 64, 48, {10, 20, true});
+  writer.add(Image<Rgb8>(64, 48, Rgb8(10)), 0);
+  writer.add(Image<Rgb8>(64, 48, Rgb8(90)), 30);
+  writer.finish();
+  size_t images = 0;
+  runFeeds(setup_, options_, [&](const ComposedFrame&) { ++images; });
+  EXPECT_GE(images, 300u);
+}
+
+TEST_F(FeedsRunTest, saysOnceThatAFeedIsLost) {
+  Feed lost = setup_.feeds[0];
+  lost.name = "yard";
+  lost.source = (folder_.path() / "none.mkv").string();
+  setup_.feeds.push_back(lost);
+  std::vector<std::pair<size_t, std::string>> said;
+  options_.onLost = [&](size_t feed, const std::string& message) { said.emplace_back(feed, message); };
+  runFeeds(setup_, options_, [](const ComposedFrame&) {});
+  ASSERT_EQ(said.size(), 1u);
+  EXPECT_EQ(said[0].first, 1u);
+  EXPECT_THAT(said[0].second, testing::HasSubstr("No such file"));
+}
+
+TEST_F(FeedsRunTest, stoppedBeforeTheFirstFrameItMakesNoImage) {
+  setup_.feeds[0].source = "udp://127.0.0.1:1";  // nobody sends
+  options_.isStopped = [] { return true; };
+  const FeedsRunFigures figures =
+      runFeeds(setup_, options_, [](const ComposedFrame&) { FAIL() << "an image was composed"; });
+  EXPECT_EQ(figures.frames, 0u);
+}
+
+TEST_F(FeedsRunTest, progressGoesToTheEndOfTheFeeds) {
+  std::vector<double> shares;
+  runFeeds(
+      setup_, options_, [](const ComposedFrame&) {}, [&](std::string_view, double share) { shares.push_back(share); });
+  ASSERT_GE(shares.size(), 9u);
+  EXPECT_LT(shares.front(), 0.1);
+  EXPECT_GT(shares.back(), 0.85);
+  EXPECT_LE(shares.back(), 1.01);
 }
 
 TEST_F(FeedsRunTest, aRemarkMayEndIt) {

@@ -74,7 +74,7 @@ int toneIn(const std::string& stream) {
 
 TEST(FeedsPage, hasTheImageAndWhatItsScriptAsksFor) {
   FeedsPage page(0, "corridor <setup>");
-  page.show(gray(50), {"left 33 ms", "right LOST 2.0 s"});
+  page.show(gray(50), {{"left 33 ms"}, {"right COVERED 33 ms", false}});
   EXPECT_EQ(page.address(), "http://127.0.0.1:" + std::to_string(page.port()) + "/");
   const std::string html = Browser(page.port(), "/").readAll();
   EXPECT_THAT(html, testing::HasSubstr("<h1>corridor &lt;setup&gt;</h1>"));
@@ -82,7 +82,8 @@ TEST(FeedsPage, hasTheImageAndWhatItsScriptAsksFor) {
   EXPECT_THAT(html, testing::HasSubstr("default-src 'none'"));
   EXPECT_THAT(Browser(page.port(), "/feeds.js").readAll(), testing::HasSubstr("fetch(\"/feeds.json\""));
   EXPECT_THAT(Browser(page.port(), "/feeds.json").readAll(),
-              testing::HasSubstr("[\"left 33 ms\",\"right LOST 2.0 s\"]"));
+              testing::HasSubstr(
+                  "[{\"good\":true,\"text\":\"left 33 ms\"},{\"good\":false,\"text\":\"right COVERED 33 ms\"}]"));
   EXPECT_THAT(Browser(page.port(), "/other").readAll(), testing::HasSubstr("404"));
 }
 

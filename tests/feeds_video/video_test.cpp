@@ -126,6 +126,10 @@ TEST(VideoSource, kindsAreKnownByTheirBeginnings) {
   EXPECT_TRUE(videoSourceKind("https://camera/left").mayBeLive);
   EXPECT_FALSE(videoSourceKind("https://camera/left").isAlwaysLive) << "it may be a video with a length";
   EXPECT_TRUE(videoSourceKind("tcp://127.0.0.1:9000?listen").isAlwaysLive);
+  for (const char* address :
+       {"rtmp://server/live/left", "srt://127.0.0.1:9000?mode=listener", "rtp://127.0.0.1:9000"}) {
+    EXPECT_TRUE(videoSourceKind(address).mayBeLive) << address;
+  }
   EXPECT_TRUE(videoSourceKind("v4l2:/dev/video0").takesSize);
   EXPECT_FALSE(videoSourceKind("v4l2.mkv").mayBeLive);
   EXPECT_FALSE(videoSourceKind("/videos/rtsp.mkv").mayBeLive);
