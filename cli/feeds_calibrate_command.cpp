@@ -14,22 +14,25 @@ CLI::Option* addPlacesOptions(CLI::App& command, std::string& setup, std::string
   return command.add_option("--places", places, help)->type_name("PLACES.json");
 }
 
-void addBoardOption(CLI::App& command, std::string& board) {
-  command.add_option("--board", board, "COLUMNSxROWS:SQUARE:MARKER:DICTIONARY in mm, as the sheet says")
-      ->capture_default_str()
-      ->type_name("BOARD");
+CLI::Option& addBoardOption(CLI::App& command, std::string& board) {
+  return *command.add_option("--board", board, "COLUMNSxROWS:SQUARE:MARKER:DICTIONARY in mm, as the sheet says")
+              ->capture_default_str()
+              ->type_name("BOARD");
 }
 
 void addSheet(CLI::App& calibrate, const CommandContext& context, const FeedsWorkOf<FeedsSheetChoice>& work) {
   CLI::App& command = *calibrate.add_subcommand("sheet", "Print a board, or tags, as PDF");
   const auto choice = std::make_shared<FeedsSheetChoice>();
   addOutputOption(command, choice->output, "The sheet", {".pdf"});
-  addBoardOption(command, choice->board);
-  command.add_option("--tags", choice->tags, "AprilTags 36h11 of these numbers, instead of a board")
+  CLI::Option& board = addBoardOption(command, choice->board);
+  CLI::Option* const tags =
+      command.add_option("--tags", choice->tags, "AprilTags 36h11 of these numbers, instead of a board");
+  tags->excludes(&board)
       ->check(CLI::Range(0, static_cast<int>(kMaxKnownTags) - 1))
       ->delimiter(',')
       ->type_name("N,N,...");
   command.add_option("--tag-size", choice->tagMillimetres, "Side of the black square")
+      ->needs(tags)
       ->check(numberCheck(5, 2000))
       ->capture_default_str()
       ->type_name("MM");

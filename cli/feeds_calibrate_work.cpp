@@ -93,6 +93,7 @@ void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& con
   const FeedSetup setup = readFeedSetup(choice.setup);
   std::string table = fmt::format("  {:<12} {:>5} {:>13}\n", "feed", "tags", "median pixels");
   std::string moved;
+  size_t seen = 0;
   const KnownPlaces places = choice.places.empty() ? setup.places : readKnownPlaces(choice.places);
   if (places.tags.empty()) {
     throw InputError(
@@ -100,6 +101,7 @@ void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& con
         "give --places PLACES.json, or run `ocelli feeds calibrate pose`, which writes them into the setup");
   }
   for (const PoseCheck& check : checkPoses(setup, places, choice.movedPixels, {})) {
+    seen += check.tags;
     const std::string median = check.tags > 0 ? fmt::format("{:.2f}", check.medianPixels) : "unknown";
     table += fmt::format("  {:<12} {:>5} {:>13}\n", check.feed, check.tags, median);
     if (check.hasMoved) {
@@ -111,6 +113,10 @@ void checkPosesCommand(const FeedsCheckChoice& choice, const CommandContext& con
   context.print(table);
   if (!moved.empty()) {
     throw WorkError(moved, choice.setup, "put cameras back, or run `ocelli feeds calibrate pose` for new poses");
+  }
+  if (seen == 0) {
+    throw WorkError("nothing was checked: no camera sees a tag", choice.setup,
+                    "put tags back to their places where cameras see them, and take care of the light");
   }
 }
 

@@ -14,6 +14,8 @@ void addFeedsEvaluateCommand(CLI::App& feeds, const CommandContext& context,
       "evaluate", "Compare the image of simulated feeds with the graph camera's own rendering of the scene");
   const auto choice = std::make_shared<FeedsEvaluateChoice>();
   command.add_option("FOLDER", choice->folder, "What `ocelli feeds simulate` wrote")->required()->type_name("FOLDER");
+  command.add_option("--setup", choice->setup, "Another setup of the same feeds, as `faces` and `edit` write them")
+      ->type_name("SETUP.json");
   command.add_option("--seconds", choice->options.seconds, "How much of it; all by default")
       ->check(numberCheck(1e-3, 1e9))
       ->type_name("S");

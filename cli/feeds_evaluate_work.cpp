@@ -41,6 +41,7 @@ void evaluateFeedsCommand(const FeedsEvaluateChoice& choice, const CommandContex
   checkFiguresOutput(choice.json);
   FeedsEvaluationOptions options = choice.options;
   options.pictures = choice.page;
+  options.setup = choice.setup;
   const FeedsEvaluation result = evaluateFeeds(choice.folder, options, context.progress());
   context.clearProgress();
   std::string table = fmt::format("  {:<8}", "walker");

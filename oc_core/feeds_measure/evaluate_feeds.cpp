@@ -118,7 +118,8 @@ double squaredError(const Image<Rgb8>& a, const Image<Rgb8>& b) {
 
 class FeedsJudge {
  public:
-  FeedsJudge(const SimulationTruth& truth, const FeedSetup& setup, const Mesh& place,
+  /// `taken` has the cameras as they truly are, `setup` what is run.
+  FeedsJudge(const SimulationTruth& truth, const FeedSetup& taken, const FeedSetup& setup, const Mesh& place,
              const FeedsEvaluationOptions& options)
       : truth_(truth),
         graph_(setup),
@@ -128,7 +129,7 @@ class FeedsJudge {
         hasPictures_(!options.pictures.empty()),
         pictures_(options.pictures),
         stitchEvery_(hasStitcher() ? options.stitchEvery : 0) {
-    for (const Feed& feed : setup.feeds) {
+    for (const Feed& feed : taken.feeds) {
       cameras_.emplace_back(feed, place);
     }
     result_.walkers.assign(walkers_.count(), {});
@@ -267,11 +268,15 @@ FeedsEvaluation evaluateFeeds(const std::filesystem::path& folder, const FeedsEv
                      "give the folder that `ocelli feeds simulate` has written to the end");
   }
   const SimulationTruth truth = readSimulationTruth(folder / "truth.json");
-  const FeedSetup setup = readFeedSetup(folder / "setup.json");
-  if (!std::ranges::equal(truth.feeds, setup.feeds, {}, &FeedTruth::name, &Feed::name)) {
-    throw InputError("truth.json and setup.json have other feeds, or another order of them", folder.string(),
-                     "simulate them again");
-  }
+  const FeedSetup taken = readFeedSetup(folder / "setup.json");
+  const FeedSetup setup = options.setup.empty() ? taken : readFeedSetup(options.setup);
+  const auto check = [&](const FeedSetup& given, const std::filesystem::path& path, const std::string& advice) {
+    if (!std::ranges::equal(truth.feeds, given.feeds, {}, &FeedTruth::name, &Feed::name)) {
+      throw InputError("truth.json and the setup have other feeds, or another order of them", path.string(), advice);
+    }
+  };
+  check(taken, folder, "simulate them again");
+  check(setup, options.setup, "give a setup that was made from " + (folder / "setup.json").string());
   if (!options.pictures.empty()) {
     makeFolder(options.pictures);
   }
@@ -279,7 +284,7 @@ FeedsEvaluation evaluateFeeds(const std::filesystem::path& folder, const FeedsEv
   sceneOptions.fit = false;
   sceneOptions.shading = Shading::kNone;
   const Mesh place = loadScene(truth.scene, sceneOptions, progress);
-  FeedsJudge judge(truth, setup, place, options);
+  FeedsJudge judge(truth, taken, setup, place, options);
   FeedsRunOptions run;
   run.framesPerSecond = truth.framesPerSecond;
   run.seconds = options.seconds;

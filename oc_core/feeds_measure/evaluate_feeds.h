@@ -46,6 +46,7 @@ struct FeedsEvaluation {
 
 struct FeedsEvaluationOptions {
   double seconds = 0;              ///< 0: all
+  std::filesystem::path setup;     ///< with other near faces or poses than that of the folder, which is meant if empty
   std::filesystem::path pictures;  ///< a folder for pictures of errors (error_pictures.h); empty: none
   FeedBackgroundOptions backgrounds;
   bool showsHidden = true;  ///< as FeedsRunOptions has it

@@ -138,6 +138,16 @@ TEST_F(FeedsPoses, checksTakeThePlacesOfTheSetup) {
   const ProgramResult none = runProgram("feeds calibrate check " + at("setup.json"));
   EXPECT_EQ(none.exitCode, 2);
   EXPECT_THAT(none.error, HasSubstr("there are no places of tags"));
+  writePng(folder_ / "tags.png", Image<Rgb8>(rig_.width, rig_.height, Rgb8(90)));
+  const ProgramResult dark = runProgram("feeds calibrate check " + at("posed.json"));
+  EXPECT_EQ(dark.exitCode, 1);
+  EXPECT_THAT(dark.error, HasSubstr("nothing was checked"));
+}
+
+TEST_F(FeedsPoses, sheetsHaveTagsOrABoard) {
+  EXPECT_EQ(runProgram("feeds calibrate sheet --tag-size 100 -o " + at("a.pdf")).exitCode, 2);
+  EXPECT_EQ(runProgram("feeds calibrate sheet --tags 0 --board 9x6:25 -o " + at("a.pdf")).exitCode, 2);
+  EXPECT_EQ(runProgram("feeds calibrate sheet --tags 0 --tag-size 100 -o " + at("a.pdf")).exitCode, 0);
 }
 
 }  // namespace

@@ -121,6 +121,15 @@ TEST(FeedsMeasure, walkersAreSeenOnceForTheMostPart) {
   EXPECT_GT(found.rightShare(), 0.98);  // 1 when this was written
   EXPECT_GT(found.possibleShare(), 0.97);
   EXPECT_GT(found.psnrDecibels, 18);
+  // Another setup has other near faces, and the cameras are where they were.
+  FeedSetup swapped = readFeedSetup(folder.path() / "setup.json");
+  swapped.frusta.pop_back();
+  writeFeedSetup(swapped, folder.path() / "two.json");
+  FeedsEvaluationOptions two;
+  two.setup = folder.path() / "two.json";
+  two.seconds = 1;
+  const FeedsEvaluation without = evaluateFeeds(folder.path(), two);
+  EXPECT_GT(without.rightShare(), 0.9);
   // Without the memory of those who are hidden nothing is better than what cameras see.
   FeedsEvaluationOptions forgetful;
   forgetful.showsHidden = false;
