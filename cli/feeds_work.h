@@ -46,7 +46,7 @@ struct FeedsSimulateChoice {
 struct FeedsEvaluateChoice {
   std::string folder;
   std::string setup;  ///< empty: that of the folder
-  std::string page;  ///< a folder; empty: none
+  std::string page;   ///< a folder; empty: none
   FeedsEvaluationOptions options;
   std::string json;
 };
