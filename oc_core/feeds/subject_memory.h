@@ -15,12 +15,12 @@ namespace ocelli {
 /// How a feed saw a subject of which nobody hid much.
 struct SubjectPortrait {
   size_t feed = 0;
-  double seconds = 0;
+  double seconds = 0;    ///< in the time of the place, here and below
   glm::ivec2 corner{0};  ///< feed pixels, the top left of its cells
   Image<uint8_t> cells;  ///< of the mask: 1 where it is seen
   int scale = 2;         ///< feed pixels a cell
   Image<Rgb8> pixels;    ///< of the feed
-  glm::dvec3 light{1};   ///< of the frame, against that of the background
+  glm::dvec3 light{1};   ///< of the frame, against that of the background, per channel
   glm::dvec2 middle{0};  ///< feed pixels, of the middle of the body
   double pixelsPerMetre = 1;
 };
@@ -69,8 +69,8 @@ class HiddenSubjects {
     const SubjectPortrait* portrait;
     glm::dvec2 middle;  ///< feed pixels
     double ratio;       ///< pixels of the portrait a pixel
-    double distance;
-    glm::ivec2 lower;  ///< its box in the feed
+    double distance;    ///< metres from the camera of the frustum
+    glm::ivec2 lower;   ///< its box in the feed
     glm::ivec2 upper;
 
     /// The pixel of the portrait.

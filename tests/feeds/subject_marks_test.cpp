@@ -35,6 +35,26 @@ TEST(SubjectMarks, erasesTheBackOfASubjectOfTheOtherBranch) {
   EXPECT_EQ(right.y, 0);
 }
 
+TEST(SubjectMarks, theRootShowsAllThatItsOwnRaysMeet) {
+  // Where its rays pass the near face of the left branch, that one shows him; where they do not, nothing is erased.
+  const FeedGraph graph(test::tSetup());
+  const auto all = test::allBlobs(graph.setup(), {{kInTheLeft}});
+  ASSERT_GE(all[0].blobs.size(), 1u);
+  const std::vector<glm::dvec3> places{kInTheLeft};
+  EXPECT_EQ(sumOf(markSubjects(graph, 0, all[0], all[0].core, places)), glm::dvec2(0));
+}
+
+TEST(SubjectMarks, whoIsInAnOldPictureIsErased) {
+  const FeedGraph graph(test::tSetup());
+  const FeedBlobs blobs = test::blobsOf(graph.feedOf(1), {{kInTheLeft}});
+  const FeedMarks marks = eraseSubjects(blobs);
+  ASSERT_EQ(marks.cells().size(), blobs.wide.size());
+  for (size_t i = 0; i < blobs.wide.size(); ++i) {
+    EXPECT_EQ(marks.cells()[i], (FeedMark{blobs.wide[i] > 0 ? uint8_t{255} : uint8_t{0}, 0}));
+  }
+  EXPECT_GT(sumOf(marks).x, 500);
+}
+
 TEST(SubjectMarks, whoIsNotKnownStandsWhereItsFeetAre) {
   const FeedGraph graph(test::tSetup());
   const auto all = test::allBlobs(graph.setup(), {{kInTheLeft}});

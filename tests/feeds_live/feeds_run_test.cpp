@@ -129,6 +129,26 @@ TEST_F(FeedsRunTest, whoIsInAFrozenFeedIsErased) {
   EXPECT_LT(reds[40], 110);
 }
 
+TEST_F(FeedsRunTest, aFeedWithoutNoiseInWhichSomethingSmallMovesIsNotFrozen) {
+  Feed& feed = setup_.feeds[0];
+  feed.width = 640;
+  feed.height = 480;
+  feed.lens = {{600, 600}, {320, 240}};
+  VideoWriter writer(feed.source, 640, 480, {10, 20, true});
+  for (int k = 0; k < 30; ++k) {
+    Image<Rgb8> image(640, 480, Rgb8(90));
+    for (int y = 200; y < 225; ++y) {
+      for (int x = 100 + 10 * (k % 20); x < 110 + 10 * (k % 20); ++x) {
+        image(x, y) = Rgb8(190);
+      }
+    }
+    writer.add(image, 0.1 * k);
+  }
+  writer.finish();
+  EXPECT_FALSE(runFeeds(setup_, options_, [](const ComposedFrame&) {}).feeds[0].wasFrozen)
+      << "its frames differ by 0.16 levels on average";
+}
+
 TEST_F(FeedsRunTest, agesAreThoseOfTheImages) {
   double sum = 0;
   double oldest = 0;
