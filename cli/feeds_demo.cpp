@@ -46,8 +46,8 @@ DemoScene feedsScene(const std::filesystem::path& program, const std::filesystem
   scene.rows.push_back(
       {"Watch corridors",
        "A graph camera made of video feeds shows both branches of the corridors in one image that goes on around the "
-       "corners. Who stands before the part of a branch that its feed shows is erased from it; pieces may stay where "
-       "bodies overlap.",
+       "corners. Who stands before the part of a branch that its feed shows is erased from it, and whom he hides "
+       "is shown as a camera saw that one last; pieces may stay where bodies overlap.",
        {images.write("panes", readPng(work / "panes.png"), "Panes", "Each feed by itself: who is where takes thought."),
         images.write("composed", readPng(lastImageIn(work / "composed")), "Graph camera",
                      "One continuous image of the same feeds.")}});
