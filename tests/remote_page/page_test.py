@@ -395,9 +395,9 @@ class PageTest(unittest.TestCase):
             self.browser.wheel(600, 300, 0)
             self.browser.drag((600, 300), (600, 300), steps=1)
             self.settle()
-            shares, colors_alone = self.value("probe.loading")
-            self.assertTrue(colors_alone)
-            seen = [share for share in shares if 0 < share < 100]
+            loading = self.value("probe.loading")
+            self.assertGreaterEqual(loading["flatPictures"], 1)
+            seen = [share for share in loading["shares"] if 0 < share < 100]
             # Its 200 kB come in pieces of 32.
             self.assertGreaterEqual(len(set(seen)), 3)
             self.assertEqual(seen, sorted(seen))

@@ -81,15 +81,18 @@ window.probe = {
     return {header: JSON.stringify(image.header), color: text(image.color.bytes), depth: text(image.depth.bytes)};
   },
 
-  /// From now on: the shares that the bar shows, and whether the picture was seen with colours alone.
+  /// From now on: the shares that the bar shows, and how many pictures were drawn from colours alone.
   watchLoading() {
+    const page = this.page();
     const bar = document.getElementById('loading');
-    this.loading = [[], false];
-    new MutationObserver(() => {
-      const [image] = this.page().held;
-      this.loading[0].push(Number(bar.getAttribute('aria-valuenow')));
-      this.loading[1] ||= image !== undefined && image.mesh === null && this.page().way === 'rays';
-    }).observe(bar, {attributes: true, attributeFilter: ['aria-valuenow']});
+    this.loading = {shares: [], flatPictures: 0};
+    new MutationObserver(() => this.loading.shares.push(Number(bar.getAttribute('aria-valuenow'))))
+      .observe(bar, {attributes: true, attributeFilter: ['aria-valuenow']});
+    const draw = page.draw.bind(page);
+    page.draw = () => {
+      draw();
+      this.loading.flatPictures += page.drawn?.image.mesh === null && page.way === 'rays' ? 1 : 0;
+    };
   },
 
   /// At rest: the picture is exact, and nothing is on its way.
