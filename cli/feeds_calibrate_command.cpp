@@ -14,23 +14,18 @@ CLI::Option* addPlacesOptions(CLI::App& command, std::string& setup, std::string
   return command.add_option("--places", places, help)->type_name("PLACES.json");
 }
 
-CLI::Option& addBoardOption(CLI::App& command, std::string& board) {
-  return *command.add_option("--board", board, "COLUMNSxROWS:SQUARE:MARKER:DICTIONARY in mm, as the sheet says")
-              ->capture_default_str()
+CLI::Option& addBoardOption(CLI::App& command, std::string& board, const std::string& help) {
+  return *command.add_option("--board", board, "COLUMNSxROWS:SQUARE:MARKER:DICTIONARY in mm, " + help)
               ->type_name("BOARD");
 }
 
 void addSheet(CLI::App& calibrate, const CommandContext& context, const FeedsWorkOf<FeedsSheetChoice>& work) {
-  CLI::App& command = *calibrate.add_subcommand("sheet", "Print a board, or tags, as PDF");
+  CLI::App& command = *calibrate.add_subcommand("sheet", "Print a board, tags, or both as PDF");
   const auto choice = std::make_shared<FeedsSheetChoice>();
   addOutputOption(command, choice->output, "The sheet", {".pdf"});
-  CLI::Option& board = addBoardOption(command, choice->board);
-  CLI::Option* const tags =
-      command.add_option("--tags", choice->tags, "AprilTags 36h11 of these numbers, instead of a board");
-  tags->excludes(&board)
-      ->check(CLI::Range(0, static_cast<int>(kMaxKnownTags) - 1))
-      ->delimiter(',')
-      ->type_name("N,N,...");
+  addBoardOption(command, choice->board, std::string("without --tags ") + kUsualBoard);
+  CLI::Option* const tags = command.add_option("--tags", choice->tags, "AprilTags 36h11 of these numbers");
+  tags->check(CLI::Range(0, static_cast<int>(kMaxKnownTags) - 1))->delimiter(',')->type_name("N,N,...");
   command.add_option("--tag-size", choice->tagMillimetres, "Side of the black square")
       ->needs(tags)
       ->check(numberCheck(5, 2000))
@@ -43,11 +38,32 @@ void addSheet(CLI::App& calibrate, const CommandContext& context, const FeedsWor
                  [choice, context, work] { work(*choice, context); });
 }
 
+/// `calibrate --sheet FILE`, in place of a subcommand: what is usual, without another word.
+void addUsualSheet(CLI::App& calibrate, const CommandContext& context, const FeedsWorkOf<FeedsSheetChoice>& work) {
+  const auto choice = std::make_shared<FeedsSheetChoice>();
+  choice->board = kUsualBoard;
+  choice->tags = {0, 1, 2, 3};
+  CLI::App& group = *calibrate.add_option_group("Without a subcommand");
+  addSecondOutputOption(group, "--sheet", choice->output, "Print the usual board and tags 0 to 3, for A4", {".pdf"});
+  context.finish(group, "", [choice, context, work] { work(*choice, context); });
+  calibrate.require_subcommand(0, 1);
+  calibrate.callback([&calibrate, &group] {
+    const std::vector<CLI::App*> chosen = calibrate.get_subcommands();
+    const bool hasSheet = group.count("--sheet") > 0;
+    if (chosen.empty() && !hasSheet) {
+      throw CLI::RequiredError::Subcommand(1);
+    }
+    if (!chosen.empty() && hasSheet) {
+      throw CLI::ExcludesError("--sheet", chosen.front()->get_name());
+    }
+  });
+}
+
 void addLens(CLI::App& calibrate, const CommandContext& context, const FeedsWorkOf<FeedsLensChoice>& work) {
   CLI::App& command = *calibrate.add_subcommand("lens", "Find a lens from views of a board");
   const auto choice = std::make_shared<FeedsLensChoice>();
   command.add_option("VIEWS", choice->views, "A video, or a folder of images")->required()->type_name("VIDEO|FOLDER");
-  addBoardOption(command, choice->board);
+  addBoardOption(command, choice->board, "as the sheet says").capture_default_str();
   command.add_option("--setup", choice->setup, "Write this setup with the lens in it")->type_name("SETUP.json");
   command.add_option("--feed", choice->feed, "The feed of the setup that has it")->type_name("NAME");
   addOutputOption(command, choice->output, "The lens, or the setup with it", {".json"});
@@ -88,7 +104,7 @@ void addCheck(CLI::App& calibrate, const CommandContext& context, const FeedsWor
 void addFeedsCalibrateCommand(CLI::App& feeds, const CommandContext& context, const FeedsWork& work) {
   CLI::App& calibrate =
       *feeds.add_subcommand("calibrate", "Find lenses and poses of cameras; print boards and tags for it");
-  calibrate.require_subcommand(1);
+  addUsualSheet(calibrate, context, work.sheet);
   addSheet(calibrate, context, work.sheet);
   addLens(calibrate, context, work.lens);
   addPose(calibrate, context, work.pose);

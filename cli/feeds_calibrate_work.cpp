@@ -6,14 +6,16 @@
 #include "oc_core/base/error.h"
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/base/output_file.h"
-#include "oc_core/feeds_calibration/calibration_sheet.h"
 
 namespace ocelli {
+
 void writeCalibrationSheet(const FeedsSheetChoice& choice, const CommandContext& context) {
   checkWritable(choice.output);
-  const SheetPaper paper = paperFromText(choice.paper);
-  writeFile(choice.output, choice.tags.empty() ? boardSheetPdf(boardFromText(choice.board), paper)
-                                               : tagSheetPdf(choice.tags, choice.tagMillimetres, paper));
+  SheetContents contents{{}, choice.tags, choice.tagMillimetres};
+  if (!choice.board.empty() || choice.tags.empty()) {
+    contents.board = boardFromText(choice.board.empty() ? kUsualBoard : choice.board);
+  }
+  writeFile(choice.output, calibrationSheetPdf(contents, paperFromText(choice.paper)));
   context.note("wrote " + choice.output + ": print it at 100 % and measure its ruler");
 }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "oc_core/feeds_calibration/calibrate_feeds.h"
+#include "oc_core/feeds_calibration/calibration_sheet.h"
 #include "oc_core/feeds_live/feeds_run.h"
 #include "oc_core/feeds_measure/evaluate_feeds.h"
 #include "oc_core/feeds_measure/simulate_feeds.h"
@@ -59,10 +60,10 @@ struct FeedsPanesChoice {
 
 struct FeedsSheetChoice {
   std::string output;
-  std::string board = kUsualBoard;
+  std::string board;  ///< empty: the usual one where there are no tags, none beside tags
   std::string paper = "a4";
-  std::vector<int> tags;        ///< instead of a board
-  double tagMillimetres = 130;  ///< so that one is on A4
+  std::vector<int> tags;
+  double tagMillimetres = SheetContents().tagMillimetres;
 };
 
 struct FeedsLensChoice {

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 
 #include "oc_core/base/error.h"
 #include "oc_core/base/number_text.h"
@@ -62,20 +63,61 @@ void addFooter(Drawing& drawing, const SheetPaper& paper, const std::string& tex
                fmt::format("The ruler is {} mm long: print at 100 %.   {}", length, text), look);
 }
 
-PdfDocument sheetOf(const std::string& title, const SheetPaper& paper) {
-  PdfDocument document;
-  document.title = title;
-  document.width = paper.widthMillimetres * kPointsPerMillimetre;
-  document.height = paper.heightMillimetres * kPointsPerMillimetre;
-  return document;
-}
-
 [[noreturn]] void failSize(const std::string& what, double width, double height, const SheetPaper& paper,
                            const std::string& smaller) {
   throw InputError(fmt::format("{} of {:.4g} x {:.4g} mm does not fit", what, width, height),
                    fmt::format("paper of {:.4g} x {:.4g} mm", paper.widthMillimetres, paper.heightMillimetres),
                    fmt::format("take larger paper or {}: edges take {} mm, the line below {}", smaller,
                                kEdgeMillimetres, kFooterMillimetres));
+}
+
+PdfPage boardPage(const CalibrationBoard& board, const SheetPaper& paper) {
+  const double width = board.squaresAcross() * board.squareMillimetres;
+  const double height = board.squaresDown() * board.squareMillimetres;
+  const double left = (paper.widthMillimetres - width) / 2;
+  const double top = (paper.heightMillimetres - kFooterMillimetres - height) / 2;
+  if (left < kEdgeMillimetres || top < kEdgeMillimetres) {
+    failSize("a board", width, height, paper, "smaller squares");
+  }
+  PdfPage page;
+  addBlack(page.drawing, blackSquaresOf(board), left, top);
+  addFooter(page.drawing, paper, "--board " + textOf(board));
+  return page;
+}
+
+std::vector<PdfPage> tagPages(const std::vector<int>& ids, double tagMillimetres, const SheetPaper& paper) {
+  const double margin = tagMillimetres * kTagMarginShare;
+  constexpr double kLabelMillimetres = 6;
+  const double cellWidth = tagMillimetres + 2 * margin;
+  const double cellHeight = cellWidth + kLabelMillimetres;
+  const auto across = static_cast<size_t>((paper.widthMillimetres - 2 * kEdgeMillimetres) / cellWidth);
+  const auto down =
+      static_cast<size_t>((paper.heightMillimetres - 2 * kEdgeMillimetres - kFooterMillimetres) / cellHeight);
+  if (across == 0 || down == 0) {
+    const double most =
+        std::min(paper.widthMillimetres - 2 * kEdgeMillimetres,
+                 paper.heightMillimetres - 2 * kEdgeMillimetres - kFooterMillimetres - kLabelMillimetres);
+    failSize("a tag with its white margin", cellWidth, cellHeight, paper,
+             fmt::format("black squares of {:.0f} mm", std::floor(most / (1 + 2 * kTagMarginShare))));
+  }
+  std::vector<PdfPage> pages;
+  for (size_t first = 0; first < ids.size(); first += across * down) {
+    PdfPage page;
+    for (size_t i = first; i < std::min(ids.size(), first + across * down); ++i) {
+      const double left = kEdgeMillimetres + margin + static_cast<double>((i - first) % across) * cellWidth;
+      const double top = kEdgeMillimetres + margin + static_cast<double>((i - first) / across) * cellHeight;
+      addBlack(page.drawing, blackSquaresOfTag(ids[i], tagMillimetres), left, top);
+      TextLook look;
+      look.size = kTextPoints;
+      look.paint = Paint{};
+      look.across = Across::kMiddle;
+      page.drawing.text("text", pointAt(left + tagMillimetres / 2, top + tagMillimetres + margin + 3.5),
+                        fmt::format("tag {}, upright", ids[i]), look);
+    }
+    addFooter(page.drawing, paper, fmt::format("AprilTag 36h11, black squares of {:.6g} mm", tagMillimetres));
+    pages.push_back(std::move(page));
+  }
+  return pages;
 }
 
 }  // namespace
@@ -96,53 +138,17 @@ SheetPaper paperFromText(const std::string& text) {
   return {*width, *height};
 }
 
-std::string boardSheetPdf(const CalibrationBoard& board, const SheetPaper& paper) {
-  const double width = board.squaresAcross() * board.squareMillimetres;
-  const double height = board.squaresDown() * board.squareMillimetres;
-  const double left = (paper.widthMillimetres - width) / 2;
-  const double top = (paper.heightMillimetres - kFooterMillimetres - height) / 2;
-  if (left < kEdgeMillimetres || top < kEdgeMillimetres) {
-    failSize("a board", width, height, paper, "smaller squares");
+std::string calibrationSheetPdf(const SheetContents& contents, const SheetPaper& paper) {
+  PdfDocument document;
+  document.width = paper.widthMillimetres * kPointsPerMillimetre;
+  document.height = paper.heightMillimetres * kPointsPerMillimetre;
+  if (contents.board) {
+    document.title = "Calibration board " + textOf(*contents.board);
+    document.pages.push_back(boardPage(*contents.board, paper));
   }
-  PdfDocument document = sheetOf("Calibration board " + textOf(board), paper);
-  PdfPage page;
-  addBlack(page.drawing, blackSquaresOf(board), left, top);
-  addFooter(page.drawing, paper, "--board " + textOf(board));
-  document.pages.push_back(std::move(page));
-  return pdfBytes(document);
-}
-
-std::string tagSheetPdf(const std::vector<int>& ids, double tagMillimetres, const SheetPaper& paper) {
-  const double margin = tagMillimetres * kTagMarginShare;
-  constexpr double kLabelMillimetres = 6;
-  const double cellWidth = tagMillimetres + 2 * margin;
-  const double cellHeight = cellWidth + kLabelMillimetres;
-  const auto across = static_cast<size_t>((paper.widthMillimetres - 2 * kEdgeMillimetres) / cellWidth);
-  const auto down =
-      static_cast<size_t>((paper.heightMillimetres - 2 * kEdgeMillimetres - kFooterMillimetres) / cellHeight);
-  if (across == 0 || down == 0) {
-    const double most =
-        std::min(paper.widthMillimetres - 2 * kEdgeMillimetres,
-                 paper.heightMillimetres - 2 * kEdgeMillimetres - kFooterMillimetres - kLabelMillimetres);
-    failSize("a tag with its white margin", cellWidth, cellHeight, paper,
-             fmt::format("black squares of {:.0f} mm", std::floor(most / (1 + 2 * kTagMarginShare))));
-  }
-  PdfDocument document = sheetOf("AprilTags 36h11", paper);
-  for (size_t first = 0; first < ids.size(); first += across * down) {
-    PdfPage page;
-    for (size_t i = first; i < std::min(ids.size(), first + across * down); ++i) {
-      const double left = kEdgeMillimetres + margin + static_cast<double>((i - first) % across) * cellWidth;
-      const double top = kEdgeMillimetres + margin + static_cast<double>((i - first) / across) * cellHeight;
-      addBlack(page.drawing, blackSquaresOfTag(ids[i], tagMillimetres), left, top);
-      TextLook look;
-      look.size = kTextPoints;
-      look.paint = Paint{};
-      look.across = Across::kMiddle;
-      page.drawing.text("text", pointAt(left + tagMillimetres / 2, top + tagMillimetres + margin + 3.5),
-                        fmt::format("tag {}, upright", ids[i]), look);
-    }
-    addFooter(page.drawing, paper, fmt::format("AprilTag 36h11, black squares of {:.6g} mm", tagMillimetres));
-    document.pages.push_back(std::move(page));
+  if (!contents.tags.empty()) {
+    document.title += contents.board ? " and AprilTags 36h11" : "AprilTags 36h11";
+    std::ranges::move(tagPages(contents.tags, contents.tagMillimetres, paper), std::back_inserter(document.pages));
   }
   return pdfBytes(document);
 }

@@ -1,6 +1,7 @@
 // Boards and tags as PDF pages to print, with a ruler to check that the printer kept the size.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,11 +17,14 @@ struct SheetPaper {
 /// "a4", "a3", "a2", "a1", "a0", lying; or WIDTHxHEIGHT in millimetres. Throws InputError.
 SheetPaper paperFromText(const std::string& text);
 
-/// One page. Throws InputError where the board does not fit the paper.
-std::string boardSheetPdf(const CalibrationBoard& board, const SheetPaper& paper);
+struct SheetContents {
+  std::optional<CalibrationBoard> board;  ///< on a page of its own
+  std::vector<int> tags;                  ///< their ids
+  double tagMillimetres = 130;            ///< the side of the black square: one is on A4
+};
 
-/// As many tags on a page as fit, one below another and side by side, each with its id below. Throws InputError where
-/// none fits, or an id is not in the family.
-std::string tagSheetPdf(const std::vector<int>& ids, double tagMillimetres, const SheetPaper& paper);
+/// The board, then as many tags on a page as fit, one below another and side by side, each with its id below. Throws
+/// InputError where the board or a tag does not fit the paper, or an id is not in the family.
+std::string calibrationSheetPdf(const SheetContents& contents, const SheetPaper& paper);
 
 }  // namespace ocelli

@@ -101,13 +101,6 @@ TEST_F(FeedsOutput, anInterruptBeforeTheFirstImageIsSaid) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x.mp4"));
 }
 
-TEST_F(FeedsOutput, sheetsAreMadeWithoutAnySizes) {
-  for (const char* what : {"", " --tags 0,1"}) {
-    const ProgramResult result = runProgram("feeds calibrate sheet -o " + at("sheet.pdf") + what);
-    EXPECT_EQ(result.exitCode, 0) << result.error;
-  }
-}
-
 TEST_F(FeedsOutput, evaluateTakesFeedsInTheOrderOfTheTruth) {
   const std::string simulated = at("simulated");
   ASSERT_EQ(runProgram("feeds simulate --seconds 0.2 --size 64x48 --walkers 1 -o " + simulated).exitCode, 0);

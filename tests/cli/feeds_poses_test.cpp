@@ -4,6 +4,7 @@
 
 #include <glm/geometric.hpp>
 #include <nlohmann/json.hpp>
+#include <regex>
 
 #include "oc_core/base/file_bytes.h"
 #include "oc_core/feeds_video/video_writer.h"
@@ -144,10 +145,27 @@ TEST_F(FeedsPoses, checksTakeThePlacesOfTheSetup) {
   EXPECT_THAT(dark.error, HasSubstr("nothing was checked"));
 }
 
-TEST_F(FeedsPoses, sheetsHaveTagsOrABoard) {
-  EXPECT_EQ(runProgram("feeds calibrate sheet --tag-size 100 -o " + at("a.pdf")).exitCode, 2);
-  EXPECT_EQ(runProgram("feeds calibrate sheet --tags 0 --board 9x6:25 -o " + at("a.pdf")).exitCode, 2);
-  EXPECT_EQ(runProgram("feeds calibrate sheet --tags 0 --tag-size 100 -o " + at("a.pdf")).exitCode, 0);
+TEST_F(FeedsPoses, sheetsHaveABoardTagsOrBoth) {
+  const auto pagesOf = [&](const std::string& what) {
+    std::filesystem::remove(folder_ / "a.pdf");
+    const ProgramResult result = runProgram("feeds calibrate " + what);
+    if (result.exitCode != 0) {
+      return -result.exitCode;
+    }
+    const std::string pdf = readFile(folder_ / "a.pdf");
+    const std::regex page("/Type\\s*/Page[^s]");
+    return static_cast<int>(std::distance(std::sregex_iterator(pdf.begin(), pdf.end(), page), std::sregex_iterator()));
+  };
+  EXPECT_EQ(pagesOf("sheet -o " + at("a.pdf")), 1);
+  EXPECT_EQ(pagesOf("sheet --tags 0,1 --tag-size 130 -o " + at("a.pdf")), 2);
+  EXPECT_EQ(pagesOf("sheet --tags 0,1 --board 9x6:25 -o " + at("a.pdf")), 3);
+  EXPECT_EQ(pagesOf("--sheet " + at("a.pdf")), 5);
+  EXPECT_EQ(pagesOf("sheet --tag-size 100 -o " + at("a.pdf")), -2);
+  EXPECT_EQ(pagesOf("--sheet " + at("a.png")), -2);
+  EXPECT_EQ(pagesOf("--sheet " + at("a.pdf") + " check " + at("setup.json")), -2);
+  const ProgramResult neither = runProgram("feeds calibrate");
+  EXPECT_EQ(neither.exitCode, 2);
+  EXPECT_THAT(neither.error, HasSubstr("subcommand is required"));
 }
 
 }  // namespace

@@ -50,12 +50,24 @@ TEST(CalibrationBoard, refusesWhatIsNone) {
 }
 
 TEST(CalibrationSheet, isRefusedWhereItDoesNotFit) {
-  EXPECT_EQ(boardSheetPdf({}, paperFromText("a4")).substr(0, 5), "%PDF-");
-  EXPECT_NE(errorOf([] { boardSheetPdf({}, paperFromText("100x100")); }).find("does not fit"), std::string::npos);
-  EXPECT_NE(errorOf([] { tagSheetPdf({0}, 400, paperFromText("a4")); }).find("does not fit"), std::string::npos);
-  EXPECT_NE(errorOf([] { tagSheetPdf({0}, 140, paperFromText("a4")); }).find("squares of 139 mm"), std::string::npos);
-  EXPECT_EQ(errorOf([] { tagSheetPdf({0}, 139, paperFromText("a4")); }), "no error");
-  EXPECT_NE(errorOf([] { tagSheetPdf({587}, 40, paperFromText("a4")); }).find("no tag 587"), std::string::npos);
+  EXPECT_EQ(calibrationSheetPdf({CalibrationBoard(), {}}, paperFromText("a4")).substr(0, 5), "%PDF-");
+  EXPECT_NE(errorOf([] {
+              calibrationSheetPdf({CalibrationBoard(), {}}, paperFromText("100x100"));
+            }).find("does not fit"),
+            std::string::npos);
+  EXPECT_NE(errorOf([] {
+              calibrationSheetPdf({{}, {0}, 400}, paperFromText("a4"));
+            }).find("does not fit"),
+            std::string::npos);
+  EXPECT_NE(errorOf([] {
+              calibrationSheetPdf({{}, {0}, 140}, paperFromText("a4"));
+            }).find("squares of 139 mm"),
+            std::string::npos);
+  EXPECT_EQ(errorOf([] { calibrationSheetPdf({{}, {0}, 139}, paperFromText("a4")); }), "no error");
+  EXPECT_NE(errorOf([] {
+              calibrationSheetPdf({{}, {587}, 40}, paperFromText("a4"));
+            }).find("no tag 587"),
+            std::string::npos);
   EXPECT_NE(errorOf([] { paperFromText("b7"); }).find("no paper"), std::string::npos);
 }
 
