@@ -28,7 +28,7 @@ std::vector<std::string> sourcesOf(const std::string& source) {
   }
   std::vector<std::string> files;
   for (const auto& entry : std::filesystem::directory_iterator(source)) {
-    if (entry.is_regular_file()) {
+    if (entry.is_regular_file() && !entry.path().filename().string().starts_with('.')) {
       files.push_back(entry.path().string());
     }
   }

@@ -104,6 +104,10 @@ bool FeedStream::readOnce(std::string& message) {
     if (!isAnyRead && !stop_) {
       throw InputError("no frame of the feed can be read", feed_.source, "it is cut off or damaged: record it again");
     }
+    if (const double missing = stop_ || isLive ? 0 : reader.missingSeconds(); missing > 0) {
+      throw WorkError(fmt::format("the feed ends {:.1f} s before the time that it says", missing), feed_.source,
+                      "it is cut off: record it again, or go on without the rest");
+    }
     if (isLive) {
       throw WorkError("the feed has ended", feed_.source, "start its camera again");
     }

@@ -249,7 +249,7 @@ class FeedsRun {
       if (state == FeedState::kEnded && age < options_.streams.frozenSeconds) {
         state = FeedState::kLive;  // what it shows is its last frame, and in time
       }
-      if (state == FeedState::kLive && composer_.isCovered(feed)) {
+      if ((state == FeedState::kLive || state == FeedState::kFrozen) && composer_.isCovered(feed)) {
         state = FeedState::kCovered;
       }
       labels.push_back({state, hasFrame, age, remarks_[feed]});

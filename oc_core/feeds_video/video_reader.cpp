@@ -10,6 +10,7 @@ extern "C" {
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <chrono>
 
 #include "oc_core/base/error.h"
@@ -22,7 +23,8 @@ namespace {
 using VideoClock = std::chrono::steady_clock;
 
 constexpr double kUnknownFrameSeconds = 1.0 / 25;  ///< where neither timestamps nor a rate are there
-constexpr double kMaxRate = 1000;                  ///< above it is what an encoder counts timestamps in
+constexpr double kMinMissingSeconds = 0.5;
+constexpr double kMaxRate = 1000;  ///< above it is what an encoder counts timestamps in
 
 struct CloseInput {
   void operator()(AVFormatContext* context) const { avformat_close_input(&context); }
@@ -130,6 +132,7 @@ struct VideoReader::Impl {
   int height = 0;
   double frameSeconds = 0;  ///< from one picture to the next; what pictures without timestamps go by
   double lastSeconds = 0;
+  double longestStep = 0;  ///< seconds from a frame to the next
   bool isAnyShown = false;
   bool isDraining = false;
   size_t damaged = 0;
@@ -257,11 +260,13 @@ struct VideoReader::Impl {
 
   double secondsOf(const AVFrame& from) {
     const int64_t stamp = from.best_effort_timestamp;
+    const double before = lastSeconds;
     if (stamp != AV_NOPTS_VALUE) {
       lastSeconds = static_cast<double>(stamp) * av_q2d(input->streams[stream]->time_base);
     } else if (isAnyShown) {
       lastSeconds += frameSeconds;
     }
+    longestStep = isAnyShown ? std::max(longestStep, lastSeconds - before) : frameSeconds;
     isAnyShown = true;
     return lastSeconds;
   }
@@ -300,6 +305,15 @@ std::optional<double> VideoReader::endSeconds() const {
   }
   const int64_t start = input.start_time == AV_NOPTS_VALUE ? 0 : input.start_time;
   return static_cast<double>(start + input.duration) / AV_TIME_BASE;
+}
+
+double VideoReader::missingSeconds() const {
+  const std::optional<double> end = endSeconds();
+  if (!end || impl_->input->nb_streams != 1) {
+    return 0;
+  }
+  const double missing = *end - impl_->lastSeconds - impl_->longestStep;
+  return missing > std::max(kMinMissingSeconds, impl_->longestStep) ? missing : 0;
 }
 
 bool VideoReader::isLive() const {

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <chrono>
 
+#include "oc_core/base/random_numbers.h"
 #include "oc_core/feeds_live/feed_labels.h"
 #include "oc_core/feeds_video/video_writer.h"
 #include "tests/base/temporary_folder.h"
@@ -54,6 +55,32 @@ TEST(FeedStream, givesTheNewestFrameUntilATime) {
   EXPECT_EQ(stream.state(), FeedState::kEnded);
   EXPECT_EQ(stream.framesSkipped(), 1u);
   EXPECT_EQ(stream.framesRead(), 5u);
+}
+
+TEST(FeedStream, aFileThatIsCutOffIsLostAndSaysSo) {
+  const test::TemporaryFolder folder;
+  const std::filesystem::path path = folder.path() / "a.mkv";
+  RandomNumbers random(1, 1);
+  VideoWriter writer(path, 32, 32, {10, 20, true});
+  for (int k = 0; k < 40; ++k) {
+    Image<Rgb8> noise(32, 32);
+    for (Rgb8& pixel : noise) {
+      pixel = Rgb8(static_cast<uint8_t>(random.below(256)));
+    }
+    writer.add(noise, 0.1 * k);
+  }
+  writer.finish();
+  const auto endOf = [&] {
+    FeedStream stream(feedOf(path, 0), {});
+    stream.firstSeconds();
+    stream.take(10);
+    return std::pair(stream.state(), stream.message());
+  };
+  EXPECT_EQ(endOf().first, FeedState::kEnded) << endOf().second;
+  std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
+  const auto [state, message] = endOf();
+  EXPECT_EQ(state, FeedState::kLost);
+  EXPECT_NE(message.find("it is cut off"), std::string::npos) << message;
 }
 
 TEST(FeedStream, longFeedsPassThroughAShortQueue) {
