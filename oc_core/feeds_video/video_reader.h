@@ -38,8 +38,8 @@ class VideoReader {
   size_t damagedFrames() const;
   /// The timestamp of its end, where the source says it.
   std::optional<double> endSeconds() const;
-  /// After the last frame: how much longer the file says that it would be, where it is cut off; 0 where it is not. Files
-  /// with sound are not told, as that may be the longer part.
+  /// After the last frame: how much longer the file says that it would be, where it is cut off; 0 where it is not.
+  /// Files with sound are not told, as that may be the longer part.
   double missingSeconds() const;
   /// Whether frames come when they are taken, rather than as fast as they are read.
   bool isLive() const;
