@@ -25,7 +25,7 @@ constexpr double kMaxHeight = 2.1;
 
 class PlaceTeller {
  public:
-  PlaceTeller(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight,
+  PlaceTeller(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight, double age,
               SubjectMotion& motion)
       : setup_(setup),
         feedIndex_(feed),
@@ -34,7 +34,8 @@ class PlaceTeller {
         body_(body),
         sight_(sight),
         motion_(motion),
-        line_(motion.place() - planOf(feed_.pose.eye)) {}
+        age_(age),
+        line_(body.place - planOf(feed_.pose.eye)) {}
 
   bool hasLine() const { return glm::length(line_) >= kMinAway; }
 
@@ -45,8 +46,8 @@ class PlaceTeller {
     const glm::dvec2 across(-along().y, along().x);
     const double toTheRight = glm::dot(across, planOf(feed_.pose.right())) > 0 ? 1 : -1;
     const double hidden = 1 - std::min(1.0, sight_.open / std::max(sight_.inImage, 1.0));
-    motion_.tell(across, glm::dot(across, motion_.place()) + toTheRight * (sight_.besideSeen - sight_.besideExpected),
-                 kBesideDeviation + kHiddenDeviation * hidden);
+    motion_.tell(across, glm::dot(across, body_.place) + toTheRight * (sight_.besideSeen - sight_.besideExpected),
+                 kBesideDeviation + kHiddenDeviation * hidden, age_);
   }
 
   void tellFeet() {
@@ -82,7 +83,7 @@ class PlaceTeller {
     const auto next = placeBelow(setup_, feedIndex_, pixelAt(row, edge) + glm::dvec2(0, scale_), height);
     if (told && next) {
       const double step = std::abs(glm::dot(along(), planOf(told->place - next->place)));
-      motion_.tell(along(), glm::dot(along(), planOf(told->place)) + ahead, deviation + step);
+      motion_.tell(along(), glm::dot(along(), planOf(told->place)) + ahead, deviation + step, age_);
     }
   }
 
@@ -93,6 +94,7 @@ class PlaceTeller {
   const ExpectedBody& body_;
   const BodySight& sight_;
   SubjectMotion& motion_;
+  double age_;       ///< seconds
   glm::dvec2 line_;  ///< of sight, in the plan, as long as the subject is far off
 };
 
@@ -103,8 +105,8 @@ bool isSeen(const BodySight& sight) {
 }
 
 std::optional<double> tellPlace(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight,
-                                double height, SubjectMotion& motion) {
-  PlaceTeller teller(setup, feed, body, sight, motion);
+                                double height, double age, SubjectMotion& motion) {
+  PlaceTeller teller(setup, feed, body, sight, age, motion);
   if (!isSeen(sight) || !teller.hasLine()) {
     return std::nullopt;
   }

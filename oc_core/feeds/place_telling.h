@@ -12,9 +12,10 @@ namespace ocelli {
 /// Whether enough is seen of a body to say that it is there.
 bool isSeen(const BodySight& sight);
 
-/// Tells `motion` what a feed sees of a body; nothing where it hardly sees it. `height` is the subject's, metres.
+/// Tells `motion` what a feed sees of a body; nothing where it hardly sees it. `height` is the subject's, metres, `age`
+/// how long ago that was, seconds.
 /// Returns how high it seems to be, where its place is known well and its head is seen.
 std::optional<double> tellPlace(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight,
-                                double height, SubjectMotion& motion);
+                                double height, double age, SubjectMotion& motion);
 
 }  // namespace ocelli

@@ -79,4 +79,19 @@ float SubjectColors::likeness(size_t part, uint16_t bin) const {
   return std::clamp(std::log((seen + kEverywhere * kUsual) / kUsual), -kMaxLikeness, kMaxLikeness);
 }
 
+float SubjectColors::likenessOf(const SubjectColors& other) const {
+  float sum = 0;
+  float all = 0;
+  for (size_t part = 0; part < kParts; ++part) {
+    const std::vector<float>& counts = other.parts_[part].counts;
+    for (size_t bin = 0; bin < counts.size(); ++bin) {
+      if (counts[bin] > 0) {
+        sum += counts[bin] * likeness(part, static_cast<uint16_t>(bin));
+        all += counts[bin];
+      }
+    }
+  }
+  return all > 0 ? sum / all : 0;
+}
+
 }  // namespace ocelli

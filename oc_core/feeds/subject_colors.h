@@ -25,6 +25,8 @@ class SubjectColors {
   /// The logarithm of how much more often a colour occurs in a part than if all were alike; 0 where too little was
   /// seen.
   float likeness(size_t part, uint16_t bin) const;
+  /// The mean of that over all that was seen of another one.
+  float likenessOf(const SubjectColors& other) const;
 
  private:
   static constexpr size_t kParts = 3;

@@ -17,6 +17,11 @@ constexpr double kMinOpenCells = 40;
 constexpr double kMaxMissedSeconds = 0.3;  ///< while the feed that would show it sees background
 constexpr double kMaxHiddenSeconds = 4;    ///< while others hide it
 constexpr double kMaxUnknownSeconds = 2.5;
+constexpr double kNewSeconds = 2;      ///< so long a subject may turn out to be one that was lost
+constexpr double kTakenSeconds = 0.2;  ///< as long the lost one may have been taken for it
+constexpr float kMinLikeness = 1.2f;
+constexpr double kMaxStrayed = 1;     ///< metres: a lost one that stood still is at most so far from where it was seen,
+constexpr double kMaxSpeed = 2;       ///< metres a second: and others are farther off by that
 constexpr double kNearSubject = 0.6;  ///< metres: what is told so near to a subject is that one
 constexpr double kFarSubject = 0.9;   ///< metres: or so near to one that no feed sees
 constexpr double kMinError = 0.2;     ///< metres, of the place of a new subject
@@ -42,17 +47,20 @@ const BodySight* SubjectTracks::sight(size_t feed, size_t subject) const {
 }
 
 void SubjectTracks::update(const std::vector<FeedBlobs>& blobs, double seconds) {
+  const double elapsed = seconds - seconds_;
   for (Track& track : tracks_) {
-    track.motion.goOn(seconds - seconds_);
+    track.motion.goOn(elapsed);
   }
   seconds_ = seconds;
   tellCellsOf(blobs);
   for (int round = 1; round < kTellRounds; ++round) {
-    tellPlaces();
+    tellPlaces(blobs);
     tellCellsOf(blobs);
   }
   learnColors();
+  learnShapes(elapsed);
   judge();
+  recognize();
   forget();
   addNew(blobs);
 }
@@ -68,9 +76,11 @@ void SubjectTracks::tellCellsOf(const std::vector<FeedBlobs>& blobs) {
       }
       for (size_t i = 0; i < tracks_.size(); ++i) {
         const auto& colors = tracks_[i].colors;
-        if (auto view = BodyView::of(graph_.setup().feeds[feed], place(i), tracks_[i].height,
-                                     {of.core.width(), of.core.height()}, of.scale)) {
-          bodies_[feed].push_back({i, std::move(*view), colors[feed].isKnown() ? &colors[feed] : &colors.back()});
+        const glm::dvec2 then = tracks_[i].motion.place(of.age);
+        if (auto view = BodyView::of(graph_.setup().feeds[feed], {then.x, graph_.setup().floorHeight, then.y},
+                                     tracks_[i].height, {of.core.width(), of.core.height()}, of.scale)) {
+          bodies_[feed].push_back({i, then, std::move(*view), colors[feed].isKnown() ? &colors[feed] : &colors.back(),
+                                   &tracks_[i].shapes[feed]});
         }
       }
       std::sort(bodies_[feed].begin(), bodies_[feed].end(),
@@ -80,12 +90,13 @@ void SubjectTracks::tellCellsOf(const std::vector<FeedBlobs>& blobs) {
   });
 }
 
-void SubjectTracks::tellPlaces() {
+void SubjectTracks::tellPlaces(const std::vector<FeedBlobs>& blobs) {
   for (size_t feed = 0; feed < cells_.size(); ++feed) {
     for (size_t b = 0; b < cells_[feed].sights.size(); ++b) {
       const ExpectedBody& body = bodies_[feed][b];
       Track& track = tracks_[body.subject];
-      if (const auto seen = tellPlace(graph_.setup(), feed, body, cells_[feed].sights[b], track.height, track.motion)) {
+      if (const auto seen = tellPlace(graph_.setup(), feed, body, cells_[feed].sights[b], track.height, blobs[feed].age,
+                                      track.motion)) {
         track.height += (*seen - track.height) * kNewHeight;
       }
     }
@@ -103,6 +114,19 @@ void SubjectTracks::learnColors() {
       Track& track = tracks_[bodies_[feed][cell.body].subject];
       track.colors[feed].add(cell.part, cell.bin);
       track.colors.back().add(cell.part, cell.bin);
+    }
+  }
+}
+
+void SubjectTracks::learnShapes(double elapsed) {
+  for (Track& track : tracks_) {
+    for (SubjectShape& shape : track.shapes) {
+      shape.forget(elapsed);
+    }
+  }
+  for (size_t feed = 0; feed < cells_.size(); ++feed) {
+    for (size_t b = 0; b < cells_[feed].shapes.size(); ++b) {
+      tracks_[bodies_[feed][b].subject].shapes[feed].add(cells_[feed].shapes[b]);
     }
   }
 }
@@ -132,9 +156,46 @@ void SubjectTracks::judge() {
   }
 }
 
+void SubjectTracks::recognize() {
+  for (Track& found : tracks_) {
+    if (seconds_ - found.foundAt > kNewSeconds || found.toldAt < seconds_ || !found.colors.back().isKnown()) {
+      continue;
+    }
+    if (Track* const lost = lostLike(found)) {
+      found.number = lost->number;
+      found.height = lost->height;
+      found.foundAt = lost->foundAt;
+      for (size_t i = 0; i < found.colors.size(); ++i) {
+        if (lost->colors[i].isKnown()) {
+          found.colors[i] = lost->colors[i];
+        }
+      }
+      lost->isRecognized = true;
+    }
+  }
+}
+
+SubjectTracks::Track* SubjectTracks::lostLike(const Track& found) {
+  Track* best = nullptr;
+  float most = kMinLikeness;
+  for (Track& lost : tracks_) {
+    const double away = glm::length(lost.motion.place() - found.motion.place());
+    if (lost.toldAt >= seconds_ || lost.toldAt > found.foundAt + kTakenSeconds || lost.isRecognized ||
+        !lost.colors.back().isKnown() || away > kMaxStrayed + kMaxSpeed * (seconds_ - lost.toldAt)) {
+      continue;
+    }
+    if (const float likeness = lost.colors.back().likenessOf(found.colors.back()); likeness > most) {
+      best = &lost;
+      most = likeness;
+    }
+  }
+  return best;
+}
+
 bool SubjectTracks::goesOn(const Track& track) const {
   const double maxUntold = track.isHidden ? kMaxHiddenSeconds : kMaxUnknownSeconds;
-  return seconds_ - track.expectedAt <= kMaxMissedSeconds && seconds_ - track.toldAt <= maxUntold;
+  return !track.isRecognized && seconds_ - track.expectedAt <= kMaxMissedSeconds &&
+         seconds_ - track.toldAt <= maxUntold;
 }
 
 void SubjectTracks::forget() {
@@ -190,7 +251,8 @@ void SubjectTracks::addNew(const std::vector<FeedBlobs>& blobs) {
     }
     if (nearest == nullptr) {
       tracks_.push_back({nextNumber_++, SubjectMotion(plan, error), kSubjectHeight,
-                         std::vector<SubjectColors>(blobs.size() + 1), seconds_, seconds_});
+                         std::vector<SubjectColors>(blobs.size() + 1), std::vector<SubjectShape>(blobs.size()),
+                         seconds_, seconds_, seconds_});
     } else if (nearest->toldAt < seconds_) {
       nearest->motion.tell({1, 0}, plan.x, error);
       nearest->motion.tell({0, 1}, plan.y, error);

@@ -1,6 +1,6 @@
 // Subjects from frame to frame: where each is, how it walks, what it looks like, and so which cells of which feed show
 // it. One that is hidden by another goes on as it walked, as long as the feed that would show it sees no background
-// there.
+// there. One that comes out elsewhere is found anew, and recognized by its colours.
 //
 // Each frame: subjects go on to where they should be; each feed tells which of its cells show whom (subject_cells.h);
 // feet, heads and middles of what is seen tell places (subject_motion.h); and bodies in what is left of the blobs are
@@ -40,15 +40,22 @@ class SubjectTracks {
     SubjectMotion motion;
     double height;
     std::vector<SubjectColors> colors;  ///< by feed; then of all together
+    std::vector<SubjectShape> shapes;   ///< by feed
+    double foundAt = 0;                 ///< seconds
     double toldAt = 0;                  ///< seconds: when a feed last saw it
     double expectedAt = 0;              ///< when last the feed that would show it did not miss it
     bool isHidden = false;              ///< from the feed that would show it
+    bool isRecognized = false;          ///< a newer one has turned out to be this one
   };
 
   void tellCellsOf(const std::vector<FeedBlobs>& blobs);
-  void tellPlaces();
+  void tellPlaces(const std::vector<FeedBlobs>& blobs);
   void learnColors();
+  void learnShapes(double elapsed);
   void judge();
+  void recognize();
+  /// The one that is not seen where it should be, and may be that new one; null where there is none.
+  Track* lostLike(const Track& found);
   bool goesOn(const Track& track) const;
   void forget();
   /// After some were forgotten: `numbers` has for each old index plus 1 the new one plus 1.

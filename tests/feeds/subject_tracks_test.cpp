@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <glm/geometric.hpp>
+#include <set>
 
 #include "tests/feeds/made_blobs.h"
 #include "tests/feeds/made_setup.h"
@@ -20,12 +21,24 @@ class Tracked {
   const SubjectTracks& tracks() const { return tracks_; }
   double seconds() const { return seconds_; }
 
-  /// Bodies are seen for so long; `at` says where they are, by seconds from the beginning.
+  /// Bodies are seen for so long; `at` says where they are, by seconds from the beginning. Frames are so old.
   template <class At>
-  void see(double seconds, const At& at) {
+  void see(double seconds, const At& at, double age = 0) {
     for (const double end = seconds_ + seconds - kFrame / 2; seconds_ < end; seconds_ += kFrame) {
-      tracks_.update(test::allBlobs(graph_.setup(), at(seconds_)), seconds_);
+      std::vector<FeedBlobs> blobs = test::allBlobs(graph_.setup(), at(seconds_ - age));
+      for (FeedBlobs& each : blobs) {
+        each.age = age;
+      }
+      tracks_.update(blobs, seconds_);
     }
+  }
+
+  std::set<uint64_t> numbers() const {
+    std::set<uint64_t> numbers;
+    for (size_t i = 0; i < tracks_.count(); ++i) {
+      numbers.insert(tracks_.number(i));
+    }
+    return numbers;
   }
 
   /// How far the nearest subject is from a place.
@@ -57,6 +70,17 @@ TEST(SubjectTracks, oneWalkerIsOneSubjectFromFeedToFeed) {
   }
 }
 
+TEST(SubjectTracks, oldFramesTellWhereSubjectsAreNow) {
+  for (const double age : {0.0, 0.3}) {
+    Tracked tracked;
+    tracked.see(
+        3, [](double now) { return Bodies{{alongTheBranch(now)}}; }, age);
+    ASSERT_EQ(tracked.tracks().count(), 1u);
+    // It has gone on by 0.33 m since.
+    EXPECT_LT(tracked.away(alongTheBranch(tracked.seconds() - kFrame)), 0.2) << age;
+  }
+}
+
 TEST(SubjectTracks, twoThatPassEachOtherStayTwo) {
   Tracked tracked;
   const auto first = [](double now) { return glm::dvec3(-2.5 + 0.9 * now, 0, -0.8); };
@@ -83,6 +107,24 @@ TEST(SubjectTracks, whoIsHiddenGoesOnAsItWalked) {
     tracked.see(seconds, both);
     EXPECT_EQ(tracked.tracks().count(), 2u);
     EXPECT_LT(tracked.away(hidden(tracked.seconds() - kFrame)), 0.6);
+  }
+}
+
+TEST(SubjectTracks, whoComesOutElsewhereIsRecognized) {
+  const glm::dvec3 still(0, 0, 2.2);
+  for (const Rgb8& color : {test::kBlue, Rgb8(60, 170, 70)}) {
+    Tracked tracked;
+    // As above, but out of sight the other one turns round, and comes out where nobody expects it.
+    const auto hidden = [](double now) { return glm::dvec3(0.75 - 0.5 * now, 0, 1); };
+    tracked.see(1.5, [&](double now) { return Bodies{{still, test::kRed}, {hidden(now), test::kBlue}}; });
+    ASSERT_EQ(tracked.tracks().count(), 2u);
+    const std::set<uint64_t> before = tracked.numbers();
+    tracked.see(0.3, [&](double) { return Bodies{{still, test::kRed}, {{1.1, 0, 0.5}, color}}; });
+    if (color == test::kBlue) {
+      EXPECT_EQ(tracked.numbers(), before);
+    } else {
+      EXPECT_EQ(tracked.numbers().size(), 3u) << "that is somebody else";
+    }
   }
 }
 
