@@ -35,7 +35,7 @@ class PlaceTeller {
         sight_(sight),
         motion_(motion),
         age_(age),
-        line_(body.place - planOf(feed_.pose.eye)) {}
+        line_(motion.place(age) - planOf(feed_.pose.eye)) {}
 
   bool hasLine() const { return glm::length(line_) >= kMinAway; }
 
@@ -46,7 +46,8 @@ class PlaceTeller {
     const glm::dvec2 across(-along().y, along().x);
     const double toTheRight = glm::dot(across, planOf(feed_.pose.right())) > 0 ? 1 : -1;
     const double hidden = 1 - std::min(1.0, sight_.open / std::max(sight_.inImage, 1.0));
-    motion_.tell(across, glm::dot(across, body_.place) + toTheRight * (sight_.besideSeen - sight_.besideExpected),
+    motion_.tell(across,
+                 glm::dot(across, motion_.place(age_)) + toTheRight * (sight_.besideSeen - sight_.besideExpected),
                  kBesideDeviation + kHiddenDeviation * hidden, age_);
   }
 

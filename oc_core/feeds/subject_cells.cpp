@@ -14,8 +14,6 @@ constexpr int kAgreeRounds = 2;
 constexpr float kFeetHeight = 0.1f;    ///< shares of a body's height
 constexpr float kTrunkHeight = 0.45f;  ///< from there on bodies are about the same on both sides
 constexpr float kHeadCells = 0.9f;
-constexpr double kShapeOpen = 0.9;  ///< so much of a body is open and seen where its outline is learned
-constexpr double kShapeSeen = 0.5;
 constexpr int kMinRowCells = 2;  ///< a row with fewer is no end of a body
 
 /// Who a cell may show.
@@ -51,11 +49,8 @@ class CellTeller {
         bodies_(bodies),
         choices_(blobs.core.width(), blobs.core.height()),
         free_(blobs.core.width(), blobs.core.height(), 1.0f),
-        left_(blobs.core.width(), blobs.core.height(), 1.0f),
-        bodiesAt_(blobs.core.width(), blobs.core.height()),
         label_(blobs.core.width(), blobs.core.height()) {
     result_.sights.resize(bodies.size());
-    result_.shapes.resize(bodies.size());
   }
 
   SubjectCells tell() {
@@ -68,7 +63,6 @@ class CellTeller {
     }
     for (size_t i = 0; i < bodies_.size(); ++i) {
       look(i);
-      lookAtShape(i);
     }
     result_.who = Image<uint16_t>(label_.width(), label_.height());
     for (size_t i = 0; i < label_.size(); ++i) {
@@ -113,16 +107,12 @@ class CellTeller {
         trunk += open;
         sight.besideExpected += open * beside;
       }
-      const float own = body.shape != nullptr ? body.shape->shareAt(row.height, beside, share) : share;
-      const float left = own * left_[i];
-      left_[i] *= 1 - own;
-      ++bodiesAt_[i];
-      if (blobs_.core[i] > 0 && left > kMinShare) {
+      if (blobs_.core[i] > 0 && open > kMinShare) {
         const float likeness =
             body.colors != nullptr && !blobs_.colors.empty()
                 ? body.colors->likeness(SubjectColors::partAt(row.height), SubjectColors::binOf(blobs_.colors[i]))
                 : 0;
-        choices_[i].add(static_cast<uint16_t>(which + 1), std::log(left) + likeness);
+        choices_[i].add(static_cast<uint16_t>(which + 1), std::log(open) + likeness);
       }
       free_[i] *= 1 - share;
     });
@@ -206,28 +196,11 @@ class CellTeller {
     sight.besideSeen /= std::max(sight.trunkSeen, 1.0);
   }
 
-  void lookAtShape(size_t which) {
-    const BodySight& sight = result_.sights[which];
-    if (sight.open < kShapeOpen * sight.inImage || sight.seen < kShapeSeen * sight.open) {
-      return;
-    }
-    const auto label = static_cast<uint16_t>(which + 1);
-    visitCells(bodies_[which].view, [&](int x, int y, const BodyView::Row& row, float beside, float) {
-      const size_t i = label_.index(x, y);
-      const bool isFilled = label_[i] == label;
-      if (bodiesAt_[i] == 1 && (isFilled || blobs_.core[i] == 0)) {
-        result_.shapes[which].add(row.height, beside, isFilled, row.metresPerCell);
-      }
-    });
-  }
-
   const FeedBlobs& blobs_;
   std::span<const ExpectedBody> bodies_;
   Image<CellChoice> choices_;
-  Image<float> free_;        ///< how likely nobody so far fills a cell, by usual outlines
-  Image<float> left_;        ///< the same by the outlines that they have
-  Image<uint8_t> bodiesAt_;  ///< how many may fill it
-  Image<uint16_t> label_;    ///< the index of an expected body, plus 1
+  Image<float> free_;      ///< how likely nobody so far fills a cell
+  Image<uint16_t> label_;  ///< the index of an expected body, plus 1
   SubjectCells result_;
 };
 

@@ -1,7 +1,6 @@
 // Which subject each cell of a feed's mask shows, where bodies overlap in its image. The nearer ones are before the
-// others: a cell that a body fills with likelihood s is left to those behind it with 1 - s. Outlines are what each
-// body's was lately; colours tell apart what they do not, and neighbours are alike (after Mittal and Davis, M2Tracker,
-// 2003).
+// others: a cell that a body fills with likelihood s is left to those behind it with 1 - s. Colours tell apart what
+// outlines do not, and neighbours are alike (after Mittal and Davis, M2Tracker, 2003).
 #pragma once
 
 #include <span>
@@ -10,17 +9,14 @@
 #include "oc_core/feeds/body_view.h"
 #include "oc_core/feeds/feed_blobs.h"
 #include "oc_core/feeds/subject_colors.h"
-#include "oc_core/feeds/subject_shape.h"
 
 namespace ocelli {
 
 /// A subject as a feed should see it.
 struct ExpectedBody {
-  size_t subject = 0;   ///< its index
-  glm::dvec2 place{0};  ///< in the plan, when it was seen
+  size_t subject = 0;  ///< its index
   BodyView view;
   const SubjectColors* colors = nullptr;
-  const SubjectShape* shape = nullptr;
 };
 
 /// What a feed sees of one expected body. Cells of its mask, row 0 at the top; but those that were seen, each is
@@ -54,7 +50,6 @@ struct SubjectCells {
   Image<uint16_t> who;            ///< of each cell of the blobs' cores: the index of the subject, plus 1
   std::vector<BodySight> sights;  ///< of each expected body
   std::vector<SureCell> sure;
-  std::vector<SubjectShape> shapes;  ///< what the frame tells of each body's; nothing where others are before it
 };
 
 /// `bodies` are in the order of their distance, the nearest first.

@@ -47,9 +47,8 @@ const BodySight* SubjectTracks::sight(size_t feed, size_t subject) const {
 }
 
 void SubjectTracks::update(const std::vector<FeedBlobs>& blobs, double seconds) {
-  const double elapsed = seconds - seconds_;
   for (Track& track : tracks_) {
-    track.motion.goOn(elapsed);
+    track.motion.goOn(seconds - seconds_);
   }
   seconds_ = seconds;
   tellCellsOf(blobs);
@@ -58,7 +57,6 @@ void SubjectTracks::update(const std::vector<FeedBlobs>& blobs, double seconds) 
     tellCellsOf(blobs);
   }
   learnColors();
-  learnShapes(elapsed);
   judge();
   recognize();
   forget();
@@ -79,8 +77,7 @@ void SubjectTracks::tellCellsOf(const std::vector<FeedBlobs>& blobs) {
         const glm::dvec2 then = tracks_[i].motion.place(of.age);
         if (auto view = BodyView::of(graph_.setup().feeds[feed], {then.x, graph_.setup().floorHeight, then.y},
                                      tracks_[i].height, {of.core.width(), of.core.height()}, of.scale)) {
-          bodies_[feed].push_back({i, then, std::move(*view), colors[feed].isKnown() ? &colors[feed] : &colors.back(),
-                                   &tracks_[i].shapes[feed]});
+          bodies_[feed].push_back({i, std::move(*view), colors[feed].isKnown() ? &colors[feed] : &colors.back()});
         }
       }
       std::sort(bodies_[feed].begin(), bodies_[feed].end(),
@@ -114,19 +111,6 @@ void SubjectTracks::learnColors() {
       Track& track = tracks_[bodies_[feed][cell.body].subject];
       track.colors[feed].add(cell.part, cell.bin);
       track.colors.back().add(cell.part, cell.bin);
-    }
-  }
-}
-
-void SubjectTracks::learnShapes(double elapsed) {
-  for (Track& track : tracks_) {
-    for (SubjectShape& shape : track.shapes) {
-      shape.forget(elapsed);
-    }
-  }
-  for (size_t feed = 0; feed < cells_.size(); ++feed) {
-    for (size_t b = 0; b < cells_[feed].shapes.size(); ++b) {
-      tracks_[bodies_[feed][b].subject].shapes[feed].add(cells_[feed].shapes[b]);
     }
   }
 }
@@ -251,8 +235,7 @@ void SubjectTracks::addNew(const std::vector<FeedBlobs>& blobs) {
     }
     if (nearest == nullptr) {
       tracks_.push_back({nextNumber_++, SubjectMotion(plan, error), kSubjectHeight,
-                         std::vector<SubjectColors>(blobs.size() + 1), std::vector<SubjectShape>(blobs.size()),
-                         seconds_, seconds_, seconds_});
+                         std::vector<SubjectColors>(blobs.size() + 1), seconds_, seconds_, seconds_});
     } else if (nearest->toldAt < seconds_) {
       nearest->motion.tell({1, 0}, plan.x, error);
       nearest->motion.tell({0, 1}, plan.y, error);

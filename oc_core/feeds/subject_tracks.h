@@ -40,7 +40,6 @@ class SubjectTracks {
     SubjectMotion motion;
     double height;
     std::vector<SubjectColors> colors;  ///< by feed; then of all together
-    std::vector<SubjectShape> shapes;   ///< by feed
     double foundAt = 0;                 ///< seconds
     double toldAt = 0;                  ///< seconds: when a feed last saw it
     double expectedAt = 0;              ///< when last the feed that would show it did not miss it
@@ -51,7 +50,6 @@ class SubjectTracks {
   void tellCellsOf(const std::vector<FeedBlobs>& blobs);
   void tellPlaces(const std::vector<FeedBlobs>& blobs);
   void learnColors();
-  void learnShapes(double elapsed);
   void judge();
   void recognize();
   /// The one that is not seen where it should be, and may be that new one; null where there is none.

@@ -37,7 +37,7 @@ struct TwoBodies {
       auto view = BodyView::of(feed, bodies[i].place + off, bodies[i].height, {blobs.core.width(), blobs.core.height()},
                                blobs.scale);
       EXPECT_TRUE(view);
-      all.push_back({i, {}, *view, &colors[i], nullptr});
+      all.push_back({i, *view, &colors[i]});
     }
     std::sort(all.begin(), all.end(),
               [](const ExpectedBody& a, const ExpectedBody& b) { return a.view.distance() < b.view.distance(); });
@@ -92,26 +92,6 @@ TEST(SubjectCells, coloursTellApartWhatOutlinesDoNot) {
   EXPECT_LT(before, 0.85);
   EXPECT_GT(two.rightShare(cells, 0), 0.95);
   EXPECT_GT(two.rightShare(cells, 1), 0.95);
-}
-
-TEST(SubjectCells, outlinesThatAreKnownLeaveTheRestToThoseBehind) {
-  // Of the one behind a strip beside the other is seen, which is as wide as somebody's arms may be. Colours are
-  // unknown.
-  TwoBodies alone({{{0, 0, -0.5}, test::kRed}});
-  const SubjectCells before = tellCells(alone.blobs, alone.expected());
-  ASSERT_EQ(before.shapes.size(), 1u);
-  TwoBodies two({{{0, 0, -0.5}, test::kRed}, {{0.2, 0, -1.6}, test::kBlue}});
-  std::vector<ExpectedBody> expected = two.expected();
-  const double usual = two.rightShare(tellCells(two.blobs, expected), 1);
-  SubjectShape shape;
-  for (int frame = 0; frame < 20; ++frame) {
-    shape.add(before.shapes[0]);
-  }
-  expected[0].shape = &shape;
-  const SubjectCells cells = tellCells(two.blobs, expected);
-  EXPECT_LT(usual, 0.8);
-  EXPECT_GT(two.rightShare(cells, 1), 0.9);
-  EXPECT_GT(two.rightShare(cells, 0), kNearlyAll);
 }
 
 TEST(SubjectCells, whatNobodyIsExpectedToFillIsNobodys) {
