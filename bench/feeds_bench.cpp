@@ -136,9 +136,8 @@ void measure(const FeedsBenchChoice& choice) {
   double composing = 0;
   const double all = eachFrame([&](const FeedFrames& frame) {
     FeedFrames taken = frame;
-    seconds += 1.0 / 30;
-    composer.take(taken, std::vector(taken.size(), seconds));
-    composing += milliseconds([&] { composer.compose(seconds, ErasedLook::kBackground, image); });
+    composer.take(taken);
+    composing += milliseconds([&] { composer.compose(seconds += 1.0 / 30, ErasedLook::kBackground, image); });
   });
   composing /= choice.frames * (choice.runs + 1.0);
   fmt::print("{} feeds of {}x{}, image of {}x{}, {} threads, {} frames, best of {} runs\n\n", setup.feeds.size(),

@@ -29,7 +29,6 @@ constexpr int maskScaleOf(int feedWidth) {
 /// is left of a row or a column belongs to no cell. 0 is background, k is blob k - 1.
 struct FeedBlobs {
   int scale = 2;
-  double age = 0;  ///< seconds since the frame was taken
   std::vector<SubjectBlob> blobs;
   Image<uint16_t> core;  ///< what surely is a subject
   Image<uint16_t> wide;  ///< with its blurred rim: what is erased

@@ -25,7 +25,7 @@ constexpr double kMaxHeight = 2.1;
 
 class PlaceTeller {
  public:
-  PlaceTeller(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight, double age,
+  PlaceTeller(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight,
               SubjectMotion& motion)
       : setup_(setup),
         feedIndex_(feed),
@@ -34,8 +34,7 @@ class PlaceTeller {
         body_(body),
         sight_(sight),
         motion_(motion),
-        age_(age),
-        line_(motion.place(age) - planOf(feed_.pose.eye)) {}
+        line_(motion.place() - planOf(feed_.pose.eye)) {}
 
   bool hasLine() const { return glm::length(line_) >= kMinAway; }
 
@@ -46,9 +45,8 @@ class PlaceTeller {
     const glm::dvec2 across(-along().y, along().x);
     const double toTheRight = glm::dot(across, planOf(feed_.pose.right())) > 0 ? 1 : -1;
     const double hidden = 1 - std::min(1.0, sight_.open / std::max(sight_.inImage, 1.0));
-    motion_.tell(across,
-                 glm::dot(across, motion_.place(age_)) + toTheRight * (sight_.besideSeen - sight_.besideExpected),
-                 kBesideDeviation + kHiddenDeviation * hidden, age_);
+    motion_.tell(across, glm::dot(across, motion_.place()) + toTheRight * (sight_.besideSeen - sight_.besideExpected),
+                 kBesideDeviation + kHiddenDeviation * hidden);
   }
 
   void tellFeet() {
@@ -84,7 +82,7 @@ class PlaceTeller {
     const auto next = placeBelow(setup_, feedIndex_, pixelAt(row, edge) + glm::dvec2(0, scale_), height);
     if (told && next) {
       const double step = std::abs(glm::dot(along(), planOf(told->place - next->place)));
-      motion_.tell(along(), glm::dot(along(), planOf(told->place)) + ahead, deviation + step, age_);
+      motion_.tell(along(), glm::dot(along(), planOf(told->place)) + ahead, deviation + step);
     }
   }
 
@@ -95,7 +93,6 @@ class PlaceTeller {
   const ExpectedBody& body_;
   const BodySight& sight_;
   SubjectMotion& motion_;
-  double age_;       ///< seconds
   glm::dvec2 line_;  ///< of sight, in the plan, as long as the subject is far off
 };
 
@@ -106,8 +103,8 @@ bool isSeen(const BodySight& sight) {
 }
 
 std::optional<double> tellPlace(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight,
-                                double height, double age, SubjectMotion& motion) {
-  PlaceTeller teller(setup, feed, body, sight, age, motion);
+                                double height, SubjectMotion& motion) {
+  PlaceTeller teller(setup, feed, body, sight, motion);
   if (!isSeen(sight) || !teller.hasLine()) {
     return std::nullopt;
   }

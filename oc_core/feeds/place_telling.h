@@ -12,10 +12,9 @@ namespace ocelli {
 /// Whether enough is seen of a body to say that it is there.
 bool isSeen(const BodySight& sight);
 
-/// Tells `motion` what a feed sees of a body; nothing where it hardly sees it. `height` is the subject's, metres, `age`
-/// how long ago that was, seconds.
+/// Tells `motion` what a feed sees of a body; nothing where it hardly sees it. `height` is the subject's, metres.
 /// Returns how high it seems to be, where its place is known well and its head is seen.
 std::optional<double> tellPlace(const FeedSetup& setup, size_t feed, const ExpectedBody& body, const BodySight& sight,
-                                double height, double age, SubjectMotion& motion);
+                                double height, SubjectMotion& motion);
 
 }  // namespace ocelli

@@ -40,8 +40,8 @@ void SubjectMotion::goOn(double seconds) {
   }
 }
 
-void SubjectMotion::tell(const glm::dvec2& axis, double coordinate, double deviation, double age) {
-  const glm::dvec4 along(axis, -age * axis);
+void SubjectMotion::tell(const glm::dvec2& axis, double coordinate, double deviation) {
+  const glm::dvec4 along(axis, 0, 0);
   const glm::dvec4 spread = covariance_ * along;
   const double expected = glm::dot(along, state_);
   const double known = glm::dot(along, spread);

@@ -19,12 +19,11 @@ class SubjectMotion {
 
   /// Goes on as it walked. `seconds` is at least 0.
   void goOn(double seconds);
-  /// A coordinate of the place `age` seconds ago along a unit vector was told, with a standard deviation in metres. One
-  /// that is very far from what is expected counts for less.
-  void tell(const glm::dvec2& axis, double coordinate, double deviation, double age = 0);
+  /// A coordinate of the place along a unit vector was told, with a standard deviation in metres. One that is very far
+  /// from what is expected counts for less.
+  void tell(const glm::dvec2& axis, double coordinate, double deviation);
 
-  /// Where it is, or was `age` seconds ago if it has walked as now.
-  glm::dvec2 place(double age = 0) const { return glm::dvec2(state_.x, state_.y) - age * velocity(); }
+  glm::dvec2 place() const { return {state_.x, state_.y}; }
   glm::dvec2 velocity() const { return {state_.z, state_.w}; }  ///< metres a second
   /// The standard deviation of the place along a unit vector, metres.
   double deviationAlong(const glm::dvec2& axis) const;

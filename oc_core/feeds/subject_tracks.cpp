@@ -17,9 +17,8 @@ constexpr double kMinOpenCells = 40;
 constexpr double kMaxMissedSeconds = 0.3;  ///< while the feed that would show it sees background
 constexpr double kMaxHiddenSeconds = 4;    ///< while others hide it
 constexpr double kMaxUnknownSeconds = 2.5;
-constexpr double kNewSeconds = 2;      ///< so long a subject may turn out to be one that was lost
-constexpr double kTakenSeconds = 0.2;  ///< as long the lost one may have been taken for it
-constexpr float kMinLikeness = 1.2f;   ///< as SubjectColors::likenessOf() has it
+constexpr double kNewSeconds = 2;     ///< so long a subject may turn out to be one that was lost
+constexpr float kMinLikeness = 1.2f;  ///< as SubjectColors::likenessOf() has it
 constexpr double kMaxStrayed = 1;     ///< metres: a lost one that stood still is at most so far from where it was seen,
 constexpr double kMaxSpeed = 2;       ///< metres a second: and others are farther off by that
 constexpr double kNearSubject = 0.6;  ///< metres: what is told so near to a subject is that one
@@ -53,7 +52,7 @@ void SubjectTracks::update(const std::vector<FeedBlobs>& blobs, double seconds) 
   seconds_ = seconds;
   tellCellsOf(blobs);
   for (int round = 1; round < kTellRounds; ++round) {
-    tellPlaces(blobs);
+    tellPlaces();
     tellCellsOf(blobs);
   }
   learnColors();
@@ -74,9 +73,8 @@ void SubjectTracks::tellCellsOf(const std::vector<FeedBlobs>& blobs) {
       }
       for (size_t i = 0; i < tracks_.size(); ++i) {
         const auto& colors = tracks_[i].colors;
-        const glm::dvec2 then = tracks_[i].motion.place(of.age);
-        if (auto view = BodyView::of(graph_.setup().feeds[feed], {then.x, graph_.setup().floorHeight, then.y},
-                                     tracks_[i].height, {of.core.width(), of.core.height()}, of.scale)) {
+        if (auto view = BodyView::of(graph_.setup().feeds[feed], place(i), tracks_[i].height,
+                                     {of.core.width(), of.core.height()}, of.scale)) {
           bodies_[feed].push_back({i, std::move(*view), colors[feed].isKnown() ? &colors[feed] : &colors.back()});
         }
       }
@@ -87,13 +85,12 @@ void SubjectTracks::tellCellsOf(const std::vector<FeedBlobs>& blobs) {
   });
 }
 
-void SubjectTracks::tellPlaces(const std::vector<FeedBlobs>& blobs) {
+void SubjectTracks::tellPlaces() {
   for (size_t feed = 0; feed < cells_.size(); ++feed) {
     for (size_t b = 0; b < cells_[feed].sights.size(); ++b) {
       const ExpectedBody& body = bodies_[feed][b];
       Track& track = tracks_[body.subject];
-      if (const auto seen = tellPlace(graph_.setup(), feed, body, cells_[feed].sights[b], track.height, blobs[feed].age,
-                                      track.motion)) {
+      if (const auto seen = tellPlace(graph_.setup(), feed, body, cells_[feed].sights[b], track.height, track.motion)) {
         track.height += (*seen - track.height) * kNewHeight;
       }
     }
@@ -164,7 +161,7 @@ SubjectTracks::Track* SubjectTracks::lostLike(const Track& found) {
   float most = kMinLikeness;
   for (Track& lost : tracks_) {
     const double away = glm::length(lost.motion.place() - found.motion.place());
-    if (lost.toldAt >= seconds_ || lost.toldAt > found.foundAt + kTakenSeconds || lost.isRecognized ||
+    if (lost.foundAt >= found.foundAt || lost.toldAt > found.foundAt || lost.isRecognized ||
         !lost.colors.back().isKnown() || away > kMaxStrayed + kMaxSpeed * (seconds_ - lost.toldAt)) {
       continue;
     }

@@ -48,7 +48,7 @@ class SubjectTracks {
   };
 
   void tellCellsOf(const std::vector<FeedBlobs>& blobs);
-  void tellPlaces(const std::vector<FeedBlobs>& blobs);
+  void tellPlaces();
   void learnColors();
   void judge();
   void recognize();

@@ -27,7 +27,6 @@ FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& 
     : graph_(graph),
       map_(graph),
       frames_(graph.setup().feeds.size()),
-      frameSeconds_(frames_.size(), 0),
       isStale_(frames_.size(), 0),
       blobs_(frames_.size()),
       tracks_(graph_),
@@ -41,13 +40,12 @@ FeedComposer::FeedComposer(const FeedGraph& graph, const FeedBackgroundOptions& 
   }
 }
 
-void FeedComposer::take(std::vector<Image<Rgb8>>& frames, const std::vector<double>& seconds) {
+void FeedComposer::take(std::vector<Image<Rgb8>>& frames) {
   parallelFor(frames.size(), 1, [&](size_t begin, size_t end) {
     for (size_t i = begin; i < end; ++i) {
       if (!frames[i].empty() && isStale_[i] == 0) {
         blobs_[i] = backgrounds_[i]->update(frames[i]);
         std::swap(frames_[i], frames[i]);
-        frameSeconds_[i] = seconds[i];
       }
     }
   });
@@ -75,9 +73,6 @@ void FeedComposer::compose(double seconds, ErasedLook erased, Image<Rgb8>& image
     }
   };
   swapOld();
-  for (size_t feed = 0; feed < blobs_.size(); ++feed) {
-    blobs_[feed].age = seconds - frameSeconds_[feed];
-  }
   tracks_.update(blobs_, seconds);
   std::vector<glm::dvec3> places;
   for (size_t i = 0; i < tracks_.count(); ++i) {

@@ -25,9 +25,9 @@ class FeedComposer {
 
   /// Whether what the feed shows from now on is old: those in it are nowhere, and are erased from its picture.
   void setStale(size_t feed, bool isStale) { isStale_[feed] = isStale; }
-  /// Takes frames for feeds, by index, and the times at which they were taken; empty ones stand for no new frame, as do
-  /// those of feeds that are stale, which would become background. Works on all cores.
-  void take(std::vector<Image<Rgb8>>& frames, const std::vector<double>& seconds);
+  /// Takes frames for feeds, by index; empty ones stand for no new frame, as do those of feeds that are stale, which
+  /// would become background. Works on all cores.
+  void take(std::vector<Image<Rgb8>>& frames);
   /// Sets `image` to what the feeds show at `seconds`, which grow from call to call. All have the mean of their lights,
   /// so that exposures of their own make no seams.
   void compose(double seconds, ErasedLook erased, Image<Rgb8>& image);
@@ -49,7 +49,6 @@ class FeedComposer {
   FeedMap map_;
   std::vector<std::unique_ptr<FeedBackground>> backgrounds_;  ///< of each feed
   std::vector<Image<Rgb8>> frames_;
-  std::vector<double> frameSeconds_;
   std::vector<char> isStale_;
   std::vector<FeedBlobs> blobs_;
   SubjectTracks tracks_;

@@ -64,7 +64,7 @@ class FeedsRun {
       for (size_t i = 0; i < streams_.size(); ++i) {
         composer_.setStale(i, isStale(i, seconds));
       }
-      composer_.take(frames_, feedSeconds_);
+      composer_.take(frames_);
       composer_.compose(seconds, options_.erasedNow ? options_.erasedNow() : options_.erased, image_);
       const std::vector<FeedLabel> shown = labels(seconds);
       for (size_t i = 0; i < shown.size(); ++i) {

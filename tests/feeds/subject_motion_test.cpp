@@ -15,13 +15,12 @@ glm::dvec2 walkerAt(double seconds) {
   return {-3 + 1.2 * seconds, -1 + 0.3 * seconds};
 }
 
-/// What is told is so old.
-SubjectMotion toldFor(double seconds, double age = 0) {
-  SubjectMotion motion(walkerAt(-age), 0.3);
+SubjectMotion toldFor(double seconds) {
+  SubjectMotion motion(walkerAt(0), 0.3);
   for (double now = kStep; now < seconds; now += kStep) {
     motion.goOn(kStep);
-    motion.tell(kX, walkerAt(now - age).x, 0.2, age);
-    motion.tell(kZ, walkerAt(now - age).y, 0.2, age);
+    motion.tell(kX, walkerAt(now).x, 0.2);
+    motion.tell(kZ, walkerAt(now).y, 0.2);
   }
   return motion;
 }
@@ -31,13 +30,6 @@ TEST(SubjectMotion, learnsHowSomebodyWalks) {
   EXPECT_LT(glm::length(motion.velocity() - glm::dvec2(1.2, 0.3)), 0.1);
   motion.goOn(1);
   EXPECT_LT(glm::length(motion.place() - walkerAt(4 - kStep)), 0.15);
-}
-
-TEST(SubjectMotion, whatIsOldTellsWhereItIsNow) {
-  const SubjectMotion motion = toldFor(4, 0.4);
-  EXPECT_LT(glm::length(motion.velocity() - glm::dvec2(1.2, 0.3)), 0.1);
-  EXPECT_LT(glm::length(motion.place() - walkerAt(4 - kStep)), 0.1) << "it has gone on by half a metre since";
-  EXPECT_LT(glm::length(motion.place(0.4) - walkerAt(3.6 - kStep)), 0.1);
 }
 
 TEST(SubjectMotion, twoLinesOfSightCross) {

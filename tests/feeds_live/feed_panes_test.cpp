@@ -55,7 +55,7 @@ TEST(FeedPanes, ShowTheMeanOfWhatAPixelCovers) {
     }
   }
   const Image<Rgb8> given = frames[stem];
-  composer.take(frames, std::vector(frames.size(), 0.0));
+  composer.take(frames);
   Image<Rgb8> image;
   drawFeedPanes(composer, {}, image);
   const FeedPane pane = feedPanes(setup, 320, 240)[0];
